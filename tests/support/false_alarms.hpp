@@ -60,6 +60,7 @@ inline constexpr std::array allowances{
     Allowance{"RareOnBlocks.IsUnbiasedForOtherLaws", 1, 3},
     Allowance{"RareOnBlocks.IsUnbiasedForNumbersThatAreDrawnAlongTheWay", 1, 4},
     Allowance{"RareOnBlocks.IsUnbiasedWhateverTheErrorOfTheGrid", 1, 2},
+    Allowance{"RareOnBlocks.IsUnbiasedWhateverTheProposalOfNumbersDrawnOnce", 1, 2},
     Allowance{"CorrelatedFriction.HasTheCorrelationThatIsAskedFor", 1, 3},
     Allowance{"RandomNumbers.OfLawsAlongTheWayAreTested", 1, 8},
     Allowance{"MeanShare.CoversTheShareOfSemiMarkovProcessesAsOftenAsTheDocumentsSay", 1, 3},

@@ -28,6 +28,7 @@ using rocking::rare::Committor;
 using rocking::rare::Event;
 using rocking::rare::Guide;
 using rocking::rare::Image;
+using rocking::rare::Proposal;
 using rocking::rare::SectionGrid;
 using rocking::rare::Stream;
 using rocking::rare::Transitions;
@@ -126,6 +127,14 @@ Question shaken_block(const rocking::FluctuationLaws& laws = {}, double correlat
   return question;
 }
 
+/// As shaken_block, and the width and the phase are drawn once.
+Question block_of_random_size() {
+  Question question = shaken_block();
+  question.condition.scene.block.width = rocking::Normal{.mean = 1.0, .sigma = 0.05};
+  rocking::support::harmonic(question.condition.scene).phase = rocking::Uniform{.low = 0.0, .high = 6.28};
+  return question;
+}
+
 TEST(RareOnBlocks, IsUnbiasedForNumbersThatAreDrawnOnce) {
   FalseAlarms alarms;
   const FreeBlock block;
@@ -161,9 +170,7 @@ TEST(RareOnBlocks, IsUnbiasedForNumbersThatAreDrawnAlongTheWay) {
   using enum rocking::FluctuationLaw;
   const rocking::FluctuationLaws others{
       .static_friction = lognormal, .kinetic_friction = uniform, .restitution = uniform, .amplitude = lognormal};
-  Question with_size_and_phase = shaken_block();
-  with_size_and_phase.condition.scene.block.width = rocking::Normal{.mean = 1.0, .sigma = 0.05};
-  rocking::support::harmonic(with_size_and_phase.condition.scene).phase = rocking::Uniform{.low = 0.0, .high = 6.28};
+  const Question with_size_and_phase = block_of_random_size();
   for (const Question& question :
        {shaken_block(), shaken_block(others, 0.8), shaken_block({}, 0.5, 0.005), with_size_and_phase}) {
     const Estimate found = estimated(question, 60, 120);
@@ -173,13 +180,14 @@ TEST(RareOnBlocks, IsUnbiasedForNumbersThatAreDrawnAlongTheWay) {
   }
 }
 
-/// By runs that this guide steers.
-Estimate steered(const Question& question, const Guide& guide, std::uint64_t repetitions) {
+/// By runs that this guide steers, with numbers drawn once from a proposal.
+Estimate steered(const Question& question, const Guide& guide, std::uint64_t repetitions,
+                 const Proposal* proposal = nullptr) {
   const BlockPaths paths = question.paths();
   const TwistedPlan plan{.seed = run_seed, .periods = paths.periods()};
   std::vector<double> estimates;
   for (std::uint64_t i = 1; i <= repetitions; ++i) {
-    BlockPopulation population(paths, {.particles = 60, .repetition = i, .guide = &guide});
+    BlockPopulation population(paths, {.particles = 60, .repetition = i, .guide = &guide, .proposal = proposal});
     estimates.push_back(TwistedRun(population, plan, i).run().estimate);
   }
   return mean_of(estimates);
@@ -207,6 +215,24 @@ TEST(RareOnBlocks, IsUnbiasedWhateverTheErrorOfTheGrid) {
   const Estimate other = plain(question);
   for (const Guide* guide : {&coarse, &wrong}) {
     const Estimate found = steered(question, *guide, 200);
+    EXPECT_LT(std::abs(score_of(found, other)), alarms.score()) << found.mean << ' ' << other.mean;
+    EXPECT_LT(std::hypot(found.error / found.mean, other.error / other.mean), 0.2);
+  }
+}
+
+// One that is too wide, and one that is where the event is not more likely.
+TEST(RareOnBlocks, IsUnbiasedWhateverTheProposalOfNumbersDrawnOnce) {
+  FalseAlarms alarms;
+  const Question question = block_of_random_size();
+  const BlockPaths paths = question.paths();
+  const std::size_t dimensions = paths.numbers.once.size();
+  ASSERT_EQ(dimensions, 2U);
+  const Proposal wide = Proposal::about_mean(dimensions, 1.5);
+  const Proposal wrong = Proposal::fitted_to({{{1.0, -1.0}, 1.0}, {{1.5, -0.5}, 2.0}}, dimensions, 0.8);
+  const Estimate other = plain(question);
+  for (const Proposal* proposal : {&wide, &wrong}) {
+    const Guide guide = guide_of(rocking::rare::transitions_of(paths, few_nodes(), 0, 3, 1, proposal), paths);
+    const Estimate found = steered(question, guide, 300, proposal);
     EXPECT_LT(std::abs(score_of(found, other)), alarms.score()) << found.mean << ' ' << other.mean;
     EXPECT_LT(std::hypot(found.error / found.mean, other.error / other.mean), 0.2);
   }

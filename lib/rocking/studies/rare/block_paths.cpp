@@ -41,7 +41,7 @@ struct Samples {
   std::vector<Start> starts;
 };
 
-Samples samples_of(const BlockPaths& paths, std::size_t count) {
+Samples samples_of(const BlockPaths& paths, std::size_t count, const Proposal* proposal) {
   Samples samples;
   const Scene& scene = paths.condition->scene;
   const bool has_amplitude = redraws_amplitude(scene);
@@ -55,7 +55,10 @@ Samples samples_of(const BlockPaths& paths, std::size_t count) {
     samples.weights.push_back(has_amplitude ? base::normal_density(z) : 1.0);
     sum += samples.weights.back();
     const Stream stream{.repetition = 0, .stage = stage_limit - 1, .particle = j, .move = 0};
-    Start start = start_of(scene, random::Draws(paths.seed, number_of(stream)));
+    const random::Draws own(paths.seed, number_of(stream));
+    DrawHistory once;
+    if (proposal != nullptr) once = given_draws(scene, paths.numbers.once, proposal->draw(own));
+    Start start = start_of(scene, random::BranchedDraws(own, &once));
     start.phase = 0.0;
     samples.starts.push_back(std::move(start));
   }
@@ -128,8 +131,8 @@ double Guide::score(std::int64_t k, const SectionPoint& point) const {
 }
 
 Transitions transitions_of(const BlockPaths& paths, const SectionGrid& grid, std::int64_t k, std::size_t samples,
-                           unsigned threads) {
-  const Samples all = samples_of(paths, samples);
+                           unsigned threads, const Proposal* proposal) {
+  const Samples all = samples_of(paths, samples, proposal);
   Transitions transitions{.weights = all.weights, .images = std::vector<Image>(grid.size() * samples)};
   constexpr std::size_t nodes_at_once = 64;
   std::atomic<std::size_t> next = 0;
@@ -188,16 +191,18 @@ BlockPopulation::BlockPopulation(const BlockPaths& paths, const PopulationPlan& 
   run(all);
 }
 
-BlockPopulation::Particle BlockPopulation::begin(std::size_t i, SharedExcitation& excitation) const {
+BlockPopulation::Particle BlockPopulation::begin(std::size_t i, SharedExcitation& excitation) {
   const Condition& condition = *paths_->condition;
   Particle particle;
   particle.number = number_of({.repetition = plan_.repetition, .stage = 0, .particle = i, .move = 0});
   particle.history = std::make_unique<DrawHistory>();
   const random::Draws own(paths_->seed, particle.number);
   if (plan_.proposal != nullptr) {
-    particle.drawn_once = plan_.proposal->draw(own);
-    particle.likelihood_ratio = plan_.proposal->likelihood_ratio(particle.drawn_once);
-    *particle.history = given_draws(condition.scene, paths_->numbers.once, particle.drawn_once);
+    const Point& point = drawn_at_first_.emplace_back(plan_.proposal->draw(own));
+    particle.likelihood_ratio = plan_.proposal->likelihood_ratio(point);
+    const double root = std::sqrt(particle.likelihood_ratio);
+    particle.first_score = 1.0 / (root * std::sqrt(root));
+    *particle.history = given_draws(condition.scene, paths_->numbers.once, point);
   }
   const random::BranchedDraws draws(own, particle.history.get());
   const Start start = start_of(condition.scene, draws);
@@ -223,7 +228,7 @@ double BlockPopulation::score(std::int64_t k, std::size_t i) {
     reach_.tilt_rate = std::max(reach_.tilt_rate, std::abs(at.tilt_rate));
     reach_.slip_rate = std::max(reach_.slip_rate, std::abs(at.slip_rate));
   }
-  return plan_.guide == nullptr ? 1.0 : plan_.guide->score(k, at);
+  return plan_.guide == nullptr ? 1.0 : plan_.guide->score(k, at) * particles_[i].first_score;
 }
 
 void BlockPopulation::branch(std::size_t i, std::size_t parent, const Stream& stream) {
@@ -232,7 +237,7 @@ void BlockPopulation::branch(std::size_t i, std::size_t parent, const Stream& st
   child.motion->become(*from.motion);
   child.number = from.number;
   *child.history = *from.history;
-  child.drawn_once = from.drawn_once;
+  child.first_score = from.first_score;
   child.has_left = false;
   Motion& motion = child.motion->motion();
   SceneCoefficients coefficients = motion.coefficients();

@@ -46,9 +46,9 @@ struct BlockPaths {
 /// Where motions are a period after strobe point k, from each node of the grid, `samples` from each. Where the
 /// amplitude of each period is drawn, a sample has a given one, at equal distances within six standard deviations of
 /// its normal number; all else is drawn. `k` = 0 stands for every strobe point of a periodic excitation. On several
-/// threads.
+/// threads. Numbers drawn once come from the proposal; null: from their own law.
 [[nodiscard]] Transitions transitions_of(const BlockPaths& paths, const SectionGrid& grid, std::int64_t k,
-                                         std::size_t samples, unsigned threads);
+                                         std::size_t samples, unsigned threads, const Proposal* proposal = nullptr);
 
 /// The trajectories of a condition in which all is drawn once. Models rare::PointModel.
 class BlockPoints {
@@ -94,8 +94,8 @@ class BlockPopulation {
   /// The largest abs(Theta), abs(Theta') and abs(V) for which a score was asked while h was below 0.9.
   [[nodiscard]] const SectionPoint& reach() const { return reach_; }
   [[nodiscard]] SectionPoint point(std::size_t i) const;
-  /// The numbers drawn once; empty without a proposal.
-  [[nodiscard]] const Point& drawn_once(std::size_t i) const { return particles_[i].drawn_once; }
+  /// The numbers that particle i had drawn at first; empty without a proposal.
+  [[nodiscard]] const Point& drawn_at_first(std::size_t i) const { return drawn_at_first_[i]; }
   void branch(std::size_t i, std::size_t parent, const Stream& stream);
   void leave(std::size_t i) { particles_[i].has_left = true; }
   void note_event(std::size_t i, double weight) {
@@ -111,12 +111,14 @@ class BlockPopulation {
     std::uint64_t number = 0;
     std::unique_ptr<random::DrawHistory> history;
     std::unique_ptr<StrobedMotion> motion;
-    Point drawn_once;
-    double likelihood_ratio = 1.0;
+    /// Factor of the scores for the numbers drawn once: their likelihood ratio to the power -3/4, since the event is
+    /// likely where the proposal has much more than their own law.
+    double first_score = 1.0;
+    double likelihood_ratio = 1.0;  ///< of what was drawn last
     bool has_left = false;
   };
 
-  [[nodiscard]] Particle begin(std::size_t i, SharedExcitation& excitation) const;
+  [[nodiscard]] Particle begin(std::size_t i, SharedExcitation& excitation);
   void run(const std::vector<StrobedMotion*>& motions);
 
   const BlockPaths* paths_;
@@ -124,6 +126,7 @@ class BlockPopulation {
   Lockstep lanes_;
   std::vector<Particle> particles_;
   std::vector<KeptPath> kept_;
+  std::vector<Point> drawn_at_first_;
   SectionPoint reach_;
   double work_ = 0.0;
 };

@@ -62,7 +62,8 @@ class TwistedEstimator final : public Estimator {
       : paths_(&paths),
         particles_(particles),
         threads_(threads),
-        plan_{.seed = paths.seed, .periods = paths.periods()} {
+        plan_{.seed = paths.seed, .periods = paths.periods()},
+        proposal_(paths.numbers.once.size()) {
     find_guide();
   }
 
@@ -85,30 +86,73 @@ class TwistedEstimator final : public Estimator {
   static constexpr double margin = 1.05;
 
   [[nodiscard]] PopulationPlan plan_of(std::size_t particles, std::uint64_t repetition) const {
-    return {.particles = particles, .repetition = repetition, .guide = guide_ ? &*guide_ : nullptr};
+    return {
+        .particles = particles, .repetition = repetition, .guide = guide_ ? &*guide_ : nullptr, .proposal = proposal()};
   }
+
+  [[nodiscard]] const Proposal* proposal() const { return proposal_.dimensions() > 0 ? &proposal_ : nullptr; }
 
   /// The reach of a run, and whether it saw the event.
   SectionPoint run_pilot(std::uint64_t number) {
     const std::uint64_t repetition = most_repetitions + number;
     BlockPopulation population(*paths_, plan_of(pilot_particles, repetition));
-    const Repetition found = TwistedRun(population, plan_, repetition).run();
+    TwistedRun run(population, plan_, repetition);
+    const Repetition found = run.run();
     pilot_.work += found.work;
     pilot_.found_event = found.estimate > 0.0;
+    if (proposal() != nullptr) collect(population, run);
     return population.reach();
   }
 
-  /// Coarse grids find how far motions go that have the event, a fine one steers the repetitions.
-  void find_guide() {
-    constexpr double least_reach = 0.1;
-    constexpr std::uint64_t coarse_grids = 3;
-    SectionPoint reach = run_pilot(0);
-    reach = {.tilt = std::max(1.3, 1.5 * reach.tilt),
-             .tilt_rate = std::max(least_reach, 1.5 * reach.tilt_rate),
-             .slip_rate = 1.5 * reach.slip_rate};
-    for (std::uint64_t i = 1; i <= coarse_grids; ++i) {
+  /// The numbers drawn once of the first ancestors of those that had the event.
+  void collect(const BlockPopulation& population, const TwistedRun<BlockPopulation>& run) {
+    std::optional<std::size_t> last;
+    for (const auto& [ancestor, weight] : run.found()) {
+      if (ancestor == last) {
+        found_.back().weight += weight;
+      } else {
+        found_.push_back({population.drawn_at_first(ancestor), weight});
+      }
+      last = ancestor;
+    }
+  }
+
+  [[nodiscard]] double effective_number_found() const {
+    double sum = 0.0;
+    double squares = 0.0;
+    for (const WeightedPoint& point : found_) {
+      sum += point.weight;
+      squares += point.weight * point.weight;
+    }
+    return sum > 0.0 ? sum / squares * sum : 0.0;
+  }
+
+  /// Fits the proposal to the numbers drawn once of those that had the event in some pilot runs, until these are many
+  /// different ones: the law in use does well then.
+  void find_proposal(const SectionPoint& reach, std::uint64_t number) {
+    constexpr int rounds = 5;
+    constexpr int runs = 8;
+    constexpr double enough = 30.0;
+    constexpr double least_width = 0.5;  // what is drawn along the way blurs where the event happens
+    for (int round = 0; round < rounds; ++round) {
+      found_.clear();
+      for (int i = 0; i < runs; ++i) run_pilot(number++);
+      if (effective_number_found() >= enough) break;
+      proposal_ = found_.empty() ? Proposal::about_mean(proposal_.dimensions(), wide)
+                                 : Proposal::fitted_to(std::move(found_), proposal_.dimensions(), least_width);
+      make_guide(reach, true);
+    }
+  }
+
+  static constexpr std::uint64_t coarse_grids = 3;
+  static constexpr double wide = 2.0;  ///< of the law of numbers drawn once with which an event is sought
+  static constexpr double least_reach = 0.1;
+
+  /// How far motions go that have the event, by coarse grids.
+  [[nodiscard]] SectionPoint find_reach(SectionPoint reach, std::uint64_t number) {
+    for (std::uint64_t i = 0; i < coarse_grids; ++i) {
       make_guide(reach, false);
-      const SectionPoint seen = run_pilot(i);
+      const SectionPoint seen = run_pilot(number + i);
       const SectionPoint next{.tilt = std::max(least_reach, margin * seen.tilt),
                               .tilt_rate = std::max(least_reach, margin * seen.tilt_rate),
                               .slip_rate = margin * seen.slip_rate};
@@ -116,8 +160,24 @@ class TwistedEstimator final : public Estimator {
       reach = next;
       if (is_found) break;
     }
+    return reach;
+  }
+
+  /// Coarse grids find the reach, a fine one steers the repetitions.
+  void find_guide() {
+    const SectionPoint seen = run_pilot(0);
+    const SectionPoint farthest{.tilt = std::max(1.3, 1.5 * seen.tilt),
+                                .tilt_rate = std::max(least_reach, 1.5 * seen.tilt_rate),
+                                .slip_rate = 1.5 * seen.slip_rate};
+    SectionPoint reach = find_reach(farthest, 1);
+    if (proposal() != nullptr && !pilot_.found_event) {
+      proposal_ = Proposal::about_mean(proposal_.dimensions(), wide);
+      guide_.reset();
+      reach = find_reach(farthest, coarse_grids + 2);
+    }
     make_guide(reach, true);
     run_pilot(coarse_grids + 1);
+    if (proposal() != nullptr) find_proposal(reach, 2 * coarse_grids + 2);
   }
 
   /// Fine within the reach, and coarse from there to where a falling block has overturned.
@@ -150,7 +210,7 @@ class TwistedEstimator final : public Estimator {
     std::vector<Transitions> transitions;
     const std::int64_t last = is_periodic ? 1 : std::max<std::int64_t>(1, paths_->periods() - 1);
     for (std::int64_t k = 1; k <= last; ++k) {
-      transitions.push_back(transitions_of(*paths_, grid, is_periodic ? 0 : k, samples, threads_));
+      transitions.push_back(transitions_of(*paths_, grid, is_periodic ? 0 : k, samples, threads_, proposal()));
     }
     pilot_.work +=
         static_cast<double>(grid.size() * samples * transitions.size()) / static_cast<double>(paths_->periods());
@@ -164,7 +224,7 @@ class TwistedEstimator final : public Estimator {
   [[nodiscard]] double least_score() {
     constexpr double part = 0.03;
     constexpr double smallest = 1e-30;
-    BlockPopulation population(*paths_, {.particles = pilot_particles, .repetition = most_repetitions});
+    BlockPopulation population(*paths_, plan_of(pilot_particles, most_repetitions));
     pilot_.work += population.work();
     double mean = 0.0;
     for (std::size_t i = 0; i < population.size(); ++i) mean += guide_->committor(1, population.point(i));
@@ -176,6 +236,8 @@ class TwistedEstimator final : public Estimator {
   unsigned threads_;
   TwistedPlan plan_;
   std::optional<Guide> guide_;
+  Proposal proposal_;                 ///< of the numbers drawn once
+  std::vector<WeightedPoint> found_;  ///< those of pilot runs that had the event
   Pilot pilot_;
 };
 

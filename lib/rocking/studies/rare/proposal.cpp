@@ -111,13 +111,20 @@ double best_multiple(const std::vector<WeightedPoint>& points, const Point& devi
 
 }  // namespace
 
-Proposal Proposal::fitted_to(std::vector<WeightedPoint> points, std::size_t dimensions) {
+Proposal Proposal::about_mean(std::size_t dimensions, double width) {
+  Proposal proposal(dimensions);
+  proposal.widths_.assign(dimensions, width);
+  proposal.centres_.emplace_back(dimensions, 0.0);
+  return proposal;
+}
+
+Proposal Proposal::fitted_to(std::vector<WeightedPoint> points, std::size_t dimensions, double least_width) {
   Proposal proposal(dimensions);
   merge_equal(points);
   if (points.size() < 2 || dimensions == 0) return proposal;
   proposal.widths_ = standard_deviations(points, dimensions);
   const double multiple = best_multiple(points, proposal.widths_);
-  for (double& width : proposal.widths_) width *= multiple;
+  for (double& width : proposal.widths_) width = std::max(least_width, multiple * width);
   proposal.centres_ = chosen(points, most_centres);
   return proposal;
 }

@@ -22,10 +22,14 @@ class Proposal {
   /// Their own law.
   explicit Proposal(std::size_t dimensions) : dimensions_(dimensions) {}
 
+  /// About 0 alone.
+  [[nodiscard]] static Proposal about_mean(std::size_t dimensions, double width);
+
   /// Fitted to points that are drawn from the law that is wanted, or weighted by their likelihood ratio to it. The
   /// width in each direction is a multiple of the standard deviation there, under which points that are left out are
-  /// most likely. Their own law if less than two different points have a weight > 0.
-  [[nodiscard]] static Proposal fitted_to(std::vector<WeightedPoint> points, std::size_t dimensions);
+  /// most likely, but no less than `least_width`. Their own law if less than two different points have a weight > 0.
+  [[nodiscard]] static Proposal fitted_to(std::vector<WeightedPoint> points, std::size_t dimensions,
+                                          double least_width = 0.0);
 
   [[nodiscard]] std::size_t dimensions() const { return dimensions_; }
   /// Uses the draws of Source::rare_choice.

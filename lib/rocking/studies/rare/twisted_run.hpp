@@ -81,15 +81,23 @@ class TwistedRun {
     std::iota(ancestors_.begin(), ancestors_.end(), std::size_t{0});
   }
 
+  /// A particle that had the event, with its weight: the first of its ancestors.
+  struct Found {
+    std::size_t ancestor = 0;
+    double weight = 0.0;
+  };
+  [[nodiscard]] const std::vector<Found>& found() const { return found_; }
+
   [[nodiscard]] Repetition run() {
     for (std::int64_t k = 1; collect() && k < plan_->periods; ++k) {
       if (weigh(k) < plan_->least_effective * static_cast<double>(weights_.size())) resample(k);
       population_->advance();
     }
     result_.estimate /= static_cast<double>(weights_.size());
-    std::ranges::sort(event_ancestors_);
-    const auto end = std::unique(event_ancestors_.begin(), event_ancestors_.end());
-    result_.ancestors = static_cast<std::size_t>(end - event_ancestors_.begin());
+    std::ranges::sort(found_, {}, &Found::ancestor);
+    for (std::size_t i = 0; i < found_.size(); ++i) {
+      if (i == 0 || found_[i].ancestor != found_[i - 1].ancestor) ++result_.ancestors;
+    }
     result_.work = population_->work();
     return result_;
   }
@@ -109,7 +117,7 @@ class TwistedRun {
       if (fate == Image::Fate::event) {
         if constexpr (requires { population_->note_event(i, weights_[i]); }) population_->note_event(i, weights_[i]);
         result_.estimate += weights_[i];
-        event_ancestors_.push_back(ancestors_[i]);
+        found_.push_back({ancestors_[i], weights_[i]});
       }
       weights_[i] = 0.0;
       population_->leave(i);
@@ -164,7 +172,7 @@ class TwistedRun {
   std::vector<double> values_;
   double total_ = 0.0;
   std::vector<std::size_t> ancestors_;
-  std::vector<std::size_t> event_ancestors_;
+  std::vector<Found> found_;
   Repetition result_;
 };
 

@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <array>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -27,70 +30,85 @@ struct VerifyRequest {
   ExecutionOptions execution{.threads = available_threads(), .max_time = {}, .loudness = {}};
 };
 
-constexpr const char* rare_name = "rare.json";
+using Verify = RunCheck(const std::filesystem::path& folder, std::optional<std::uint64_t> sample,
+                        const Execution& execution);
+
+/// A study in a folder, beside the run or without one.
+struct StudyCheck {
+  const char* file;
+  const char* progress;   ///< what progress counts
+  const char* unit;       ///< what is made again
+  const char* units_key;  ///< of JSON
+  const char* and_more;   ///< what is always made again
+  Verify* verify;
+};
+constexpr std::array study_checks{
+    StudyCheck{"rare.json", "repetitions", "repetition", "repetitions_run_again", " and the pilot runs", verify_rare},
+    StudyCheck{"infer.json", "realisations", "point", "points_run_again", "", verify_infer},
+};
+
+bool is_in(const std::filesystem::path& folder, const StudyCheck& study) {
+  return std::filesystem::exists(folder / study.file);
+}
 
 void expect_finished_run(const RunFolder& folder, const VerifyRequest& request) {
   folder.expect_installed();
   if (!folder.has_report()) {
-    throw MissingInput(fmt::format("{}: is missing, and there is no {}, so there is nothing to verify",
-                                   folder.report_path().string(), rare_name));
+    throw MissingInput(fmt::format("{}: is missing, and there is no {} or {}, so there is nothing to verify",
+                                   folder.report_path().string(), study_checks[0].file, study_checks[1].file));
   }
   if (folder.has_store() || !request.sample) return;
   throw UsageError(folder.store_path().string() +
                    ": is missing, so there are no realisations for --sample; omit --sample");
 }
 
-/// What was checked of a folder: its run, its `rare.json`, or both.
+/// What was checked of a folder.
 struct FolderCheck {
-  std::optional<RunCheck> run;
-  std::optional<RunCheck> rare;
+  std::vector<Fact> facts;  ///< how much was made again
+  std::string table;        ///< of what is right
+  std::vector<std::string> findings;
 
-  [[nodiscard]] std::vector<std::string> findings() const {
-    std::vector<std::string> all;
-    for (const auto* check : {&run, &rare}) {
-      if (check->has_value()) all.insert(all.end(), (*check)->findings.begin(), (*check)->findings.end());
-    }
-    return all;
+  void add(const RunCheck& check, const char* key, const std::string& right) {
+    facts.push_back({key, check.checked});
+    table += right;
+    findings.insert(findings.end(), check.findings.begin(), check.findings.end());
   }
 };
 
 FolderCheck check_of(const VerifyRequest& request) {
   const std::filesystem::path path = request.folder;
   const RunFolder folder(path);
-  FolderCheck check;
-  const bool has_rare = std::filesystem::exists(path / rare_name);
-  if (folder.has_report() || folder.has_store() || !has_rare) {
+  FolderCheck all;
+  const auto checked = [&](const char* units, Verify* verify) {
+    Progress progress(suitable_progress_style(request.execution.loudness), units);
+    return input_of([&] { return verify(path, request.sample, watched(request.execution, progress)); });
+  };
+  const bool has_study = std::ranges::any_of(study_checks, [&](const StudyCheck& study) { return is_in(path, study); });
+  if (folder.has_report() || folder.has_store() || !has_study) {
     expect_finished_run(folder, request);
-    Progress progress(suitable_progress_style(request.execution.loudness), "realisations");
-    check.run = input_of([&] { return rocking::verify(path, request.sample, watched(request.execution, progress)); });
+    const RunCheck check = checked("realisations", rocking::verify);
+    all.add(check, "realisations_run_again",
+            fmt::format("{}: {} run again, all with the same bits; the report follows from them\n", request.folder,
+                        counted(check.checked, "realisation")));
   }
-  if (has_rare) {
-    Progress progress(suitable_progress_style(request.execution.loudness), "repetitions");
-    check.rare =
-        input_of([&] { return rocking::verify_rare(path, request.sample, watched(request.execution, progress)); });
+  for (const StudyCheck& study : study_checks) {
+    if (!is_in(path, study)) continue;
+    const RunCheck check = checked(study.progress, study.verify);
+    all.add(check, study.units_key,
+            fmt::format("{}/{}: {}{} run again, all with the same bits; the rest follows from them\n", request.folder,
+                        study.file, counted(check.checked, study.unit), study.and_more));
   }
-  return check;
+  return all;
 }
 
 ExitCode verify(const VerifyRequest& request) {
-  const FolderCheck check = check_of(request);
-  const std::vector<std::string> findings = check.findings();
-  const bool right = findings.empty();
+  FolderCheck check = check_of(request);
+  const bool right = check.findings.empty();
   std::vector<Fact> facts{{"verified", right}};
-  std::string table;
-  if (check.run) {
-    facts.push_back({"realisations_run_again", check.run->checked});
-    table += fmt::format("{}: {} run again, all with the same bits; the report follows from them\n", request.folder,
-                         counted(check.run->checked, "realisation"));
-  }
-  if (check.rare) {
-    facts.push_back({"repetitions_run_again", check.rare->checked});
-    table += fmt::format("{}/{}: {} and the pilot runs run again, all with the same bits; the rest follows from them\n",
-                         request.folder, rare_name, counted(check.rare->checked, "repetition"));
-  }
-  facts.push_back({"findings", findings});
-  if (!right) table = fmt::format("{}: not verified\n  {}\n", request.folder, fmt::join(findings, "\n  "));
-  print_study(request.execution.loudness, facts_text(facts), table);
+  facts.insert(facts.end(), check.facts.begin(), check.facts.end());
+  facts.push_back({"findings", check.findings});
+  if (!right) check.table = fmt::format("{}: not verified\n  {}\n", request.folder, fmt::join(check.findings, "\n  "));
+  print_study(request.execution.loudness, facts_text(facts), check.table);
   return right ? ExitCode::done : ExitCode::check_failed;
 }
 
@@ -103,12 +121,15 @@ void add_verify(CLI::App& app, Action& action) {
       "Example: rocking verify out --sample 100\n"
       "checks that out/report.json follows from out/realisations.sqlite, and that about a hundred of its realisations "
       "give the same bits when they are run again. Without --sample all of them are run. Without the store, the report "
-      "is compared with a new run. An out/rare.json is checked, too: by its pilot runs and some of its repetitions.");
+      "is compared with a new run. An out/rare.json is checked, too: by its pilot runs and some of its repetitions; an "
+      "out/infer.json by some points of "
+      "its design.");
   command->add_option("DIR", request->folder, "Folder of the run")->required();
   command
-      ->add_option("--sample", request->sample,
-                   "Run about N realisations again, and N repetitions of rare.json, evenly spaced; default: all "
-                   "realisations, and 4 repetitions of each condition")
+      ->add_option(
+          "--sample", request->sample,
+          "Run about N realisations again, N repetitions of rare.json and N points of infer.json, evenly spaced; "
+          "default: all realisations, 4 repetitions of each condition, 8 points")
       ->check(whole_number(1, random::realisation_limit))
       ->type_name("N");
   add_threads(*command, request->execution);

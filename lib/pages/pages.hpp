@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "rocking/api/export.hpp"
+#include "rocking/api/experiment.hpp"
 #include "rocking/api/run.hpp"
 #include "rocking/api/studies.hpp"
 

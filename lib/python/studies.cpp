@@ -63,6 +63,20 @@ std::string rare_text_of(const Experiment& experiment, double relative_error, st
   });
 }
 
+std::string infer_text_of(const Experiment& experiment, const std::string& tests,
+                          const std::optional<std::string>& candidates, std::uint64_t next_tests,
+                          const std::string& folder, std::optional<double> seconds, unsigned threads,
+                          py::object on_progress) {
+  InferRequest request{.tests = {}, .next_tests = next_tests, .folder = folder};
+  request.seconds = seconds;
+  request.elapsed_seconds = seconds_from_now();
+  return watch(threads, std::move(on_progress), [&](const Execution& execution) {
+    check_infer(experiment);
+    request.tests = counted_tests(experiment, tests, candidates, folder);
+    return infer_unknowns_text(experiment, request, infer_unknowns(experiment, request, execution));
+  });
+}
+
 double seconds_of_this_thread() {
   timespec time{};
   ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
@@ -110,6 +124,7 @@ void add_studies(py::module_& module) {
   module.def("bifurcation", &bifurcation_text_of);
   module.def("fragility", &fragility_text_of);
   module.def("rare", &rare_text_of);
+  module.def("infer", &infer_text_of);
   py::class_<Cost>(module, "Cost")
       .def("text", [](const Cost& found, const Experiment& experiment, std::string machine, std::string start,
                       double duration, unsigned threads) {

@@ -32,6 +32,17 @@ RANDOM = {
     "excitation": {**STILL["excitation"], "phase_rad": {"uniform": [0.0, 6.28]}},
     "realisations": 20,
 }
+COUNTED = {
+    **{key: value for key, value in RANDOM.items() if key != "sweep"},
+    "unknown": [{"parameter": "/restitution", "from": 0.8, "to": 0.95}],
+}
+
+
+def counted_tests(folder):
+    path = os.path.join(folder, "tests.csv")
+    with open(path, "w") as file:
+        file.write("amplitude,overturned,other\n4.0,1,4\n")
+    return path
 
 
 def pulse(folder):
@@ -54,6 +65,7 @@ def of_every_study():
             rocking.cost(STILL, sample=1, seconds=0.1, tolerances=[1e-5, 1e-8, 1e-14]),
             rocking.motion(pulse(folder), units="m/s2", block=(1.0, 4.0), series=True),
             rocking.check_normal(100),
+            rocking.infer(COUNTED, counted_tests(folder)),
         ]
 
 

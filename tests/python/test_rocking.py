@@ -116,6 +116,13 @@ class AgainstTheProgram(unittest.TestCase):
         pulse = os.path.join(self.folder.name, "pulse.txt")
         with open(pulse, "w") as file:
             file.write("".join(f"{0.01 * i} {4 * np.sin(0.3 * i)}\n" for i in range(200)))
+        counted = write(tempfile.mkdtemp(dir=self.folder.name),
+                        changed(unknown=[{"parameter": "/restitution", "from": 0.8, "to": 0.95}]))
+        tests, candidates = (os.path.join(self.folder.name, name) for name in ("tests.csv", "candidates.csv"))
+        with open(tests, "w") as file:
+            file.write("amplitude,overturned,other\n4.0,1,4\n")
+        with open(candidates, "w") as file:
+            file.write("amplitude\n6.0\n")
         first, second = (os.path.join(self.folder.name, name) for name in ("first", "second"))
         rocking.run(self.path, folder=first)
         rocking.run(changed(restitution=0.5), folder=second)
@@ -129,6 +136,8 @@ class AgainstTheProgram(unittest.TestCase):
              lambda: rocking.bifurcation(self.path, realisation=2)),
             (["rare", self.path, "--peak-tilt", "0.3", "--particles", "50", "--relative-error", "0.5"],
              "rare.json", lambda: rocking.rare(self.path, peak_tilt=0.3, particles=50, relative_error=0.5)),
+            (["infer", counted, "--tests", tests, "--candidates", candidates, "--next-tests", "3"], "infer.json",
+             lambda: rocking.infer(counted, tests, candidates=candidates, next_tests=3)),
             (["fragility", first, "--peak-tilt", "0.5", "--ida", "--json"], None,
              lambda: rocking.fragility(first, peak_tilts=[0.5], incremental=True)),
             (["compare", first, second, "--json"], None, lambda: rocking.compare(first, second)),

@@ -29,7 +29,7 @@ from .motions import motion
 from .pages import Written, draw, write_figures, write_page, write_sheet, write_tables, write_trajectory_page
 from .results import Result
 from .running import Plan, merge, open_run, plan, run
-from .studies import bifurcation, compare, cost, fragility, orbits, rare
+from .studies import bifurcation, compare, cost, fragility, infer, orbits, rare
 from .trajectories import CONTACTS, EVENTS, TERMINATIONS, Trajectory, trajectory
 
 __version__ = _core.version()
@@ -64,6 +64,7 @@ __all__ = [
     "draw",
     "experiment",
     "fragility",
+    "infer",
     "merge",
     "motion",
     "open_run",

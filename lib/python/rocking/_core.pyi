@@ -165,6 +165,16 @@ def rare(
     threads: int,
     on_progress: _Progress,
 ) -> str: ...
+def infer(
+    experiment: Experiment,
+    tests: str,
+    candidates: Optional[str],
+    next_tests: int,
+    folder: str,
+    seconds: Optional[float],
+    threads: int,
+    on_progress: _Progress,
+) -> str: ...
 def check_normal(n: int, mean: float, sigma: float, law: str, seed: int, sampler: str) -> str: ...
 def build_info() -> Dict[str, str]: ...
 def check_arithmetic() -> List[Tuple[str, bool]]: ...

@@ -12,7 +12,7 @@ from .experiments import ExperimentLike, experiment
 from .results import Result
 from .running import Progress, now, open_run, processors, run
 
-__all__ = ["bifurcation", "compare", "cost", "fragility", "orbits", "rare"]
+__all__ = ["bifurcation", "compare", "cost", "fragility", "infer", "orbits", "rare"]
 
 
 def orbits(
@@ -150,6 +150,43 @@ def rare(
     """
     asked = (relative_error, peak_tilt, particles, seconds, threads or processors(), progress)
     return documents.RareEvents(_core.rare(experiment(source)._core, *asked))
+
+
+def infer(
+    source: ExperimentLike,
+    tests: Union[str, "os.PathLike[str]"],
+    *,
+    candidates: Union[str, "os.PathLike[str]", None] = None,
+    next_tests: int = 5,
+    seconds: Optional[float] = None,
+    threads: Optional[int] = None,
+    progress: Optional[Progress] = None,
+) -> documents.Inference:
+    """Estimate the unknowns of an experiment from counted tests.
+
+    source: an experiment with ``unknown``. tests: CSV file with a line for each tested condition: swept parameters,
+    then a column of counts for each response mode. candidates: the same of conditions that may be tested next, without
+    counts; next_tests: tests of each, 1 to 1000. seconds: add no points to the design after this time. progress: called
+    with (realisations, planned so far). Raises InputError with the line of each fault, OSError if a file cannot be read.
+
+    >>> import os, rocking, tempfile
+    >>> slab = {"format": "rocking.experiment/1", "block": {"width_m": 1, "height_m": 4},
+    ...     "excitation": {"kind": "harmonic", "amplitude": 4.0, "frequency_ratio": 10.0,
+    ...                    "phase_rad": {"uniform": [0, 6.28]}}, "restitution": 0.9,
+    ...     "horizon": {"transient_periods": 10, "sampled_periods": 10}, "realisations": 20, "seed": "0x1",
+    ...     "unknown": [{"parameter": "/restitution", "from": 0.8, "to": 0.95}]}
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     tests = os.path.join(folder, "tests.csv")
+    ...     with open(tests, "w") as file:
+    ...         written = file.write("amplitude,overturned,other\\n4.0,1,4\\n")
+    ...     unknown, = rocking.infer(slab, tests).unknowns
+    >>> unknown.interval[0] <= unknown.estimate <= unknown.interval[1]
+    True
+    """
+    checked = experiment(source)
+    further = None if candidates is None else os.fspath(candidates)
+    asked = (next_tests, checked._files, seconds, threads or processors(), progress)
+    return documents.Inference(_core.infer(checked._core, os.fspath(tests), further, *asked))
 
 
 def cost(

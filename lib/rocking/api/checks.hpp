@@ -62,6 +62,13 @@ struct RunCheck {
                                                std::optional<std::uint64_t> sample = {},
                                                const Execution& execution = {});
 
+/// Checks the `infer.json` of a folder, whose answer must follow from its design: makes about `sample` points of the
+/// design again, evenly spaced; absent: eight. `checked` and `different` count points. Which points a design has is not
+/// checked. Uses the execution as verify() and throws as it does.
+[[nodiscard]] ROCKING_API RunCheck verify_infer(const std::filesystem::path& folder,
+                                                std::optional<std::uint64_t> sample = {},
+                                                const Execution& execution = {});
+
 /// The trajectory of a realisation of a run, checked against its digest. Throws base::InputError if the run has no such
 /// realisation, DifferentBits if this version gives it another result, and otherwise as trajectory().
 [[nodiscard]] ROCKING_API Trajectory replay(const StoredRun& stored, const TrajectoryRequest& request = {},

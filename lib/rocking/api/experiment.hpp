@@ -7,9 +7,11 @@
 #include <string_view>
 #include <vector>
 
-#include "rocking/api/export.hpp"
 #include "rocking/base/error.hpp"
 #include "rocking/scene/experiment.hpp"
+
+/// Marks the functions that the shared library exports. All others have hidden visibility.
+#define ROCKING_API __attribute__((visibility("default")))
 
 /// Experiments: from a file, from JSON text, or from conditions made in C++.
 namespace rocking {

@@ -7,13 +7,13 @@
 #include <string>
 #include <vector>
 
-#include "rocking/api/export.hpp"
+#include "rocking/api/experiment.hpp"
 #include "rocking/api/run.hpp"
 #include "rocking/scene/counted_tests.hpp"
 #include "rocking/scene/experiment.hpp"
 #include "rocking/studies/infer/inference.hpp"
 
-/// What `rocking infer` asks of the library. It is not part of the public interface yet.
+/// From counted tests back to the numbers that explain them.
 namespace rocking {
 
 /// Counted tests of an experiment's block, and how its unknowns are inferred from them.

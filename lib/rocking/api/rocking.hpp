@@ -13,6 +13,7 @@
 /// Whatever else is installed with them are their details.
 #include "rocking/api/checks.hpp"
 #include "rocking/api/experiment.hpp"
+#include "rocking/api/infer.hpp"
 #include "rocking/api/run.hpp"
 #include "rocking/api/studies.hpp"
 #include "rocking/base/error.hpp"

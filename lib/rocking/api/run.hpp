@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "rocking/api/export.hpp"
+#include "rocking/api/experiment.hpp"
 #include "rocking/ensemble/result.hpp"
 #include "rocking/realisation/peak_values.hpp"
 #include "rocking/scene/experiment.hpp"

@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "rocking/api/export.hpp"
 #include "rocking/api/run.hpp"
 #include "rocking/realisation/trajectory.hpp"
 #include "rocking/scene/experiment.hpp"

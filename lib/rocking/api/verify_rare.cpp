@@ -6,8 +6,8 @@
 #include "rocking/api/checks.hpp"
 #include "rocking/api/refuse.hpp"
 #include "rocking/api/run_options.hpp"
+#include "rocking/api/study_check.hpp"
 #include "rocking/base/error.hpp"
-#include "rocking/input/read_experiment.hpp"
 #include "rocking/input/report_claims.hpp"
 #include "rocking/output/rare_report.hpp"
 #include "rocking/output/report_differences.hpp"
@@ -44,25 +44,6 @@ std::uint64_t differing_repetitions(const std::vector<RareEstimate>& first, cons
   return count;
 }
 
-/// Ground motions, which may be beside the experiment, and that beside the folder: in the folder, the one around it, or
-/// the current one. An experiment has the digests of their contents.
-FileSource files_near(const std::filesystem::path& folder) {
-  return [folder](const std::string& name, std::size_t most) {
-    const std::filesystem::path around = std::filesystem::absolute(folder / "..").lexically_normal();
-    for (const std::filesystem::path& place : {folder, around}) {
-      if (std::filesystem::exists(place / name)) return files_seen_from(place)(name, most);
-    }
-    return files_seen_from(".")(name, most);
-  };
-}
-
-/// Experiments that were made in C++ have no text.
-bool has_stated_digest(const RareReport& report) {
-  return !report.input.experiment.is_null() &&
-         rocking::has_stated_digest(
-             {.experiment = report.input.experiment.dump(), .sha256 = report.input.sha256, .code = ""});
-}
-
 }  // namespace
 
 RunCheck verify_rare(const std::filesystem::path& folder, std::optional<std::uint64_t> sample,
@@ -73,12 +54,12 @@ RunCheck verify_rare(const std::filesystem::path& folder, std::optional<std::uin
   const std::string text = read_file(file);
   const RareReport claimed = rare_report_in(text, file);
   RunCheck check;
-  if (!has_stated_digest(claimed)) {
+  const std::optional<Experiment> experiment = stated_experiment(claimed.input, seen_near(folder));
+  if (!experiment) {
     check.findings = {"rare.json: " + std::string(wrong_digest_of_experiment)};
     return check;
   }
-  const Experiment experiment = read_experiment(claimed.input.experiment.dump(), {}, {.files = files_near(folder)});
-  const std::size_t conditions = experiment.conditions.size();
+  const std::size_t conditions = experiment->conditions.size();
   if (claimed.conditions.size() != conditions) {
     check.findings = {"rare.json: does not have one estimate for each condition of its experiment"};
     return check;
@@ -90,11 +71,11 @@ RunCheck verify_rare(const std::filesystem::path& folder, std::optional<std::uin
     if (asked.options().on_progress) asked.options().on_progress(done, planned);
   };
   const RareRerun again =
-      rare_probabilities_again(experiment, claimed.question, settings, earlier, sample.value_or(of_each * conditions));
+      rare_probabilities_again(*experiment, claimed.question, settings, earlier, sample.value_or(of_each * conditions));
   check.checked = again.repetitions;
   check.different = differing_repetitions(earlier, again.estimates);
   const RareReport right =
-      rare_report(experiment, {.question = claimed.question, .particles = claimed.particles}, again.estimates);
+      rare_report(*experiment, {.question = claimed.question, .particles = claimed.particles}, again.estimates);
   check.findings = report_differences(text, rare_document().text(right));
   for (std::string& finding : check.findings) finding.insert(0, "rare.json: ");
   return check;

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "rocking/dynamics/block.hpp"
-#include "rocking/dynamics/formulation.hpp"
+#include "rocking/dynamics/contact.hpp"
 #include "rocking/dynamics/sticking_impulse.hpp"
 
 namespace rocking::dynamics {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "rocking/dynamics/block.hpp"
-#include "rocking/dynamics/formulation.hpp"
+#include "rocking/dynamics/contact.hpp"
 
 namespace rocking::dynamics {
 

@@ -87,13 +87,11 @@ std::function<std::optional<Condition>(double, double)> condition_plane(const Ex
 }
 
 std::function<Condition(const std::vector<Parameter>&)> condition_maker(const Experiment& experiment,
-                                                                        const std::filesystem::path& folder) {
-  return [document = document_without_sweep(experiment), folder](const std::vector<Parameter>& values) {
+                                                                        const Surroundings& surroundings) {
+  return [document = document_without_sweep(experiment), surroundings](const std::vector<Parameter>& values) {
     Json one = document;
     for (const Parameter& value : values) one[Json::json_pointer(value.pointer)] = Json::parse(value.value);
-    Condition condition =
-        read_experiment(one.dump(), {}, {.files = files_seen_from(folder), .matches = matches_seen_from(folder)})
-            .conditions.front();
+    Condition condition = read_experiment(one.dump(), {}, surroundings).conditions.front();
     condition.parameters = values;
     return condition;
   };

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "rocking/input/read_experiment.hpp"
 #include "rocking/scene/experiment.hpp"
 
 namespace rocking {
@@ -39,8 +39,8 @@ struct SecondParameter {
     const Experiment& experiment, const std::string& pointer, const SecondParameter& second);
 
 /// The experiment's only condition with other values at some places: a JSON pointer and a JSON text each. Its sweep is
-/// left aside. Files that it names are seen from `folder`. Throws base::InputError where a value is not allowed.
+/// left aside. Throws base::InputError where a value is not allowed.
 [[nodiscard]] std::function<Condition(const std::vector<Parameter>& values)> condition_maker(
-    const Experiment& experiment, const std::filesystem::path& folder);
+    const Experiment& experiment, const Surroundings& surroundings);
 
 }  // namespace rocking

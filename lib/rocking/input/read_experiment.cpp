@@ -307,6 +307,10 @@ class ExperimentBuilder {
 
 }  // namespace
 
+Surroundings seen_from(const std::filesystem::path& folder) {
+  return {.files = files_seen_from(folder), .matches = matches_seen_from(folder)};
+}
+
 Experiment read_experiment(std::string_view text, const Overrides& overrides, const Surroundings& surroundings) {
   Problems problems;
   Json document = parse_json(text, problems);
@@ -325,8 +329,7 @@ Experiment read_experiment(const ExperimentText& source, const Overrides& overri
                             .remedy = "give a range instead of a list of values"});
   }
   try {
-    return read_experiment(source.text, overrides,
-                           {.files = files_seen_from(source.folder), .matches = matches_seen_from(source.folder)});
+    return read_experiment(source.text, overrides, seen_from(source.folder));
   } catch (const base::InputError& error) {
     throw located(error, source.text, source.name);
   }

@@ -19,6 +19,9 @@ struct Surroundings {
   std::size_t most_conditions = rocking::most_conditions;
 };
 
+/// Files and patterns are seen from a folder.
+[[nodiscard]] Surroundings seen_from(const std::filesystem::path& folder);
+
 /// Reads an experiment file (`rocking.experiment/1`, lib/docs/formats.md), works out its sweep and checks every
 /// condition. Throws InputError with all problems found, and std::system_error where a file that it names cannot be
 /// read.

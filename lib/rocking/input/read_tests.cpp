@@ -44,7 +44,7 @@ std::vector<std::vector<Parameter>> corners(const std::vector<Unknown>& unknowns
 class TestReader {
  public:
   TestReader(const std::string& name, const Experiment& experiment, const std::filesystem::path& folder)
-      : experiment_(&experiment), condition_at_(condition_maker(experiment, folder)), lines_(name, problems_) {}
+      : experiment_(&experiment), condition_at_(condition_maker(experiment, seen_from(folder))), lines_(name, problems_) {}
 
   /// `has_counts`: of tests; else of candidates.
   void read(std::string_view text, bool has_counts) {

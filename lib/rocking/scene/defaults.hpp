@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "rocking/dynamics/formulation.hpp"
+#include "rocking/dynamics/contact.hpp"
 #include "rocking/scene/experiment.hpp"
 
 /// Defaults that follow from other values of a condition. The others are the member initialisers of

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "rocking/dynamics/block.hpp"
-#include "rocking/dynamics/formulation.hpp"
+#include "rocking/dynamics/contact.hpp"
 #include "rocking/scene/excitation.hpp"
 #include "rocking/section/response_mode.hpp"
 

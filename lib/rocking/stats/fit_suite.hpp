@@ -8,7 +8,6 @@
 
 #include "rocking/base/many_parts.hpp"
 #include "rocking/stats/fragility.hpp"
-#include "rocking/stats/suite_law.hpp"
 
 /// Laws of the capacities of a suite of records, from counts.
 namespace rocking::stats {

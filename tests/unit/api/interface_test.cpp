@@ -274,6 +274,23 @@ TEST_F(Interface, EstimatesRareEventsAgain) {
               HasSubstr("particles"));
 }
 
+TEST_F(Interface, InfersUnknownsFromCountedTests) {
+  Experiment experiment = small_experiment(R"(, "unknown": [{"parameter": "/restitution", "from": 0.8, "to": 0.95}])");
+  InferRequest request{.tests = {.groups = {{.name = "overturned", .modes = {{section::ResponseKind::overturned}}},
+                                            {.name = "other", .modes = {}}},
+                                 .conditions = {{.parameters = {{"/excitation/amplitude", "4.0"}}, .counts = {1, 4}}}}};
+  const Inference found = infer_unknowns(experiment, request, {.threads = 2});
+  ASSERT_TRUE(found.answer);
+  EXPECT_THAT(infer_unknowns_text(experiment, request, found), HasSubstr("rocking.infer/1"));
+  request.earlier = found.design;
+  EXPECT_EQ(infer_unknowns_text(experiment, request, infer_unknowns(experiment, request)),
+            infer_unknowns_text(experiment, request, found));
+  request.next_tests = 0;
+  EXPECT_THAT(refusal([&] { static_cast<void>(infer_unknowns(experiment, request)); }), HasSubstr("next_tests"));
+  experiment.unknowns.clear();
+  EXPECT_THAT(refusal([&] { static_cast<void>(infer_unknowns(experiment, request)); }), HasSubstr("/unknown"));
+}
+
 TEST_F(Interface, ExaminesRandomNumbersAndTheMachine) {
   const SamplerQuestion question{.n = 1000};
   EXPECT_EQ(check_normal(question).n, 1000U);

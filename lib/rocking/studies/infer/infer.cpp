@@ -61,13 +61,7 @@ class Study {
 
   [[nodiscard]] Inference inference() {
     if (extend(first_design(question_->unknowns.size()))) refine();
-    if (found_) result_.answer = answer_from(*question_, result_.design, settings_->threads);
-    for (const DesignPoint& point : result_.design) {
-      for (const auto& of_condition : point.counts) {
-        for (const std::uint64_t count : of_condition) result_.realisations += count;
-      }
-    }
-    return std::move(result_);
+    return inference_from(*question_, std::move(design_), end_, settings_->threads);
   }
 
  private:
@@ -78,7 +72,7 @@ class Study {
     for (;;) {
       const std::vector<stats::Interval> before = intervals();
       if (points_.size() >= most_points(question_->unknowns.size())) {
-        result_.end = InferEnd::most_points;
+        end_ = InferEnd::most_points;
         return;
       }
       if (!extend(further_points(points_, found_->likelihood.lattice(), found_->deviances))) return;
@@ -104,28 +98,28 @@ class Study {
   [[nodiscard]] bool simulate(const std::vector<std::vector<double>>& values) {
     std::vector<std::vector<double>> missing;
     for (std::size_t i = 0; i < values.size(); ++i) {
-      if (!is_known(result_.design.size() + i, values[i])) missing.push_back(values[i]);
+      if (!is_known(design_.size() + i, values[i])) missing.push_back(values[i]);
     }
     CountsAtPoints found;
     if (!missing.empty()) {
       if (settings_->stop.is_made())
-        result_.end = InferEnd::stopped;
+        end_ = InferEnd::stopped;
       else if (!has_time())
-        result_.end = InferEnd::out_of_time;
-      if (result_.end != InferEnd::settled) return false;
+        end_ = InferEnd::out_of_time;
+      if (end_ != InferEnd::settled) return false;
       try {
         const double start = elapsed();
         found = question_->simulate(missing);
         longest_ = std::max(longest_, elapsed() - start);
       } catch (const base::Stopped&) {
-        result_.end = InferEnd::stopped;
+        end_ = InferEnd::stopped;
         return false;
       }
     }
     auto next = found.begin();
     for (const std::vector<double>& at : values) {
-      const std::size_t place = result_.design.size();
-      result_.design.push_back({.at = at, .counts = is_known(place, at) ? settings_->earlier[place].counts : *next++});
+      const std::size_t place = design_.size();
+      design_.push_back({.at = at, .counts = is_known(place, at) ? settings_->earlier[place].counts : *next++});
       points_.push_back(scale_.point(at));
     }
     return true;
@@ -141,7 +135,7 @@ class Study {
 
   /// Fits the models to the design.
   void look() {
-    models_ = models_of(points_, result_.design, models_, settings_->threads);
+    models_ = models_of(points_, design_, models_, settings_->threads);
     found_.emplace(survey_of(*question_, models_));
   }
 
@@ -176,7 +170,8 @@ class Study {
   std::vector<ShareModel> models_;       ///< by condition
   std::optional<Survey> found_;
   double longest_ = 0.0;  ///< time of a simulation so far [s]
-  Inference result_;
+  std::vector<DesignPoint> design_;
+  InferEnd end_ = InferEnd::settled;
 };
 
 }  // namespace
@@ -202,13 +197,21 @@ std::string_view to_string(InferEnd end) {
   return "";
 }
 
-InferenceAnswer answer_from(const InferenceQuestion& question, const std::vector<infer::DesignPoint>& design,
-                            unsigned threads) {
-  const infer::Scale scale(question.unknowns);
+Inference inference_from(const InferenceQuestion& question, std::vector<infer::DesignPoint> design, InferEnd end,
+                         unsigned threads) {
+  Inference result{.design = std::move(design), .answer = {}, .end = end};
   std::vector<Eigen::VectorXd> points;
-  for (const infer::DesignPoint& point : design) points.push_back(scale.point(point.at));
-  const std::vector<infer::ShareModel> models = infer::models_of(points, design, {}, threads);
-  return infer::answer_of(question, models, infer::survey_of(question, models), threads);
+  const infer::Scale scale(question.unknowns);
+  for (const infer::DesignPoint& point : result.design) {
+    points.push_back(scale.point(point.at));
+    for (const auto& of_condition : point.counts) {
+      for (const std::uint64_t count : of_condition) result.realisations += count;
+    }
+  }
+  if (points.size() < infer::first_design(question.unknowns.size()).size()) return result;
+  const std::vector<infer::ShareModel> models = infer::models_of(points, result.design, {}, threads);
+  result.answer = infer::answer_of(question, models, infer::survey_of(question, models), threads);
+  return result;
 }
 
 Inference infer_unknowns(const InferenceQuestion& question, const InferenceSettings& settings) {

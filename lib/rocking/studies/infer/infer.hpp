@@ -42,9 +42,9 @@ struct InferenceSettings {
 /// Throws std::invalid_argument if a prior has no weight in the range of its unknown.
 [[nodiscard]] Inference infer_unknowns(const InferenceQuestion& question, const InferenceSettings& settings);
 
-/// The answer from the counts of a design, which must have the first design in it. It depends on the question and the
-/// design alone. Runs on `threads`.
-[[nodiscard]] InferenceAnswer answer_from(const InferenceQuestion& question,
-                                          const std::vector<infer::DesignPoint>& design, unsigned threads);
+/// The same from a design, whose last points were not followed by others for the reason `end`: answered if the first
+/// design is finished. It depends on these arguments alone, but for `threads`, on which it runs.
+[[nodiscard]] Inference inference_from(const InferenceQuestion& question, std::vector<infer::DesignPoint> design,
+                                       InferEnd end, unsigned threads);
 
 }  // namespace rocking

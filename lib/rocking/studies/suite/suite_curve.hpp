@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "rocking/stats/suite_law.hpp"
+#include "rocking/stats/fragility.hpp"
 #include "rocking/studies/fragility_curve.hpp"
 #include "rocking/studies/suite/stripes.hpp"
 

@@ -164,19 +164,6 @@ static const StructType& fields_of(const CommittorMap*) {
 
 }  // namespace rare
 
-namespace {
-
-const StructType& ancestor_fields() {
-  static const StructType fields{
-      "Ancestors",
-      field<&RareEstimate::median_ancestors>("median", "of the repetitions", rule::not_negative),
-      field<&RareEstimate::least_ancestors>("least", "of the repetitions"),
-  };
-  return fields;
-}
-
-}  // namespace
-
 static const StructType& fields_of(const ReportedRare*) {
   using Reported = ReportedRare;
   using Found = RareEstimate;
@@ -186,8 +173,9 @@ static const StructType& fields_of(const ReportedRare*) {
       field<&Reported::parameters>("parameters", "JSON pointer to value, for each entry of the sweep"),
       field<estimate, &Found::probability>("probability", "mean of the repetitions; null: none was finished in time",
                                            rule::share),
-      field<estimate, &Found::interval>("interval", "of the probability; for a probability 0 from 0 to an upper bound",
-                                        rule::share),
+      field<estimate, &Found::interval>(
+          "interval", "of the probability; for a probability 0 its end is an order of magnitude, no bound",
+          rule::share),
       field<&Reported::confidence>("confidence", "of the interval", rule::confidence),
       field<estimate, &Found::relative_error>(
           "relative_error", "standard error over the probability; null for a probability 0, and for few repetitions",
@@ -201,17 +189,15 @@ static const StructType& fields_of(const ReportedRare*) {
       field<estimate, &Found::method>("method", "`twisted_run` where numbers are drawn along the way"),
       field<estimate, &Found::end>("ended", "why no more repetitions were made"),
       field<estimate, &Found::diagnosis>("diagnosis", "what stands in the way of trusting the interval"),
-      field<estimate>("ancestors",
-                      "of the repetitions that have seen the event: first trajectories from which those with the event "
-                      "descend",
-                      ancestor_fields()),
       field<estimate, &Found::levels>(
           "levels", "of abs(Theta) in the search for the event, rising; empty for a twisted run", rule::not_negative),
       field<estimate, &Found::reached>(
           "reached", "share of the particles of that search that reach each level, and the event last", rule::share),
       field<estimate, &Found::pilot_work>("pilot_work", "part of `work` before the first repetition",
                                           rule::not_negative),
-      field<estimate, &Found::repetitions>("repetitions", "[estimate, work, ancestors] of each"),
+      field<estimate, &Found::repetitions>(
+          "repetitions",
+          "[estimate, work, ancestors] of each; ancestors: first trajectories from which those with the event descend"),
       field<estimate, &Found::committor>("committor",
                                          "estimate of the probability of the event from points of the Poincare section "
                                          "at strobe point 1, with V = 0; null: of importance sampling"),

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "rocking/dynamics/contact.hpp"
+#include "rocking/realisation/forwarded_motion.hpp"
 
 namespace rocking {
 
@@ -20,51 +21,35 @@ struct HistoryPoint {
 /// per period, from the polynomials of the steps. At an instant with events the state is the one after them, as at a
 /// strobe. The motion must have a strobe a whole number of periods after tau = 0.
 template <class Motion>
-class SampledMotion {
+class SampledMotion : public ForwardedMotion<Motion> {
  public:
   /// `samples` >= 1 per period of length `period` in tau. Points are appended to `history`. Both must outlive this
   /// object.
   SampledMotion(Motion& motion, int samples, double period, std::vector<HistoryPoint>& history)
-      : motion_(&motion), samples_(samples), period_(period), history_(&history) {}
-
-  [[nodiscard]] bool ended() const { return motion_->ended(); }
-  [[nodiscard]] double time_resolution() const { return motion_->time_resolution(); }
-  [[nodiscard]] double time_to_breakpoint() const { return motion_->time_to_breakpoint(); }
-  [[nodiscard]] double time_to_strobe() const { return motion_->time_to_strobe(); }
-  [[nodiscard]] double expand(double reach) { return motion_->expand(reach); }
-
-  template <class Guards, class Visitor>
-  void for_each_guard(const Guards& wanted, Visitor&& visit) const {
-    motion_->for_each_guard(wanted, visit);
-  }
+      : ForwardedMotion<Motion>(motion), samples_(samples), period_(period), history_(&history) {}
 
   void strobe(double x) {
     sample_until(x);
-    motion_->strobe(x);
-    const bool was_taken = motion_->time_to_strobe() > x + 0.5 * period_;
+    this->motion().strobe(x);
+    const bool was_taken = this->motion().time_to_strobe() > x + 0.5 * period_;
     if (was_taken) begin_period(x);
   }
 
   void move(double x) {
     sample_until(x);
-    motion_->move(x);
-  }
-
-  template <class Fired>
-  void reset(const Fired& fired, bool at_breakpoint) {
-    motion_->reset(fired, at_breakpoint);
+    this->motion().move(x);
   }
 
  private:
   /// Time from the start of the step to the next sample, in tau.
   [[nodiscard]] double time_to_sample() const {
-    return motion_->time_to_strobe() - period_ * (1.0 - static_cast<double>(next_) / samples_);
+    return this->motion().time_to_strobe() - period_ * (1.0 - static_cast<double>(next_) / samples_);
   }
 
   void sample_until(double x) {
     for (; next_ < samples_; ++next_) {
       const double instant = time_to_sample();
-      if (instant >= x - motion_->time_resolution()) return;
+      if (instant >= x - this->motion().time_resolution()) return;
       keep(instant);
     }
   }
@@ -72,8 +57,9 @@ class SampledMotion {
   void keep(double instant) {
     const double periods = static_cast<double>(done_) + static_cast<double>(next_) / samples_;
     const double x = instant > 0.0 ? instant : 0.0;
-    history_->push_back(
-        {.tau = periods * period_, .state = motion_->state_at(x), .base_acceleration = motion_->base_at(x).horizontal});
+    history_->push_back({.tau = periods * period_,
+                         .state = this->motion().state_at(x),
+                         .base_acceleration = this->motion().base_at(x).horizontal});
   }
 
   void begin_period(double x) {
@@ -83,7 +69,6 @@ class SampledMotion {
     next_ = 1;
   }
 
-  Motion* motion_;
   int samples_;
   double period_;
   std::vector<HistoryPoint>* history_;

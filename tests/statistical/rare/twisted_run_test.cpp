@@ -175,11 +175,12 @@ class Particles {
   double work_ = 0.0;
 };
 
+template <class Swarm = Particles>
 std::vector<double> estimates_of(const Chain& chain, const Score& score, std::uint64_t seed, std::uint64_t count) {
   const TwistedPlan plan{.seed = seed, .periods = chain.steps()};
   std::vector<double> estimates;
   for (std::uint64_t i = 1; i <= count; ++i) {
-    Particles particles(chain, score, seed, 200, i);
+    Swarm particles(chain, score, seed, 200, i);
     estimates.push_back(TwistedRun(particles, plan, i).run().estimate);
   }
   return estimates;
@@ -237,12 +238,7 @@ class HeavyParticles : public Particles {
 
 TEST(TwistedRun, IsFoundOutWhereTheWeightsAreWrong) {
   const Walk chain(40.0, 100);
-  const TwistedPlan plan{.seed = 8, .periods = chain.steps()};
-  std::vector<double> estimates;
-  for (std::uint64_t i = 1; i <= repetitions; ++i) {
-    HeavyParticles particles(chain, coarse(chain, 8.0), 8, 200, i);
-    estimates.push_back(TwistedRun(particles, plan, i).run().estimate);
-  }
+  const auto estimates = estimates_of<HeavyParticles>(chain, coarse(chain, 8.0), 8, repetitions);
   const auto mean = rocking::stats::mean_of_repetitions(estimates, 1.0 - rocking::support::false_alarm);
   EXPECT_GT(mean.interval->low, chain.probability(0, 0.0));
 }

@@ -104,8 +104,6 @@ struct RareEstimate {
   double pilot_work = 0.0;
   double work = 0.0;  ///< simulated time of what was finished, with the pilot runs, in realisations to the horizon
   std::optional<double> crude_work;             ///< realisations for the same relative error by plain sampling
-  std::size_t least_ancestors = 0;              ///< of a repetition that has seen the event
-  double median_ancestors = 0.0;                ///< likewise
   std::optional<rare::CommittorMap> committor;  ///< of a twisted run
   std::vector<rare::Path> paths;  ///< drawn from those with the event, by their weights; none if the time was up
   RareEnd end = RareEnd::precise;

@@ -194,23 +194,17 @@ class ConditionStudy {
   }
 
   void diagnose() {
-    std::vector<std::size_t> ancestors;
+    std::size_t seen = 0;  // repetitions with the event
     double largest = 0.0;
     double sum = 0.0;
     for (const Repetition& repetition : repetitions()) {
-      if (repetition.ancestors > 0) ancestors.push_back(repetition.ancestors);
+      seen += repetition.ancestors > 0 ? 1 : 0;
       largest = std::max(largest, repetition.estimate);
       sum += repetition.estimate;
     }
-    std::ranges::sort(ancestors);
-    const std::size_t n = ancestors.size();
-    if (n > 0) {
-      result_.least_ancestors = ancestors.front();
-      result_.median_ancestors = 0.5 * static_cast<double>(ancestors[n / 2] + ancestors[(n - 1) / 2]);
-    }
     if (!estimator_->pilot().found_event) {
       result_.diagnosis = RareDiagnosis::not_found;
-    } else if (10 * n <= 9 * repetitions().size() || 3.0 * largest > sum) {
+    } else if (10 * seen <= 9 * repetitions().size() || 3.0 * largest > sum) {
       result_.diagnosis = RareDiagnosis::uneven;
     }
   }

@@ -9,6 +9,7 @@
 
 #include "rocking/base/error.hpp"
 #include "rocking/integrate/hybrid.hpp"
+#include "rocking/realisation/forwarded_motion.hpp"
 #include "rocking/studies/rare/twisted_run.hpp"
 
 namespace rocking::rare {
@@ -18,38 +19,23 @@ namespace {
 constexpr std::array<std::size_t, 2> shares{3, 2};
 
 /// A motion with the same bits that samples the tilt at even distances in time, from tau = 0 on.
-class TiltSampler {
+class TiltSampler : public ForwardedMotion<Motion> {
  public:
-  TiltSampler(Motion& motion, double distance) : motion_(&motion), distance_(distance) {}
+  TiltSampler(Motion& motion, double distance) : ForwardedMotion(motion), distance_(distance) {}
 
-  [[nodiscard]] bool ended() const { return motion_->ended(); }
-  [[nodiscard]] double time_resolution() const { return motion_->time_resolution(); }
-  [[nodiscard]] double time_to_breakpoint() const { return motion_->time_to_breakpoint(); }
-  [[nodiscard]] double time_to_strobe() const { return motion_->time_to_strobe(); }
-  [[nodiscard]] double expand(double reach) { return motion_->expand(reach); }
-  template <class Guards, class Visitor>
-  void for_each_guard(const Guards& wanted, Visitor&& visit) const {
-    motion_->for_each_guard(wanted, visit);
-  }
-  void strobe(double x) { motion_->strobe(x); }
   void move(double x) {
-    const double tau = motion_->clock().tau();
+    const double tau = motion().clock().tau();
     for (;;) {
       const double instant = static_cast<double>(tilts_.size()) * distance_ - tau;
       if (!(instant < x)) break;
-      tilts_.push_back(motion_->state_at(std::max(0.0, instant)).tilt);
+      tilts_.push_back(motion().state_at(std::max(0.0, instant)).tilt);
     }
-    motion_->move(x);
-  }
-  template <class Fired>
-  void reset(const Fired& fired, bool at_breakpoint) {
-    motion_->reset(fired, at_breakpoint);
+    motion().move(x);
   }
 
   [[nodiscard]] const std::vector<double>& tilts() const { return tilts_; }
 
  private:
-  Motion* motion_;
   double distance_;
   std::vector<double> tilts_;
 };

@@ -6,11 +6,6 @@
 
 namespace rocking::analysis {
 
-/// Largest number of combinations of the other swept parameters for which the answer has its own sentences, and of
-/// stretches of the shown parameter in each of them.
-inline constexpr std::size_t most_answers = 6;
-inline constexpr std::size_t most_stretches = 6;
-
 /// HTML: whether the block overturns, how likely, and from which to which value of the swept parameter.
 [[nodiscard]] std::string overturning_in_brief(const Report& report);
 
@@ -22,6 +17,12 @@ inline constexpr std::size_t most_stretches = 6;
 
 /// HTML: the response modes that occur, each in words and with a schematic drawing.
 [[nodiscard]] std::string modes_in_brief(const Report& report);
+
+/// HTML: the response modes of the only condition, each with a bar for its probability.
+[[nodiscard]] std::string shares_in_brief(const Report& report);
+
+/// HTML: with which probability two runs of a condition respond differently; or why none can be compared.
+[[nodiscard]] std::string repeatability(const Report& report);
 
 /// HTML: the answer of a page, made of the above; of one condition with a bar for each response mode. `suite`: sentences
 /// about a suite of ground motions, a line each, which replace the places of overturning; empty if there are none.

@@ -60,6 +60,21 @@ static const StructType& fields_of(const UnknownPosterior*) {
   return fields;
 }
 
+namespace infer {
+
+static const StructType& fields_of(const ProfilePoint*) {
+  using Type = ProfilePoint;
+  static const StructType fields{
+      "ProfilePoint",
+      field<&Type::at>("at", "value of the unknown"),
+      field<&Type::likelihood_ratio>("likelihood_ratio", "largest likelihood with this value over the largest one",
+                                     rule::share),
+  };
+  return fields;
+}
+
+}  // namespace infer
+
 static const StructType& fields_of(const ReportedUnknown*) {
   using Type = ReportedUnknown;
   static const StructType fields{
@@ -70,6 +85,7 @@ static const StructType& fields_of(const ReportedUnknown*) {
       field<&Type::estimate>("estimate", "where the likelihood is largest; null: the first design was not finished"),
       field<&Type::interval>("interval", "by the profile likelihood; null as the estimate"),
       field<&Type::reaches>("reaches", "ends of the range that the interval reaches; null as the estimate"),
+      field<&Type::profile>("profile", "likelihood, at the values of the grid of `region`"),
       field<&Type::posterior>("posterior", "with the priors of the experiment; null: it has none"),
   };
   return fields;

@@ -98,6 +98,7 @@ InferReport infer_report(const Experiment& experiment, const CountedTests& tests
       reported.estimate = answer.estimate;
       reported.interval = answer.interval;
       reported.reaches = answer.reaches;
+      reported.profile = answer.profile;
       reported.posterior = answer.posterior;
     }
     report.unknowns.push_back(std::move(reported));

@@ -21,6 +21,7 @@ struct ReportedUnknown {
   std::optional<double> estimate = std::nullopt;
   std::optional<stats::Interval> interval = std::nullopt;
   std::optional<ReachedBound> reaches = std::nullopt;
+  std::vector<infer::ProfilePoint> profile = {};
   std::optional<UnknownPosterior> posterior = std::nullopt;
 };
 

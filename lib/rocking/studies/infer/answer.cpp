@@ -73,6 +73,11 @@ class Answering {
   }
 
   [[nodiscard]] const Lattice& lattice() const { return found_->likelihood.lattice(); }
+  [[nodiscard]] double value_at(std::size_t k, std::size_t place) const {
+    return scale_.value(k, lattice().coordinate(place, k));
+  }
+  /// Of the points of the lattice that the answer has.
+  [[nodiscard]] std::size_t places_apart() const { return lattice().axes() == 1 ? 4 : 2; }
   [[nodiscard]] std::span<const ShareModel> tested() const { return {models_->data(), tests_.size()}; }
 
   [[nodiscard]] Eigen::MatrixXd make_up(const Eigen::VectorXd& point, std::size_t sets) const {
@@ -83,8 +88,9 @@ class Answering {
     const Eigen::VectorXd limits = profile_limits(
         found_->likelihood, k, found_->deviances,
         [this](const Eigen::VectorXd& point) { return make_up(point, sets_for_limits); }, question_->confidence);
-    const stats::Interval inside = interval_below(lattice(), k, profile_on(lattice(), k, found_->deviances), limits);
-    UnknownAnswer answer{.estimate = scale_.value(k, lattice().coordinate(lattice().place(best_, k), k)),
+    const Eigen::VectorXd profile = profile_on(lattice(), k, found_->deviances);
+    const stats::Interval inside = interval_below(lattice(), k, profile, limits);
+    UnknownAnswer answer{.estimate = value_at(k, lattice().place(best_, k)),
                          .interval = {.low = scale_.value(k, inside.low), .high = scale_.value(k, inside.high)}};
     const bool reaches_from = inside.low <= 0.0;
     const bool reaches_to = inside.high >= 1.0;
@@ -96,6 +102,10 @@ class Answering {
       answer.reaches = ReachedBound::to;
     const bool has_prior =
         std::ranges::any_of(question_->unknowns, [](const Unknown& u) { return u.prior.has_value(); });
+    for (std::size_t place = 0; place < lattice().points_on_axis(); place += places_apart()) {
+      answer.profile.push_back(
+          {.at = value_at(k, place), .likelihood_ratio = std::exp(-0.5 * profile[static_cast<Eigen::Index>(place)])});
+    }
     if (has_prior) answer.posterior = summary(posterior_, question_->unknowns, k, question_->confidence);
     return answer;
   }
@@ -146,10 +156,10 @@ class Answering {
 
   /// Points of every second or so place of the lattice, and the best one.
   void add_region(double limit, std::vector<RegionPoint>& region) const {
-    const std::size_t step = lattice().axes() == 1 ? 4 : 2;
     for (std::size_t i = 0; i < lattice().size(); ++i) {
       bool is_shown = true;
-      for (std::size_t axis = 0; axis < lattice().axes(); ++axis) is_shown &= lattice().place(i, axis) % step == 0;
+      for (std::size_t axis = 0; axis < lattice().axes(); ++axis)
+        is_shown &= lattice().place(i, axis) % places_apart() == 0;
       const double deviance = found_->deviances[static_cast<Eigen::Index>(i)];
       if ((!is_shown && i != best_) || deviance > limit) continue;
       region.push_back({.at = scale_.values(lattice().point(i)), .likelihood_ratio = std::exp(-0.5 * deviance)});

@@ -19,6 +19,12 @@ struct DesignPoint {
   std::vector<std::vector<std::uint64_t>> counts;  ///< by condition, candidates last, and by group
 };
 
+/// A point of the profile likelihood of an unknown.
+struct ProfilePoint {
+  double at = 0.0;                ///< value of the unknown
+  double likelihood_ratio = 1.0;  ///< the largest likelihood with this value over the largest one
+};
+
 /// A point of the joint region.
 struct RegionPoint {
   std::vector<double> at;         ///< values of the unknowns
@@ -43,6 +49,7 @@ struct UnknownAnswer {
   double estimate = 0.0;     ///< where the likelihood is largest
   stats::Interval interval;  ///< by the profile likelihood
   ReachedBound reaches = ReachedBound::none;
+  std::vector<infer::ProfilePoint> profile = {};             ///< at the values of the grid of the joint region
   std::optional<UnknownPosterior> posterior = std::nullopt;  ///< present if some unknown has a prior
 };
 

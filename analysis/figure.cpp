@@ -20,4 +20,12 @@ void add_layer(Table table, LayerKind kind, const Style& style, const std::strin
   figure.tables.push_back(std::move(table));
 }
 
+void add_drawn(Table table, Layer layer, Figure& figure) {
+  if (table.rows.empty()) return;
+  table.only_drawn = true;
+  layer.table = figure.tables.size();
+  figure.tables.push_back(std::move(table));
+  figure.panels.back().layers.push_back(std::move(layer));
+}
+
 }  // namespace rocking::analysis

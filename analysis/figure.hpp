@@ -111,4 +111,7 @@ struct Figure {
 /// Adds a table of x and y, unless it has no rows, and a layer of it to each panel.
 void add_layer(Table table, LayerKind kind, const Style& style, const std::string& legend, Figure& figure);
 
+/// Adds a table that is only drawn, unless it has no rows, and this layer of it to the last panel.
+void add_drawn(Table table, Layer layer, Figure& figure);
+
 }  // namespace rocking::analysis

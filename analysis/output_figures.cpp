@@ -11,6 +11,7 @@
 #include "analysis/fragility_figure.hpp"
 #include "analysis/histogram_figure.hpp"
 #include "analysis/incremental_figure.hpp"
+#include "analysis/infer_figures.hpp"
 #include "analysis/motion_figure.hpp"
 #include "analysis/output_file.hpp"
 #include "analysis/rare_figures.hpp"
@@ -87,6 +88,15 @@ void collect(const OutputFile& file, Collection& found) {
                               .remedy = "give `rocking rare` more time"});
     }
     for (Figure& figure : figures) found.figures.push_back(std::move(figure));
+  } else if (format == "rocking.infer/1") {
+    std::vector<Figure> figures = infer_figures(infer_document().read(output));
+    if (figures.empty()) {
+      throw base::InputError({.place = "/fit",
+                              .value = "null",
+                              .reason = "there is no answer yet: a figure shows the answer",
+                              .remedy = "finish it with `rocking infer --resume`"});
+    }
+    for (Figure& figure : figures) found.figures.push_back(std::move(figure));
   } else if (format == "rocking.check_normal/1") {
     found.figures.push_back(normal_histogram(check_normal_document().read(output)));
   } else {
@@ -94,7 +104,7 @@ void collect(const OutputFile& file, Collection& found) {
                             .value = '"' + format + '"',
                             .reason = "has no figure in this command",
                             .remedy = "give a trajectory, a bifurcation, orbits with branches, a cost, a fragility, a "
-                                      "motion, rare events or a check-normal; "
+                                      "motion, rare events, inferred unknowns or a check-normal; "
                                       "`rocking report DIR` draws a run"});
   }
 }

@@ -6,7 +6,9 @@
 #include <optional>
 #include <string>
 
+#include "analysis/data_file.hpp"
 #include "analysis/palette.hpp"
+#include "analysis/shaded_map.hpp"
 #include "rocking/output/mode_table.hpp"
 #include "rocking/text/number_text.hpp"
 
@@ -15,25 +17,13 @@ namespace {
 
 constexpr std::size_t most_panels = 6;
 
-/// Probabilities from `least` on, up to the class before.
-struct Class {
-  double least;
-  const char* words;
-  const char* colour;
-};
-constexpr std::array<Class, 7> classes{{{0.5, "0.5 to 1", "#08306b"},
-                                        {0.1, "0.1 to 0.5", "#08519c"},
-                                        {1e-2, "0.01 to 0.1", "#2171b5"},
-                                        {1e-3, "1e-3 to 0.01", "#4292c6"},
-                                        {1e-4, "1e-4 to 1e-3", "#6baed6"},
-                                        {1e-5, "1e-5 to 1e-4", "#9ecae1"},
-                                        {1e-6, "1e-6 to 1e-5", "#c6dbef"}}};
-
-/// The number of classes: none.
-std::size_t class_of(double probability) {
-  const auto found = std::ranges::find_if(classes, [&](const Class& each) { return probability >= each.least; });
-  return static_cast<std::size_t>(found - classes.begin());
-}
+constexpr std::array<ShadeClass, 7> classes{{{0.5, "0.5 to 1"},
+                                             {0.1, "0.1 to 0.5"},
+                                             {1e-2, "0.01 to 0.1"},
+                                             {1e-3, "1e-3 to 0.01"},
+                                             {1e-4, "1e-4 to 1e-3"},
+                                             {1e-5, "1e-5 to 1e-4"},
+                                             {1e-6, "1e-6 to 1e-5"}}};
 
 std::string event_words(const RareQuestion& question) {
   return question.event.peak_tilt ? "reach |Θ| = " + number_text(*question.event.peak_tilt) : std::string("overturn");
@@ -50,31 +40,26 @@ std::string title_of(const ReportedRare& condition) {
   return title;
 }
 
-/// The cells of a class as boxes, neighbours in a row as one.
-Table cells_of(const rare::CommittorMap& map, std::size_t wanted, const std::string& name) {
-  Table table{
-      .name = name + ", " + classes.at(wanted).words,
-      .columns = {{"tilt_from", "Θ, from"}, {"tilt_to", "Θ, to"}, {"rate_from", "Θ′, from"}, {"rate_to", "Θ′, to"}},
-      .rows = {}};
-  if (map.rows.size() < 2) return table;
-  const auto steps_down = static_cast<double>(map.rows.size() - 1);
-  const auto steps_right = static_cast<double>(map.rows.front().size() - 1);
-  const auto edge = [](double reach, double steps, std::size_t i) {
-    return reach * std::clamp((2.0 * static_cast<double>(i) - 1.0) / steps - 1.0, -1.0, 1.0);
-  };
-  for (std::size_t row = 0; row < map.rows.size(); ++row) {
-    const auto& numbers = map.rows[row];
-    for (std::size_t from = 0; from < numbers.size();) {
-      std::size_t to = from;
-      while (to < numbers.size() && class_of(numbers[to]) == class_of(numbers[from])) ++to;
-      if (class_of(numbers[from]) == wanted) {
-        table.rows.push_back({edge(map.tilt, steps_right, from), edge(map.tilt, steps_right, to),
-                              edge(map.tilt_rate, steps_down, row), edge(map.tilt_rate, steps_down, row + 1)});
-      }
-      from = to;
-    }
+/// Of `points` on equal distances from -reach to reach, the first and last cells are half as wide.
+std::vector<double> edges(double reach, std::size_t points) {
+  const auto steps = static_cast<double>(points - 1);
+  std::vector<double> found;
+  for (std::size_t i = 0; i <= points; ++i) {
+    found.push_back(reach * std::clamp((2.0 * static_cast<double>(i) - 1.0) / steps - 1.0, -1.0, 1.0));
   }
-  return table;
+  return found;
+}
+
+void add_committor(const rare::CommittorMap& map, const std::string& name, Figure& figure) {
+  if (map.rows.size() < 2) return;
+  add_shades(
+      {.x_edges = edges(map.tilt, map.rows.front().size()),
+       .y_edges = edges(map.tilt_rate, map.rows.size()),
+       .numbers = map.rows},
+      {.quantity = "probability",
+       .columns = {{"tilt_from", "Θ, from"}, {"tilt_to", "Θ, to"}, {"rate_from", "Θ′, from"}, {"rate_to", "Θ′, to"}},
+       .classes = classes},
+      name, figure);
 }
 
 /// Those within the map.
@@ -87,15 +72,6 @@ Table strobe_points(const ReportedRare& condition, const rare::CommittorMap& map
     }
   }
   return table;
-}
-
-/// Adds a table and a layer of it to the last panel, unless the table has no rows. Its numbers are those of rare.json.
-void add(Table table, Layer layer, Figure& figure) {
-  if (table.rows.empty()) return;
-  table.only_drawn = true;
-  layer.table = figure.tables.size();
-  figure.tables.push_back(std::move(table));
-  figure.panels.back().layers.push_back(std::move(layer));
 }
 
 Figure committor_figure(const RareReport& report, const std::vector<const ReportedRare*>& conditions) {
@@ -111,20 +87,13 @@ Figure committor_figure(const RareReport& report, const std::vector<const Report
          .x = {.quantity = "tilt at the strobe", .symbol = "Θ", .unit = "", .low = -map.tilt, .high = map.tilt},
          .y = {.quantity = "tilt rate", .symbol = "Θ′", .unit = "", .low = -map.tilt_rate, .high = map.tilt_rate},
          .layers = {}});
-    for (std::size_t i = 0; i < classes.size(); ++i) {
-      add(cells_of(map, i, title),
-          {.kind = LayerKind::boxes,
-           .columns = {0, 1, 2, 3},
-           .style = {.colour = classes.at(i).colour},
-           .legend = std::string("probability ") + classes.at(i).words},
-          figure);
-    }
-    add(strobe_points(*condition, map, title),
-        {.kind = LayerKind::points,
-         .columns = {0, 1},
-         .style = {.colour = "#d55e00", .size = 0.4},
-         .legend = "strobe points of paths to the event"},
-        figure);
+    add_committor(map, title, figure);
+    add_drawn(strobe_points(*condition, map, title),
+              {.kind = LayerKind::points,
+               .columns = {0, 1},
+               .style = {.colour = "#d55e00", .size = 0.4},
+               .legend = "strobe points of paths to the event"},
+              figure);
   }
   figure.caption = "Committor: estimate of the probability to " + event_words(report.question) +
                    " from a point (Θ, Θ′) of the Poincaré section at strobe point 1, with all of the horizon ahead, "
@@ -168,7 +137,7 @@ Figure path_figure(const RareReport& report, const std::vector<const ReportedRar
       const std::string name = "path " + std::to_string(number);
       Table table = tilt_table(path, figure.panels.back().title + ", " + name);
       if (!table.rows.empty()) end = std::max(end, std::get<double>(table.rows.back().front()));
-      add(std::move(table), {.kind = LayerKind::line, .columns = {0, 1}, .style = style, .legend = name}, figure);
+      add_drawn(std::move(table), {.kind = LayerKind::line, .columns = {0, 1}, .style = style, .legend = name}, figure);
     }
   }
   for (Panel& panel : figure.panels) panel.x.high = end;

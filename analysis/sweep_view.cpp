@@ -172,6 +172,7 @@ Axis axis_of_parameter(const std::string& pointer) {
       {"/excitation/file", {"ground motion", "", ""}},
       {"/friction/static", {"static friction", "μ_s", ""}},
       {"/friction/kinetic", {"kinetic friction", "μ_k", ""}},
+      {"/friction/kinetic/ratio", {"kinetic over static friction", "μ_k/μ_s", ""}},
       {"/friction", {"friction", "μ_s/μ_k", ""}},
       {"/restitution", {"restitution", "e", ""}},
       {"/block/width_m", {"width", "B", "m"}},
@@ -182,8 +183,12 @@ Axis axis_of_parameter(const std::string& pointer) {
   if (const auto found = known.find(pointer); found != known.end()) return found->second;
   const std::string key = last_key(pointer);
   if (key == "refresh_slip_m") return {"cell of friction", "", "m"};
+  const std::string whole = pointer.substr(0, pointer.size() - std::min(pointer.size(), key.size() + 1));
+  if (last_key(whole) == "normal" || last_key(whole) == "lognormal") {  // of a number that is drawn
+    const std::string drawn = axis_of_parameter(whole.substr(0, whole.rfind('/'))).quantity;
+    return {.quantity = (key == "sigma" ? "standard deviation" : key) + (" of " + drawn), .symbol = "", .unit = ""};
+  }
   if (key == "sigma" || key == "relative_sigma") {
-    const std::string whole = pointer.substr(0, pointer.rfind('/'));
     std::string of = last_key(whole);
     std::replace(of.begin(), of.end(), '_', ' ');
     return {.quantity = (key == "sigma" ? "standard deviation of " : "relative standard deviation of ") + of,

@@ -33,6 +33,7 @@ const std::vector<Part>& parts() {
                                      {"extent", "How far does the block move?", {"peak_", "final_"}},
                                      {"recurrence", "Is the response repeatable?", {"non_recurrence", "divergence"}},
                                      {"rare", "How does the rare event happen?", {"rare_"}},
+                                     {"infer", "What do the counted tests tell?", {"infer_"}},
                                      {"question", "What was simulated?", {"scene"}},
                                      {"more", "More figures", {""}}};
   return all;

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "analysis/draw.hpp"
+#include "analysis/infer_figures.hpp"
 #include "analysis/rare_figures.hpp"
 #include "analysis/run_figures.hpp"
 #include "interrupt.hpp"
@@ -15,6 +16,7 @@
 #include "output.hpp"
 #include "pages/suite_figures.hpp"
 #include "rocking/base/error.hpp"
+#include "rocking/output/infer_report.hpp"
 #include "rocking/output/rare_report.hpp"
 #include "rocking/text/files.hpp"
 #include "rocking/text/locate.hpp"
@@ -41,18 +43,20 @@ void add_suite(const Store& store, const std::optional<HazardCurve>& hazard, std
   }
 }
 
-/// Those of the `rare.json` beside the report, if there is one about the same block and shaking.
-void add_rare(const RunFolder& folder, const Report& report, std::vector<analysis::Figure>& figures) {
-  const std::filesystem::path path = std::filesystem::path(folder.name()) / "rare.json";
+/// Those of the file of a study beside the report, if there is one about the same experiment.
+template <class Study>
+void add_study(const std::filesystem::path& path, const DocumentOf<Study>& document,
+               std::vector<analysis::Figure> (&draw)(const Study&), const Report& report,
+               std::vector<analysis::Figure>& figures) {
   if (!std::filesystem::exists(path)) return;
   const std::string text = input_of([&] { return read_file(path); });
   try {
-    const RareReport rare = rare_document().read(parse_json(text));
-    if (rare.input.sha256 != report.input.sha256) {
+    const Study study = document.read(parse_json(text));
+    if (study.input.sha256 != report.input.sha256) {
       print_notice(path.string() + ": is about another experiment than the run, and is not drawn");
       return;
     }
-    for (analysis::Figure& figure : analysis::rare_figures(rare)) figures.push_back(std::move(figure));
+    for (analysis::Figure& figure : draw(study)) figures.push_back(std::move(figure));
   } catch (const base::InputError& error) {
     throw located(error, text, path.string());
   }
@@ -70,7 +74,9 @@ std::vector<analysis::Figure> figures_of(const RunFolder& folder, const Report& 
   } else {
     figures = analysis::run_figures(report);
   }
-  add_rare(folder, report, figures);
+  const std::filesystem::path path = folder.name();
+  add_study(path / "rare.json", rare_document(), analysis::rare_figures, report, figures);
+  add_study(path / "infer.json", infer_document(), analysis::infer_figures, report, figures);
   return figures;
 }
 

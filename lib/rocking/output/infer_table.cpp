@@ -1,4 +1,5 @@
 #include "rocking/output/infer_report.hpp"
+#include "rocking/output/infer_words.hpp"
 #include "rocking/output/mode_table.hpp"
 #include "rocking/output/text_table.hpp"
 #include "rocking/text/number_text.hpp"
@@ -55,13 +56,6 @@ std::string tests_table(const InferReport& report) {
   return aligned(rows);
 }
 
-std::string fit_words(const InferReport& report) {
-  const double p = report.fit->p_value;
-  const std::string fit = "fit: deviance " + significant(report.fit->statistic, 3) + ", p = " + significant(p, 2);
-  if (p > 1.0 - report.confidence) return fit + ": the estimate explains the counts\n";
-  return fit + ": no value of the unknowns explains the counts; the intervals mean nothing\n";
-}
-
 std::string candidates_table(const InferReport& report) {
   if (report.candidates.empty()) return "";
   std::vector<TextRow> rows{keys_of(report.candidates.front().parameters)};
@@ -95,7 +89,7 @@ std::string infer_table(const InferReport& report) {
   if (!report.fit) return "There is no answer yet: the first design is not finished.\n" + effort;
   const std::string& reason = report.identified.reason_why_not;
   return unknowns_table(report) + (reason.empty() ? "" : reason + "\n") + "\n" + tests_table(report) +
-         fit_words(report) + candidates_table(report) + effort;
+         "fit: " + fit_in_words(report) + "\n" + candidates_table(report) + effort;
 }
 
 }  // namespace rocking

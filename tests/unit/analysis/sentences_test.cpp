@@ -179,4 +179,10 @@ TEST(Sentences, CallTheSourceOfAFluctuationByItsName) {
   EXPECT_EQ(axis_of_parameter("/fluctuation/friction/sigma").quantity, "standard deviation of friction");
 }
 
+TEST(Sentences, CallAMomentByTheNumberThatIsDrawn) {
+  EXPECT_EQ(axis_of_parameter("/friction/static/normal/mean").quantity, "mean of static friction");
+  EXPECT_EQ(axis_of_parameter("/friction/static/lognormal/sigma").quantity, "standard deviation of static friction");
+  EXPECT_EQ(axis_of_parameter("mean").quantity, "mean");
+}
+
 }  // namespace

@@ -45,7 +45,7 @@ CountedTests load_tests(const InferCommand& command, const Experiment& experimen
 /// The design that the file of the command has; none without a file.
 std::vector<infer::DesignPoint> earlier_design(const InferCommand& command, const InferReport& asked) {
   if (!std::filesystem::exists(command.file.path())) return {};
-  return design_for(asked, read_infer_report(parse_json(read_file(command.file.path()))));
+  return design_for(asked, infer_document().read(parse_json(read_file(command.file.path()))));
 }
 
 ExitCode end_of(const Inference& found, const StudyFile& file) {

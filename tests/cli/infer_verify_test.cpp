@@ -64,10 +64,11 @@ TEST_F(VerifiedInference, SeesAChangedCountOfRealisations) {
 TEST_F(VerifiedInference, RefusesWhatHasNoSense) {
   EXPECT_THAT(changed("/input/experiment/restitution", 0.85).output, HasSubstr("digest of input.sha256"));
   for (const char* list : {"/design/0/counts/0", "/design/0/counts", "/design/1/at", "/tests/1/counts",
-                           "/tests/0/predicted", "/region/0/at"}) {
+                           "/tests/0/predicted", "/region/0/at", "/unknowns/0/profile"}) {
     const auto outcome = changed(list, Json::array());
     EXPECT_EQ(outcome.exit_code, 65) << list;
     EXPECT_THAT(outcome.errors, HasSubstr("infer.json, line ")) << list;
+    EXPECT_EQ(rocking("figure out/infer.json -o drawn").exit_code, 65) << list;
   }
   EXPECT_EQ(changed("/unknowns", Json::array()).exit_code, 65);
   EXPECT_EQ(changed("/groups/0", "(1;1)").exit_code, 65);

@@ -2,6 +2,7 @@
 
 #include "rocking/fields/container_types.hpp"
 #include "rocking/fields/named_type.hpp"
+#include "rocking/output/check_infer_report.hpp"
 #include "rocking/output/infer_report.hpp"
 #include "rocking/output/provenance_fields.hpp"
 #include "rocking/output/stats_fields.hpp"
@@ -190,7 +191,8 @@ const StructType& fields_of(const InferReport*) {
 const DocumentOf<InferReport>& infer_document() {
   static const DocumentOf<InferReport> document(
       "rocking.infer/1",
-      "What counted tests say of unknown numbers. Without a time limit, equal input gives equal bytes.");
+      "What counted tests say of unknown numbers. Without a time limit, equal input gives equal bytes.",
+      check_infer_report);
   return document;
 }
 

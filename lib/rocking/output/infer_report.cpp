@@ -37,49 +37,7 @@ Identified identified(const std::vector<ReportedUnknown>& unknowns) {
   return {reason};
 }
 
-/// Lists of the answer are empty where there is none.
-void check_sizes(const InferReport& report) {
-  const auto expect = [](std::size_t size, std::size_t right, const std::string& place, const char* of_each) {
-    if (size == right) return;
-    throw base::InputError({place, std::to_string(size) + " entries",
-                            "must have " + std::to_string(right) + ", one for each " + of_each, "make the file again"});
-  };
-  const std::size_t groups = report.groups.size();
-  const std::size_t unknowns = report.unknowns.size();
-  const bool has_answer = report.fit.has_value();
-  for (std::size_t i = 0; i < report.tests.size(); ++i) {
-    const ReportedTests& tested = report.tests[i];
-    const std::string place = "/tests/" + std::to_string(i);
-    expect(tested.counts.size(), groups, place + "/counts", "group");
-    expect(tested.predicted.size(), has_answer ? groups : 0, place + "/predicted", "group");
-    expect(tested.intervals.size(), has_answer ? groups : 0, place + "/intervals", "group");
-  }
-  for (std::size_t i = 0; i < report.candidates.size(); ++i) {
-    expect(report.candidates[i].deviations.size(), has_answer ? unknowns : 0,
-           "/candidates/" + std::to_string(i) + "/deviations", "unknown");
-  }
-  for (std::size_t i = 0; i < report.region.size(); ++i) {
-    expect(report.region[i].at.size(), unknowns, "/region/" + std::to_string(i) + "/at", "unknown");
-  }
-  for (std::size_t i = 0; i < report.design.size(); ++i) {
-    const infer::DesignPoint& point = report.design[i];
-    const std::string place = "/design/" + std::to_string(i);
-    expect(point.at.size(), unknowns, place + "/at", "unknown");
-    expect(point.counts.size(), report.tests.size() + report.candidates.size(), place + "/counts", "condition");
-    for (std::size_t c = 0; c < point.counts.size(); ++c) {
-      expect(point.counts[c].size(), groups, place + "/counts/" + std::to_string(c), "group");
-    }
-  }
-}
-
 }  // namespace
-
-InferReport read_infer_report(const Json& json) {
-  InferReport report = infer_document().read(json);
-  static_cast<void>(tests_of(report));  // throws where a group has no sense
-  check_sizes(report);
-  return report;
-}
 
 InferReport infer_report(const Experiment& experiment, const CountedTests& tests, std::uint64_t next_tests,
                          const Inference& found) {

@@ -79,10 +79,6 @@ struct InferReport {
 /// `infer.json`, and the output of `rocking infer --json`.
 [[nodiscard]] const DocumentOf<InferReport>& infer_document();
 
-/// Reads it. Throws base::InputError also where a group is none of response modes, or a list does not have one entry for
-/// each unknown, condition or group.
-[[nodiscard]] InferReport read_infer_report(const Json& json);
-
 /// The answer as text.
 [[nodiscard]] std::string infer_table(const InferReport& report);
 

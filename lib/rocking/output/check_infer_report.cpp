@@ -1,0 +1,77 @@
+#include "rocking/output/check_infer_report.hpp"
+
+#include <string>
+
+#include "rocking/base/error.hpp"
+
+namespace rocking {
+namespace {
+
+class Sizes {
+ public:
+  Sizes(const InferReport& report, const ReadingPlace& place) : report_(&report), place_(&place) {}
+
+  void check() const {
+    const std::size_t groups = report_->groups.size();
+    const std::size_t unknowns = report_->unknowns.size();
+    const bool has_answer = report_->fit.has_value();
+    expect(unknowns >= 1 && unknowns <= 3, "unknowns", "must have one to three entries");
+    for (std::size_t i = 0; i < unknowns; ++i) {
+      const ReportedUnknown& unknown = report_->unknowns[i];
+      const bool has_all = unknown.estimate && unknown.interval && unknown.reaches && unknown.profile.size() >= 2;
+      const bool has_none = !unknown.estimate && !unknown.interval && !unknown.reaches && unknown.profile.empty();
+      expect(has_answer ? has_all : has_none, at("unknowns", i),
+             "must have all of an answer, or none where fit is null");
+    }
+    for (std::size_t i = 0; i < report_->tests.size(); ++i) {
+      const ReportedTests& tested = report_->tests[i];
+      expect(tested.counts.size(), groups, at("tests", i) + "/counts", "group");
+      expect(tested.predicted.size(), has_answer ? groups : 0, at("tests", i) + "/predicted", "group");
+      expect(tested.intervals.size(), has_answer ? groups : 0, at("tests", i) + "/intervals", "group");
+    }
+    for (std::size_t i = 0; i < report_->candidates.size(); ++i) {
+      const std::size_t size = report_->candidates[i].deviations.size();
+      expect(size, has_answer ? unknowns : 0, at("candidates", i) + "/deviations", "unknown");
+    }
+    for (std::size_t i = 0; i < report_->region.size(); ++i) {
+      expect(report_->region[i].at.size(), unknowns, at("region", i) + "/at", "unknown");
+    }
+    for (std::size_t i = 0; i < report_->design.size(); ++i) check_point(report_->design[i], at("design", i));
+  }
+
+ private:
+  static std::string at(const char* list, std::size_t i) { return std::string(list) + '/' + std::to_string(i); }
+
+  void check_point(const infer::DesignPoint& point, const std::string& place) const {
+    expect(point.at.size(), report_->unknowns.size(), place + "/at", "unknown");
+    expect(point.counts.size(), report_->tests.size() + report_->candidates.size(), place + "/counts", "condition");
+    for (std::size_t c = 0; c < point.counts.size(); ++c) {
+      expect(point.counts[c].size(), report_->groups.size(), place + "/counts/" + std::to_string(c), "group");
+    }
+  }
+
+  void expect(bool holds, const std::string& place, const std::string& reason) const {
+    if (!holds) place_->problems->push_back({place_->pointer + '/' + place, "", reason, ""});
+  }
+  void expect(std::size_t size, std::size_t right, const std::string& place, const char* of_each) const {
+    expect(size == right, place,
+           "has " + std::to_string(size) + " entries, but must have " + std::to_string(right) + ", one for each " +
+               of_each);
+  }
+
+  const InferReport* report_;
+  const ReadingPlace* place_;
+};
+
+}  // namespace
+
+void check_infer_report(const InferReport& report, const ReadingPlace& place) {
+  Sizes(report, place).check();
+  try {
+    static_cast<void>(tests_of(report));
+  } catch (const base::InputError& error) {
+    place.problems->insert(place.problems->end(), error.problems().begin(), error.problems().end());
+  }
+}
+
+}  // namespace rocking

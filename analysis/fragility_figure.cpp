@@ -120,6 +120,7 @@ void add_curve(const ReportedCurve& reported, std::size_t number, Figure& figure
                           .columns = {0, 3, 4, 5},
                           .style = style,
                           .legend = legend_of(curve.subject)});
+  add_rare(curve.rare, number, legend_of(curve.subject), figure);
 }
 
 void add_curve(const ReportedSuite& reported, std::size_t number, Figure& figure) {
@@ -229,15 +230,19 @@ std::string description_of(const ReportedCurve& reported) {
 
 /// What the curves of a figure show.
 struct Content {
-  bool has_suite = false, has_curve = false, has_law = false, has_isotonic = false;
+  bool has_suite = false, has_curve = false, has_law = false, has_isotonic = false, has_rare = false;
   std::set<std::string> events;    ///< `overturned`, or `peak tilt > 0.5`
   std::set<std::string> subjects;  ///< the same as that of a probability
 };
 
-void add_to(Content& content, const ReportedSuite&) { content.has_suite = true; }
+void add_to(Content& content, const ReportedSuite& reported) {
+  content.has_suite = true;
+  content.has_rare = content.has_rare || !reported.curve.rare.empty();
+}
 void add_to(Content& content, const ReportedCurve& reported) {
   if (reported.curve.levels.empty()) return;
   content.has_curve = true;
+  content.has_rare = content.has_rare || !reported.curve.rare.empty();
   content.has_law = content.has_law || reported.curve.law;
   content.has_isotonic = content.has_isotonic || is_isotonic(reported.curve);
 }
@@ -257,7 +262,7 @@ Content content_of(const FragilityReport& report) {
 }
 
 /// How to read the lines, as far as the figure has them.
-std::string caption_of(const Content& content) {
+std::string caption_of_shares(const Content& content) {
   std::string caption;
   if (content.has_suite) {
     caption =
@@ -282,6 +287,13 @@ std::string caption_of(const Content& content) {
         " Steps and boxes: the most likely probabilities that do not decrease, with a band for all levels at once.";
   }
   return caption;
+}
+
+std::string caption_of(const Content& content) {
+  return caption_of_shares(content) +
+         (content.has_rare ? " Diamonds: probabilities that rocking rare estimated, with their intervals; no law is "
+                             "fitted to them."
+                           : "");
 }
 
 /// Draws the curves of a report one after another; those of a run share a panel.

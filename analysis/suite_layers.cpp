@@ -127,7 +127,37 @@ Table suite_law_table(const SuiteCurve& curve) {
   return table;
 }
 
+/// Columns: intensity, probability, low, high.
+Table rare_points(const std::vector<RareLevel>& levels, const std::string& legend) {
+  Table table{.name = legend,
+              .columns = {{"intensity", "intensity of the excitation"},
+                          {"rare", "small probability, by rocking rare"},
+                          {"rare_low", "lower end of its interval"},
+                          {"rare_high", "upper end of it"}},
+              .rows = {}};
+  for (const RareLevel& level : levels) {
+    table.rows.push_back({level.intensity, level.probability, level.interval.low, level.interval.high});
+  }
+  return table;
+}
+
 }  // namespace
+
+void add_rare(const std::vector<RareLevel>& levels, std::size_t number, const std::string& legend, Figure& figure) {
+  if (levels.empty()) return;
+  constexpr int diamond = 12;
+  constexpr double larger = 1.2;
+  Style style = style_of_curve(number);
+  style.marker = diamond;
+  style.size *= larger;
+  const std::string name = (legend.empty() ? "" : legend + ", ") + "rare estimates";
+  figure.panels.back().layers.push_back({.kind = LayerKind::error_bars,
+                                         .table = figure.tables.size(),
+                                         .columns = {0, 1, 2, 3},
+                                         .style = style,
+                                         .legend = name});
+  figure.tables.push_back(rare_points(levels, name));
+}
 
 void add_suite(const SuiteCurve& curve, std::size_t number, Figure& figure) {
   Style thin = style_of_curve(number);
@@ -170,6 +200,7 @@ void add_suite(const SuiteCurve& curve, std::size_t number, Figure& figure) {
                     .columns = {0, 4},
                     .style = style_of_curve(number),
                     .legend = has_law ? "" : name});
+  add_rare(curve.rare, number, name, figure);
 }
 
 }  // namespace rocking::analysis

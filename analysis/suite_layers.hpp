@@ -19,6 +19,10 @@ inline constexpr int points_of_a_law = 120;
 /// Quantities and values; empty if there are none.
 [[nodiscard]] std::string values_in_words(const std::vector<Parameter>& others);
 
+/// Adds to the last panel the rare estimates of curve `number`, if it has any, with their intervals; `legend` is what the
+/// other marks of the curve are called.
+void add_rare(const std::vector<RareLevel>& levels, std::size_t number, const std::string& legend, Figure& figure);
+
 /// Adds to the last panel curve `number` of its run: a thin line through the shares of each record of a suite, the means
 /// of these shares as markers, and the law of the suite with its band.
 void add_suite(const SuiteCurve& curve, std::size_t number, Figure& figure);

@@ -228,11 +228,11 @@ std::string basis(const Sheet& sheet) {
   text += "</p>\n";
   if (!rate.do_estimates_agree()) {
     text += fmt::format("<p class=\"warning\">The estimates differ by more than 15 %; add the levels {}.</p>\n",
-                        escaped(levels_in_words(rate.add_levels)));
+                        escaped(added_levels_in_words(rate)));
   }
   if (!rate.is_decided()) {
     text += fmt::format("<p class=\"warning\">The levels leave {} % of the rate undecided; add the levels {}.</p>\n",
-                        significant(100.0 * rate.undecided_share, 2), escaped(levels_in_words(rate.add_levels)));
+                        significant(100.0 * rate.undecided_share, 2), escaped(added_levels_in_words(rate)));
   }
   return "<h2>What the answer rests on</h2>\n" + text;
 }

@@ -93,8 +93,13 @@ std::string suggestions(const std::vector<Curves>& curves, const std::vector<std
     if (curves[i].found.suites.empty())
       throw UsageError("--suggest: " + folders[i] + " has no suite of ground motions");
     std::set<double> levels;
+    std::set<double> rare;  // sampling would not see the event
     for (const ShownSuite& suite : curves[i].found.suites) {
-      levels.insert(suite.rate->add_levels.begin(), suite.rate->add_levels.end());
+      const double least = suite.rate->chosen.rare_below.value_or(0.0);
+      for (const double level : suite.rate->add_levels) (level < least ? rare : levels).insert(level);
+    }
+    if (!rare.empty()) {
+      text += fmt::format("# levels for `rocking rare`: {}\n", levels_in_words({rare.begin(), rare.end()}));
     }
     if (levels.empty()) continue;
     text += fmt::format("rocking resume {} --levels {}\n", folders[i], levels_in_words({levels.begin(), levels.end()}));
@@ -195,8 +200,8 @@ void add_fragility(CLI::App& app, Action& action) {
   command
       ->add_option(
           "--rare", request->rare,
-          "Folder with the rare.json of `rocking rare` for lower intensities of the same block and motion: the "
-          "annual rate takes its probabilities below the levels with ten events")
+          "Folder with the rare.json of `rocking rare` for lower intensities of the same block and motion, or suite of "
+          "motions: the annual rate takes its probabilities below the levels with ten events")
       ->type_name("DIR");
   command->add_flag("--suggest", request->suggests,
                     "Print only the intensities that would settle the rate of a suite, as a command");

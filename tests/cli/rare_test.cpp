@@ -29,6 +29,22 @@ class Rare : public rocking::support::ProgramTest {
   /// Options with which it is quick.
   static constexpr const char* quickly = " --particles 40 --relative-error 1 --peak-tilt 0.5 --no-progress ";
 
+  /// Two records, of which the second is the stronger one.
+  [[nodiscard]] Json suite_experiment() {
+    for (const double strength : {2.0, 3.0}) {
+      std::string record;
+      for (int i = 0; i < 80; ++i) record += std::to_string(strength * std::sin(0.06 * i)) + "\n";
+      write("record" + std::to_string(static_cast<int>(strength)) + ".txt", record);
+    }
+    Json experiment = quick_experiment();
+    experiment.erase("friction");
+    experiment["fluctuation"] = {{"restitution", {{"sigma", 0.05}}}};
+    experiment["excitation"] = {{"kind", "recorded"}, {"suite", "record*.txt"}, {"time_step_s", 0.01}};
+    experiment["horizon"] = {{"transient_periods", 0}, {"sampled_periods", 3}};
+    experiment.erase("sweep");
+    return experiment;
+  }
+
   /// Returns the exit code; tests that no file was written.
   int refused(const std::string& arguments) const {
     const auto outcome = rocking("rare " + arguments + " -o refused");
@@ -83,18 +99,7 @@ TEST_F(Rare, GoesOnFromWhatAnEarlierCallHasFinished) {
 }
 
 TEST_F(Rare, HasOneProbabilityForASuiteOfRecords) {
-  for (const double strength : {2.0, 3.0}) {
-    std::string record;
-    for (int i = 0; i < 80; ++i) record += std::to_string(strength * std::sin(0.06 * i)) + "\n";
-    write("record" + std::to_string(static_cast<int>(strength)) + ".txt", record);
-  }
-  Json experiment = quick_experiment();
-  experiment.erase("friction");
-  experiment["fluctuation"] = {{"restitution", {{"sigma", 0.05}}}};
-  experiment["excitation"] = {{"kind", "recorded"}, {"suite", "record*.txt"}, {"time_step_s", 0.01}};
-  experiment["horizon"] = {{"transient_periods", 0}, {"sampled_periods", 3}};
-  experiment.erase("sweep");
-  write("suite.json", experiment.dump());
+  write("suite.json", suite_experiment().dump());
   const auto outcome = rocking("rare suite.json -o out --particles 100 --relative-error 0.5 --peak-tilt 0.7");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
   EXPECT_THAT(outcome.output, HasSubstr("Under one of the records of the suite"));
@@ -201,6 +206,64 @@ TEST_F(Rare, IsTheLowerTailOfAnAnnualRate) {
   write("other.json", other.dump());
   ASSERT_EQ(rocking(std::string("rare other.json -q -o other") + quickly).exit_code, 0);
   EXPECT_THAT(rocking(ask + "other --peak-tilt 0.5").errors, HasSubstr("same block"));
+}
+
+// The probabilities of the records differ: the mean with other weights is another number.
+TEST_F(Rare, OfASuiteIsTheLowerTailOfItsAnnualRate) {
+  Json experiment = suite_experiment();
+  experiment["realisations"] = 40;
+  experiment["sweep"] = {{{"parameter", "/excitation/scale"}, {"values", {1.0, 1.5, 2.0}}}};
+  write("strong.json", experiment.dump());
+  experiment["sweep"][0]["values"] = {0.6, 0.7};
+  write("weak.json", experiment.dump());
+  write("hazard.csv", "scale, annual_rate\n0.5, 1e-2\n1, 1e-4\n2, 1e-6\n");
+  ASSERT_EQ(rocking("run strong.json -o run -q --no-page").exit_code, 0);
+  ASSERT_EQ(rocking("rare weak.json -q -o tail --particles 100 --relative-error 0.5 --peak-tilt 0.7").exit_code, 0);
+  const std::string ask = "fragility run --hazard hazard.csv --peak-tilt 0.7 --json --rare ";
+  const auto outcome = rocking(ask + "tail --figure drawn");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+  EXPECT_EQ(objections("fragility", outcome.output), "");
+  const Json json = Json::parse(outcome.output);
+  const Json tail = Json::parse(read("tail/rare.json"));
+  const Json& curve = json["curves"][1];
+  ASSERT_EQ(curve["rare"].size(), 2U) << tail["suites"].dump();
+  for (std::size_t level = 0; level < 2; ++level) {
+    double sum = 0.0;
+    for (const Json& condition : tail["conditions"]) {
+      if (condition["parameters"]["/excitation/scale"] == curve["rare"][level]["intensity"]) {
+        sum += condition["probability"].get<double>();
+      }
+    }
+    EXPECT_NEAR(curve["rare"][level]["probability"].get<double>(), 0.5 * sum, 1e-15);
+    double of_records = 0.0;
+    for (const Json& record : curve["records"]) {
+      for (const Json& rare : record.value("rare", Json::array())) {
+        if (rare["intensity"] == curve["rare"][level]["intensity"]) of_records += rare["probability"].get<double>();
+      }
+    }
+    EXPECT_NEAR(of_records, sum, 1e-15);
+  }
+  EXPECT_GT(curve["annual_rate"]["rare_below"], 0.7);
+  EXPECT_FALSE(json["curves"][0].contains("rare")) << "another event";
+  EXPECT_THAT(read("drawn/fragility.svg"), HasSubstr("rare estimates"));
+}
+
+TEST_F(Rare, OfSomeRecordsOfASuiteIsRefused) {
+  Json experiment = suite_experiment();
+  experiment["excitation"].erase("suite");
+  experiment["excitation"]["file"] = "record2.txt";
+  experiment["excitation"]["scale"] = 1.0;
+  experiment["realisations"] = 20;
+  experiment["sweep"] = {{{"parameter", "/excitation/file"}, {"values", {"record2.txt", "record3.txt"}}},
+                         {{"parameter", "/excitation/scale"}, {"values", {1.0, 1.5}}}};
+  write("strong.json", experiment.dump());
+  experiment["sweep"] = {{{"parameter", "/excitation/scale"}, {"values", {0.8}}}};
+  write("weak.json", experiment.dump());
+  write("hazard.csv", "scale, annual_rate\n0.5, 1e-2\n2, 1e-6\n");
+  ASSERT_EQ(rocking("run strong.json -o run -q --no-page").exit_code, 0);
+  ASSERT_EQ(rocking("rare weak.json -q -o tail --particles 100 --relative-error 0.5 --peak-tilt 0.2").exit_code, 0);
+  EXPECT_THAT(rocking("fragility run --hazard hazard.csv --peak-tilt 0.2 --rare tail").errors,
+              HasSubstr("1 of the 2 ground motions"));
 }
 
 TEST_F(Rare, IsRefusedWhereNothingIsRandom) {

@@ -75,11 +75,11 @@ std::string warning_text(const SuiteRate& rate) {
     text += "warning: of the rates by law, isotonic and observed shares " +
             (rate.disagreement ? "the largest is " + per_cent(*rate.disagreement) + " % above the smallest"
                                : std::string("one is 0 and another is not")) +
-            "; add the levels " + levels_in_words(rate.add_levels) + '\n';
+            "; add the levels " + added_levels_in_words(rate) + '\n';
   }
   if (!rate.is_decided()) {
     text += "the levels leave " + per_cent(rate.undecided_share) + " % of the rate undecided; add " +
-            levels_in_words(rate.add_levels) + '\n';
+            added_levels_in_words(rate) + '\n';
   }
   return text;
 }
@@ -101,6 +101,13 @@ std::string levels_in_words(const std::vector<double>& levels) {
   std::string text;
   for (const double level : levels) text += (text.empty() ? "" : ",") + significant(level, 6);
   return text;
+}
+
+std::string added_levels_in_words(const SuiteRate& rate) {
+  const std::string text = levels_in_words(rate.add_levels);
+  const std::optional<double>& end = rate.chosen.rare_below;
+  if (!end || rate.add_levels.empty() || rate.add_levels.front() >= *end) return text;
+  return text + " (those below " + significant(*end, 6) + " by `rocking rare`)";
 }
 
 std::string annual_rate_in_words(const AnnualRate& rate, const FragilityEvent& event) {

@@ -20,5 +20,7 @@ namespace rocking {
 
 /// `0.21,0.34`: the levels to add, as `rocking resume --levels` takes them.
 [[nodiscard]] std::string levels_in_words(const std::vector<double>& levels);
+/// Those that a rate lacks, and which of them are for `rocking rare`.
+[[nodiscard]] std::string added_levels_in_words(const SuiteRate& rate);
 
 }  // namespace rocking

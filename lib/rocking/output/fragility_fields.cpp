@@ -200,7 +200,7 @@ static const StructType& fields_of(const FragilityLevel*) {
   return fields;
 }
 
-static const StructType& fields_of(const RareLevel*) {
+const StructType& fields_of(const RareLevel*) {
   static const StructType fields{
       "RareLevel",
       field<&RareLevel::intensity>("intensity", "of the excitation", Rule{.above = 0.0}),
@@ -223,7 +223,7 @@ const StructType& fields_of(const FragilityCurve*) {
         return curve.law ? std::optional<std::uint64_t>(curve.missed_levels()) : std::nullopt;
       }>("missed_levels", "at which the function lies outside the simultaneous interval; null: no function"),
       field<&Curve::levels>("levels", "by increasing intensity"),
-      field<&Curve::rare>("rare", "with `--rare`: estimates of small probabilities, by increasing intensity", {},
+      field<&Curve::rare>("rare", "with `--rare`: small probabilities, by increasing intensity; of a suite the means over its records", {},
                           WithoutValue::omitted),
   };
   return fields;

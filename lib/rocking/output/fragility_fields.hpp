@@ -13,6 +13,7 @@ namespace rocking {
 [[nodiscard]] const StructType& fields_of(const CurveSubject*);
 /// Of a curve without its subject, as each record of a suite has one.
 [[nodiscard]] const StructType& fields_of(const FragilityCurve*);
+[[nodiscard]] const StructType& fields_of(const RareLevel*);
 [[nodiscard]] const StructType& fields_of(const AnnualRate*);
 [[nodiscard]] const StructType& fields_of(const SuiteRate*);
 [[nodiscard]] const StructType& fields_of(const RateComparison*);

@@ -84,17 +84,6 @@ std::string law_in_words(const FragilityCurve& curve) {
   return law + '\n' + (curve.test ? test_in_words(*curve.test) : "");
 }
 
-std::string rare_rows(const FragilityCurve& curve) {
-  if (curve.rare.empty()) return "";
-  std::vector<TextRow> rows{{last_key(curve.subject.parameter), "probability", "from", "to", "error"}};
-  for (const RareLevel& level : curve.rare) {
-    rows.push_back({significant(level.intensity, 6), significant(level.probability, 3),
-                    significant(level.interval.low, 3), significant(level.interval.high, 3),
-                    significant(100.0 * level.relative_error, 2) + " %"});
-  }
-  return "rare estimates\n" + aligned(rows);
-}
-
 std::string curve_table(const FragilityCurve& curve, Extent extent) {
   const bool is_isotonic = curve.outcome == FragilityOutcome::rejected;
   std::vector<TextRow> rows{{last_key(curve.subject.parameter), "n", column_of(curve.subject.event), "exact",
@@ -110,7 +99,8 @@ std::string curve_table(const FragilityCurve& curve, Extent extent) {
     rows.push_back(std::move(row));
   }
   const std::string common = common_shaking(swept_in(curve), shakings);
-  std::string text = law_in_words(curve) + "\nshares at the levels\n" + aligned(rows) + rare_rows(curve) +
+  std::string text = law_in_words(curve) + "\nshares at the levels\n" + aligned(rows) +
+                     rare_table(curve.rare, curve.subject.parameter) +
                      (common.empty() ? "" : "shaking: " + common + '\n');
   const std::size_t missed = curve.missed_levels();
   if (missed == 0) return text;

@@ -3,6 +3,8 @@
 #include <cmath>
 
 #include "rocking/output/mode_table.hpp"
+#include "rocking/output/text_table.hpp"
+#include "rocking/text/json.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking {
@@ -33,6 +35,17 @@ std::string years_in_words(double years) {
 std::string test_in_words(const stats::LackOfFit& test) {
   return "lack of fit: deviance " + significant(test.deviance, 3) + ", p = " + significant(test.p_value, 2) + " (" +
          std::to_string(test.samples) + " bootstrap samples)\n";
+}
+
+std::string rare_table(const std::vector<RareLevel>& levels, const std::string& parameter) {
+  if (levels.empty()) return "";
+  std::vector<TextRow> rows{{last_key(parameter), "probability", "from", "to", "error"}};
+  for (const RareLevel& level : levels) {
+    rows.push_back({significant(level.intensity, 6), significant(level.probability, 3),
+                    significant(level.interval.low, 3), significant(level.interval.high, 3),
+                    significant(100.0 * level.relative_error, 2) + " %"});
+  }
+  return "rare estimates\n" + aligned(rows);
 }
 
 std::string heading_of_curve(const std::string& title, const std::vector<Parameter>& others) {

@@ -5,6 +5,7 @@
 
 #include "rocking/scene/experiment.hpp"
 #include "rocking/stats/fragility.hpp"
+#include "rocking/studies/fragility_curve.hpp"
 #include "rocking/studies/suite/stripes.hpp"
 
 /// Words that the curves of one motion and of a suite share.
@@ -23,6 +24,9 @@ namespace rocking {
 
 /// `lack of fit: deviance 3.2, p = 0.4 (499 bootstrap samples)`, as a line.
 [[nodiscard]] std::string test_in_words(const stats::LackOfFit& test);
+
+/// The rare estimates of a curve over the swept intensity `parameter`, as a table; empty if there are none.
+[[nodiscard]] std::string rare_table(const std::vector<RareLevel>& levels, const std::string& parameter);
 
 /// The title of the run and the values of the other entries of its sweep, as a line; empty if there are none.
 [[nodiscard]] std::string heading_of_curve(const std::string& title, const std::vector<Parameter>& others);

@@ -115,7 +115,7 @@ std::string measure_table(const std::vector<RankedMeasure>& measures) {
 std::string suite_table(const SuiteCurve& curve, RecordTable records, Extent extent) {
   std::string text = law_table(curve);
   if (curve.simple) text += simple_text(*curve.simple);
-  text += level_table_of(curve);
+  text += level_table_of(curve) + rare_table(curve.rare, curve.subject.parameter);
   if (records == RecordTable::shown) text += record_table(curve);
   if (curve.measures.empty()) return text;
   if (extent == Extent::all) return text + measure_table(curve.measures);

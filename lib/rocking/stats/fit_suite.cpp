@@ -351,10 +351,13 @@ RecordBootstrap bootstrap_records(const SuiteLevels& suite, std::uint64_t sample
     pooled[sample] = pooled_law(drawn);
     if (whole.law) laws[sample] = fit_centred(drawn, start ? &*start : nullptr).law;
   });
-  RecordBootstrap found{.samples = samples, .laws = {}, .pooled = {}, .weights = std::move(weights)};
+  RecordBootstrap found{
+      .samples = samples, .laws = {}, .samples_with_law = {}, .pooled = {}, .weights = std::move(weights)};
   for (std::size_t sample = 0; sample < samples; ++sample) {
     if (pooled[sample]) found.pooled.push_back(*pooled[sample]);
-    if (laws[sample]) found.laws.push_back(*laws[sample]);
+    if (!laws[sample]) continue;
+    found.laws.push_back(*laws[sample]);
+    found.samples_with_law.push_back(sample);
   }
   return found;
 }

@@ -140,9 +140,10 @@ struct SuiteCovariate {
 /// record together. Valid whatever the dependence of trials of one record.
 struct RecordBootstrap {
   std::uint64_t samples = 0;
-  std::vector<SuiteLaw> laws;                ///< of the samples that have one
-  std::vector<PooledLaw> pooled;             ///< likewise
-  std::vector<std::vector<double>> weights;  ///< of each sample: how many times each record is in it
+  std::vector<SuiteLaw> laws;                 ///< of the samples that have one
+  std::vector<std::size_t> samples_with_law;  ///< the sample of each of them
+  std::vector<PooledLaw> pooled;              ///< of the samples that have one
+  std::vector<std::vector<double>> weights;   ///< of each sample: how many times each record is in it
 };
 
 }  // namespace rocking::stats

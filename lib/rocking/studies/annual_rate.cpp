@@ -26,7 +26,7 @@ struct Tail {
   explicit Tail(const FragilityCurve& curve) : estimates(rare_below_levels(curve)) {
     if (estimates.empty()) return;
     for (const RareLevel& level : estimates) y.push_back(std::log(level.intensity));
-    y.push_back(std::log(lowest_sure_level(curve)->intensity));
+    y.push_back(std::log(lowest_sure_level(curve.levels).value()));
   }
 
   /// The probabilities, after a change of one.
@@ -120,7 +120,7 @@ AnnualRate annual_rate(const FragilityCurve& curve, const HazardCurve& hazard) {
     std::ranges::sort(what.levels);
   }
   AnnualRate found = curve.law ? rate_by_law(curve, what, tail) : rate_by_levels(curve, what, tail);
-  if (!tail.y.empty()) found.rare_below = lowest_sure_level(curve)->intensity;
+  if (!tail.y.empty()) found.rare_below = lowest_sure_level(curve.levels);
   return found;
 }
 

@@ -4,22 +4,6 @@
 
 namespace rocking {
 
-const FragilityLevel* lowest_sure_level(const FragilityCurve& curve) {
-  const auto found = std::ranges::find_if(
-      curve.levels, [](const FragilityLevel& level) { return level.overturned.successes >= least_events_of_level; });
-  return found == curve.levels.end() ? nullptr : &*found;
-}
-
-std::vector<RareLevel> rare_below_levels(const FragilityCurve& curve) {
-  const FragilityLevel* sure = lowest_sure_level(curve);
-  if (sure == nullptr) return {};
-  std::vector<RareLevel> used;
-  for (const RareLevel& level : curve.rare) {
-    if (level.intensity < sure->intensity) used.push_back(level);
-  }
-  return used;
-}
-
 TailPiece tail_piece(double y_low, double p_low, double y_high, double p_high) {
   if (!(0.0 < p_low && p_low < p_high && p_high < 1.0)) {
     return KnownProbabilities{.y = {y_low, y_high}, .probabilities = {p_low, p_high}};

@@ -3,22 +3,40 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <variant>
 #include <vector>
 
 #include "rocking/studies/fragility_curve.hpp"
 #include "rocking/studies/hazard_integral.hpp"
+#include "rocking/studies/suite/suite_curve.hpp"
 
 namespace rocking {
 
 /// With fewer events the share of a level says little about its probability.
 inline constexpr std::uint64_t least_events_of_level = 10;
 
-/// The rare estimates of a curve below its lowest level with `least_events_of_level`.
-[[nodiscard]] std::vector<RareLevel> rare_below_levels(const FragilityCurve& curve);
+[[nodiscard]] inline std::uint64_t events_at(const FragilityLevel& level) { return level.overturned.successes; }
+[[nodiscard]] inline std::uint64_t events_at(const SuiteLevel& level) { return level.happened.successes; }
 
-/// The lowest level of a curve with `least_events_of_level`; null: none.
-[[nodiscard]] const FragilityLevel* lowest_sure_level(const FragilityCurve& curve);
+/// The intensity of the lowest level with `least_events_of_level`; absent: none.
+template <class Levels>
+[[nodiscard]] std::optional<double> lowest_sure_level(const Levels& levels) {
+  const auto found =
+      std::ranges::find_if(levels, [](const auto& level) { return events_at(level) >= least_events_of_level; });
+  return found == levels.end() ? std::nullopt : std::optional(found->intensity);
+}
+
+/// The rare estimates of a curve, of one motion or of a suite, below its lowest level with `least_events_of_level`.
+template <class Curve>
+[[nodiscard]] std::vector<RareLevel> rare_below_levels(const Curve& curve) {
+  std::vector<RareLevel> used;
+  for (const RareLevel& level : curve.rare) {
+    if (level.intensity < lowest_sure_level(curve.levels).value_or(0.0)) used.push_back(level);
+  }
+  return used;
+}
 
 /// A piece of a lower tail.
 using TailPiece = std::variant<LognormalCapacity, KnownProbabilities>;

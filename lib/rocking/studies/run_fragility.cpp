@@ -101,15 +101,31 @@ void compare(const HazardCurve& hazard, RunFragility& run) {
   }
 }
 
-std::vector<RareLevel> rare_of(const CurveSubject& subject, const std::vector<RareOfCurve>& all) {
-  std::vector<RareLevel> levels;
+/// The rare estimates of a curve, by growing intensity.
+std::vector<RareOfCurve> rare_of(const CurveSubject& subject, const std::vector<RareOfCurve>& all) {
+  std::vector<RareOfCurve> found;
   for (const RareOfCurve& one : all) {
     const bool is_same = one.event == subject.event &&
                          std::ranges::equal(one.others, subject.others, {}, &Parameter::value, &Parameter::value);
-    if (is_same) levels.push_back(one.level);
+    if (is_same) found.push_back(one);
   }
-  std::ranges::sort(levels, {}, &RareLevel::intensity);
-  return levels;
+  std::ranges::sort(found, {}, [](const RareOfCurve& one) { return one.level.intensity; });
+  return found;
+}
+
+void add_rare(const std::vector<RareOfCurve>& all, FragilityCurve& curve) {
+  for (const RareOfCurve& one : rare_of(curve.subject, all)) curve.rare.push_back(one.level);
+}
+
+void add_rare(const std::vector<RareOfCurve>& all, SuiteCurve& curve) {
+  for (const RareOfCurve& one : rare_of(curve.subject, all)) {
+    curve.rare.push_back(one.level);
+    for (const RareOfCurve::OfRecord& of_record : one.records) {
+      const auto record = std::ranges::find(curve.records, of_record.name, &RecordCurve::name);
+      ROCKING_EXPECT(record != curve.records.end());
+      record->curve.rare.push_back(of_record.level);
+    }
+  }
 }
 
 void add_curve(const StripeGroup& group, const FragilityEvent& event, const FragilityQuestion& question,
@@ -117,10 +133,11 @@ void add_curve(const StripeGroup& group, const FragilityEvent& event, const Frag
   if (group.is_suite()) {
     ShownSuite& shown = run.suites.emplace_back(
         ShownSuite{.curve = suite_curve(group, event, run.experiment.seed, question.metadata, how)});
+    add_rare(question.rare, shown.curve);
     if (question.hazard) shown.rate = annual_rate(shown.curve, *question.hazard);
   } else {
     ShownCurve& shown = run.curves.emplace_back(ShownCurve{.curve = fragility(group, event, run.experiment.seed, how)});
-    shown.curve.rare = rare_of(shown.curve.subject, question.rare);
+    add_rare(question.rare, shown.curve);
     if (question.hazard) shown.rate = annual_rate(shown.curve, *question.hazard);
   }
 }
@@ -144,10 +161,11 @@ RunFragility run_fragility(const Experiment& experiment, const std::vector<Strip
     }
     if (question.incremental) run.incremental.push_back(incremental_analysis(group));
   }
-  const auto has_rare = [](const ShownCurve& shown) { return !shown.curve.rare.empty(); };
-  if (!question.rare.empty() && std::ranges::none_of(run.curves, has_rare)) {
-    throw base::InputError({"rare", "", "has no estimate of an event that is asked for",
-                            "ask for the same --peak-tilt, and give a run of one motion"});
+  const auto has_rare = [](const auto& shown) { return !shown.curve.rare.empty(); };
+  if (!question.rare.empty() && std::ranges::none_of(run.curves, has_rare) &&
+      std::ranges::none_of(run.suites, has_rare)) {
+    throw base::InputError(
+        {"rare", "", "has no estimate of an event that is asked for", "ask for the same --peak-tilt"});
   }
   if (question.hazard) compare(*question.hazard, run);
   if (!question.metadata.empty() && run.suites.empty()) {

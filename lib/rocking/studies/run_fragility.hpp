@@ -134,9 +134,14 @@ struct RunFragility {
 
 /// A rare estimate, and the curve to which it belongs.
 struct RareOfCurve {
+  struct OfRecord {
+    std::string name;  ///< of the ground motion
+    RareLevel level;
+  };
   std::vector<Parameter> others;  ///< CurveSubject::others
   FragilityEvent event;
-  RareLevel level;
+  RareLevel level;                     ///< of a suite: the mean over the records
+  std::vector<OfRecord> records = {};  ///< of a suite: those whose probability is not 0
 };
 
 /// What is asked of a run beside the probability of overturning.

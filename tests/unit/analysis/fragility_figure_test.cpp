@@ -134,4 +134,26 @@ TEST(FragilityFigure, CallsTheCurvesOfPeakTiltsByTheirEvent) {
   EXPECT_THAT(figure.description, HasSubstr("peak tilt > 0.5"));
 }
 
+TEST(FragilityFigure, SaysWhichPointsAreRareEstimates) {
+  FragilityReport report;
+  ReportedSuite rare = suite({});
+  rare.curve.rare = {{.intensity = 0.1, .probability = 2e-5, .interval = {1e-5, 4e-5}, .relative_error = 0.1}};
+  report.curves.emplace_back(rare);
+  const Figure figure = fragility_figure(report);
+  const std::vector<Layer>& layers = figure.panels.front().layers;
+  const auto found = std::ranges::find_if(
+      layers, [](const Layer& layer) { return layer.legend.find("rare estimates") != std::string::npos; });
+  ASSERT_NE(found, layers.end());
+  EXPECT_EQ(found->kind, LayerKind::error_bars);
+  const Table& table = figure.tables[found->table];
+  ASSERT_EQ(table.rows.size(), 1U);
+  const std::vector<double> expected{0.1, 2e-5, 1e-5, 4e-5};
+  for (std::size_t k = 0; k < expected.size(); ++k) {
+    EXPECT_EQ(number(table.rows.front()[found->columns[k]]), expected[k]);
+  }
+  EXPECT_THAT(figure.caption, HasSubstr("rocking rare"));
+  report.curves = {suite({})};
+  EXPECT_THAT(fragility_figure(report).caption, ::testing::Not(HasSubstr("rocking rare")));
+}
+
 }  // namespace

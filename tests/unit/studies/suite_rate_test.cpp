@@ -4,8 +4,10 @@
 #include <functional>
 #include <numeric>
 
+#include <boost/math/distributions/normal.hpp>
 #include <gmock/gmock.h>
 
+#include "rocking/stats/normal_law.hpp"
 #include "rocking/studies/run_fragility.hpp"
 #include "rocking/studies/suite/suite_fragility.hpp"
 #include "rocking/studies/suite/undecided.hpp"
@@ -182,6 +184,95 @@ TEST(SuiteRate, OfBlocksThatNeverOverturnHasAnUpperBound) {
   EXPECT_EQ(rate.disagreement, 0.0);
   EXPECT_EQ(rate.undecided_share, 1.0);
   EXPECT_FALSE(rate.add_levels.empty());
+}
+
+/// Rare estimates at two levels, of each record; the level of ten events, 25 of 60, is 0.4.
+const std::vector<double> rare_at{0.25, 0.3};
+SuiteCurve with_rare(const std::vector<std::vector<double>>& of_records) {
+  SuiteCurve found = curve();
+  for (std::size_t k = 0; k < rare_at.size(); ++k) {
+    double mean = 0.0;
+    for (std::size_t r = 0; r < of_records.size(); ++r) {
+      const double probability = of_records[r][k];
+      mean += probability / static_cast<double>(of_records.size());
+      if (probability == 0.0) continue;
+      found.records[r].curve.rare.push_back({.intensity = rare_at[k], .probability = probability});
+    }
+    found.rare.push_back({.intensity = rare_at[k], .probability = mean});
+  }
+  return found;
+}
+const std::vector<std::vector<double>> unlike{{0.0, 0.0},  {0.0, 1e-4},  {2e-4, 6e-3},
+                                              {0.0, 2e-5}, {1e-6, 4e-4}, {4e-5, 1e-3}};
+
+TEST(SuiteRateWithRare, IntegratesTheMeanOverTheRecords) {
+  const SuiteRate rate = annual_rate(with_rare(unlike), hazard());
+  EXPECT_EQ(rate.chosen.rare_below, 0.4);
+  const double low = 2.41e-4 / 6.0, high = 7.52e-3 / 6.0;
+  const std::vector<double> shares = shares_of();
+  const stats::SuiteLaw law = curve().pooled->law();
+  const boost::math::normal_distribution<double> normal;
+  const auto with_tail = [&](const std::function<double(double)>& upper) {
+    return by_midpoints([&](double x) {
+      if (x >= 0.4) return upper(x);
+      const bool is_first = x < 0.3;
+      const double from = is_first ? 0.25 : 0.3, to = is_first ? 0.3 : 0.4;
+      const double z_from = quantile(normal, is_first ? low : high);
+      const double z_to = quantile(normal, is_first ? high : upper(0.4));
+      return stats::normal_cdf(z_from + (z_to - z_from) * std::log(x / from) / std::log(to / from));
+    });
+  };
+  const double by_law = with_tail([&](double x) { return law.probability(x); });
+  const double observed = with_tail([&](double x) { return interpolated(shares, x); });
+  EXPECT_NEAR(estimate(rate, RateSource::law), by_law, 1e-6 * by_law);
+  EXPECT_NEAR(rate.chosen.value, by_law, 1e-6 * by_law);
+  EXPECT_NEAR(estimate(rate, RateSource::observed), observed, 1e-6 * observed);
+  EXPECT_NEAR(estimate(rate, RateSource::at_least),
+              by_midpoints([&](double x) {
+                return x < 0.25 ? 0.0 : x < 0.3 ? low : x < 0.4 ? high : 0.0;
+              }) + estimate(annual_rate(curve(), hazard()), RateSource::at_least) -
+                  7.0 / 60.0 * (hazard_at(0.3) - hazard_at(0.4)),
+              1e-4 * observed);
+  double sum = 0.0;
+  for (const RateInRange& range : rate.chosen.by_level) sum += range.rate;
+  EXPECT_NEAR(sum, rate.chosen.value, 1e-12 * sum);
+}
+
+/// Equal probabilities at both levels, and a hazard that ends below them: the rate is the mean over the records, whose
+/// weights the bootstrap draws.
+TEST(SuiteRateWithRare, HasTheIntervalOfTheRecordsThatAreDrawn) {
+  const std::vector<double> of_record{0.0, 1e-5, 6e-4, 0.0, 2e-6, 1e-4};
+  std::vector<std::vector<double>> equal;
+  for (const double probability : of_record) equal.push_back({probability, probability});
+  const SuiteCurve found = with_rare(equal);
+  const HazardCurve below{.name = "", .intensity = "", .header_line = 0, .points = {{0.2, 1.0}, {0.24, 1e-12}}};
+  const SuiteRate rate = annual_rate(found, below);
+  std::vector<double> means;
+  for (const std::vector<double>& weights : found.bootstrap.weights) {
+    means.push_back(std::inner_product(weights.begin(), weights.end(), of_record.begin(), 0.0) / 6.0);
+  }
+  const auto expected = found.interval_of(means);
+  for (const RateSource source : {RateSource::isotonic, RateSource::observed, RateSource::at_most}) {
+    EXPECT_NEAR(estimate(rate, source), 7.12e-4 / 6.0, 1e-9);
+    const auto each = std::ranges::find(rate.estimates, source, &RateEstimate::source);
+    EXPECT_NEAR(each->interval->low, expected->low, 1e-9);
+    EXPECT_NEAR(each->interval->high, expected->high, 1e-9);
+  }
+  EXPECT_NEAR(rate.chosen.value, 7.12e-4 / 6.0, 1e-9);
+  EXPECT_NEAR(rate.by_record[2].without.value(), 1.12e-4 / 5.0, 1e-9);
+  EXPECT_NEAR(rate.by_record[2].share, 6e-4 / 7.12e-4, 1e-6);
+}
+
+TEST(SuiteRateWithRare, IsSharedOutAmongTheRecords) {
+  const SuiteRate rate = annual_rate(with_rare(unlike), hazard());
+  double sum = 0.0;
+  for (const RateOfRecord& record : rate.by_record) sum += record.rate;
+  EXPECT_NEAR(sum / 6.0, estimate(rate, RateSource::observed), 1e-12 * sum);
+}
+
+// Without them half of the range below the first event, 7 of 60 at 0.3, is open.
+TEST(SuiteRateWithRare, IsLessOpen) {
+  EXPECT_LT(annual_rate(with_rare(unlike), hazard()).undecided_share, annual_rate(curve(), hazard()).undecided_share);
 }
 
 TEST(Undecided, OfRangesOutsideTheLevelsIsTheirBounds) {

@@ -80,6 +80,7 @@ struct SuiteCurve {
   std::optional<stats::LackOfFit> test;  ///< of the pooled law; absent without it or where too many samples have none
   std::optional<SimpleLaw> simple;
   std::vector<SuiteLevel> levels;       ///< by growing intensity
+  std::vector<RareLevel> rare;          ///< means over the records, whose own stand in their curves; likewise
   std::vector<RecordCurve> records;     ///< in the order of the sweep
   std::vector<RankedMeasure> measures;  ///< best first; empty where the motions have none
   stats::RecordBootstrap bootstrap;     ///< of the records

@@ -10,6 +10,8 @@
 #include "rocking/stats/record_shares.hpp"
 #include "rocking/stats/student_law.hpp"
 #include "rocking/studies/counted_hazard.hpp"
+#include "rocking/studies/rare_tail.hpp"
+#include "rocking/studies/suite/suite_tail.hpp"
 #include "rocking/studies/suite/undecided.hpp"
 
 namespace rocking {
@@ -28,43 +30,52 @@ stats::SuiteLevels levels_of(const std::vector<RecordCurve>& records) {
   return suite;
 }
 
-/// Shares at the levels that can lift the block, as probabilities that are integrated over the hazard.
+/// What is counted of a hazard curve; the rare estimates take the place of the levels below the end of the tail.
+CountedHazard counted_with_tail(const HazardCurve& hazard, const SuiteCurve& curve, const SuiteTail& tail) {
+  CountedHazard counted = counted_hazard(hazard, curve.levels, curve.subject.least_uplift);
+  if (!tail.end()) return counted;
+  std::erase_if(counted.levels, [&tail](double level) { return level < *tail.end(); });
+  counted.levels.insert(counted.levels.begin(), tail.intensities().begin(), tail.intensities().end());
+  return counted;
+}
+
+/// Rare estimates, and shares at the levels that can lift the block, as probabilities that are integrated over the
+/// hazard.
 class SharesAndHazard {
  public:
-  SharesAndHazard(const CountedHazard& counted, const stats::RecordShares& shares)
-      : hazard_(counted.hazard), start_(counted.start), starts_at_zero_(counted.first < counted.start) {
+  SharesAndHazard(const CountedHazard& counted, const stats::RecordShares& shares, const SuiteTail& tail)
+      : hazard_(counted.hazard),
+        tail_(tail),
+        start_(counted.start),
+        starts_at_zero_(counted.first < counted.start),
+        pieces_(counted.pieces()) {
     const std::vector<double>& all = shares.intensities();
-    skipped_ = all.size() - counted.levels.size();
+    skipped_ = all.size() - (counted.levels.size() - tail.size());
     // A suite without a level that lifts the block does not overturn up to there.
     intensities_ = counted.levels.empty() ? std::vector<double>{start_} : counted.levels;
     is_below_uplift_ = counted.levels.empty();
-    const std::vector<HazardPiece> pieces = counted.pieces();
     for (std::size_t k = 0; k < intensities_.size(); ++k) {
       std::vector<double> unit(intensities_.size(), 0.0);
       unit[k] = 1.0;
-      weights_.push_back(rate_of(known(unit), pieces));
+      weights_.push_back(rate_of(known(unit), pieces_));
       ranges_.push_back(hazard_between(k == 0 ? start_ : intensities_[k - 1], intensities_[k]));
     }
     ranges_.push_back(hazard_between(intensities_.back(), std::nullopt));
   }
 
-  /// Without the levels below the least uplift.
-  [[nodiscard]] std::vector<double> counted_of(std::vector<double> shares) const {
+  /// The probabilities of the tail, and the shares without those of the levels below it or below the least uplift.
+  [[nodiscard]] std::vector<double> counted_of(std::vector<double> shares, const std::vector<double>& tail) const {
     if (is_below_uplift_) return {0.0};
     shares.erase(shares.begin(), shares.begin() + static_cast<std::ptrdiff_t>(skipped_));
+    shares.insert(shares.begin(), tail.begin(), tail.end());
     return shares;
   }
-  /// Linear in ln x; 0 at the least uplift where that is known, and beyond the levels as at the last one.
-  [[nodiscard]] KnownProbabilities known(const std::vector<double>& shares) const {
-    KnownProbabilities found;
-    const bool has_zero = starts_at_zero_ && start_ < intensities_.front();
-    if (has_zero) found = {.y = {std::log(start_)}, .probabilities = {0.0}};
-    for (const double intensity : intensities_) found.y.push_back(std::log(intensity));
-    found.probabilities.insert(found.probabilities.end(), shares.begin(), shares.end());
-    return found;
+  [[nodiscard]] WithTail<KnownProbabilities> probability(const std::vector<double>& counted) const {
+    return {tail_.y(), {counted.begin(), counted.begin() + static_cast<std::ptrdiff_t>(tail_.size())}, known(counted)};
   }
-  /// The rate of these shares; it is linear in them.
+  /// The rate of these probabilities; without a tail it is linear in them.
   [[nodiscard]] double rate(const std::vector<double>& shares) const {
+    if (tail_.end()) return rate_of(probability(shares), pieces_);
     double sum = 0.0;
     for (std::size_t k = 0; k < weights_.size(); ++k) sum += weights_[k] * shares[k];
     return sum;
@@ -81,19 +92,34 @@ class SharesAndHazard {
   }
   [[nodiscard]] std::vector<LevelShare> levels(const std::vector<double>& shares, double half_trial) const {
     std::vector<LevelShare> list;
-    for (std::size_t k = 0; k < shares.size(); ++k) list.push_back({intensities_[k], shares[k], half_trial});
+    for (std::size_t k = 0; k < shares.size(); ++k) {
+      // A rare estimate is told from 0.
+      const double least = k < tail_.size() ? std::min(half_trial, shares[k]) : half_trial;
+      list.push_back({intensities_[k], shares[k], least});
+    }
     return list;
   }
 
  private:
+  /// Linear in ln x; 0 at the least uplift where that is known, and beyond the levels as at the last one.
+  [[nodiscard]] KnownProbabilities known(const std::vector<double>& shares) const {
+    KnownProbabilities found;
+    const bool has_zero = starts_at_zero_ && start_ < intensities_.front();
+    if (has_zero) found = {.y = {std::log(start_)}, .probabilities = {0.0}};
+    for (const double intensity : intensities_) found.y.push_back(std::log(intensity));
+    found.probabilities.insert(found.probabilities.end(), shares.begin(), shares.end());
+    return found;
+  }
   [[nodiscard]] double hazard_between(double from, std::optional<double> to) const {
     const std::vector<HazardPiece> pieces = pieces_between(hazard_, std::max(from, start_), to);
     return rate_of(KnownProbabilities{.y = {0.0}, .probabilities = {1.0}}, pieces);
   }
 
   const HazardCurve& hazard_;
+  const SuiteTail& tail_;
   double start_;
   bool starts_at_zero_;
+  std::vector<HazardPiece> pieces_;
   bool is_below_uplift_ = false;
   std::size_t skipped_ = 0;
   std::vector<double> intensities_;
@@ -108,15 +134,16 @@ class SuiteRates {
       : curve_(curve),
         suite_(levels_of(curve.records)),
         shares_(suite_),
-        counted_(counted_hazard(hazard, curve.levels, curve.subject.least_uplift)),
+        tail_(curve),
+        counted_(counted_with_tail(hazard, curve, tail_)),
         pieces_(counted_.pieces()),
-        rates_(counted_, shares_) {}
+        rates_(counted_, shares_, tail_) {}
 
   /// By shares, of records with these weights.
   [[nodiscard]] double rate_by(RateSource source, const std::vector<double>& weights) const {
     const bool is_isotonic = source == RateSource::isotonic;
     const std::vector<double> shares =
-        rates_.counted_of(is_isotonic ? shares_.isotonic(weights) : shares_.mean(weights));
+        rates_.counted_of(is_isotonic ? shares_.isotonic(weights) : shares_.mean(weights), tail_.means(weights));
     if (source == RateSource::at_least) return rates_.at_least(shares);
     if (source == RateSource::at_most) return rates_.at_most(shares);
     return rates_.rate(shares);
@@ -130,10 +157,12 @@ class SuiteRates {
       found.estimates.push_back(by_shares(source));
     }
     const bool is_by_law = curve_.outcome == stats::FragilityOutcome::fitted;
-    const std::vector<double> equal(suite_.size(), 1.0);
-    found.chosen = is_by_law ? disaggregated(counted_, capacity_of(curve_.pooled->law()))
-                             : disaggregated(counted_, rates_.known(rates_.counted_of(shares_.isotonic(equal))));
+    found.chosen = is_by_law
+                       ? disaggregated(counted_, by_law_of(curve_.pooled->law(), equal_weights()))
+                       : disaggregated(counted_, rates_.probability(rates_.counted_of(shares_.isotonic(equal_weights()),
+                                                                                      tail_.means(equal_weights()))));
     found.chosen.source = is_by_law ? RateSource::law : RateSource::isotonic;
+    found.chosen.rare_below = tail_.end();
     if (curve_.pooled) found.chosen.impossible = impossible();
     for (const RateEstimate& estimate : found.estimates) {
       if (estimate.source == found.chosen.source) found.chosen.interval = estimate.interval;
@@ -145,21 +174,37 @@ class SuiteRates {
   }
 
  private:
+  [[nodiscard]] std::vector<double> equal_weights() const { return std::vector<double>(suite_.size(), 1.0); }
+  /// Of records with these weights, whose law it is.
+  [[nodiscard]] WithTail<LognormalCapacity> by_law_of(const stats::SuiteLaw& law,
+                                                      const std::vector<double>& weights) const {
+    return {tail_.y(), tail_.means(weights), capacity_of(law)};
+  }
+  /// Of the observed shares.
+  [[nodiscard]] std::vector<double> observed() const {
+    return rates_.counted_of(shares_.mean(equal_weights()), tail_.means(equal_weights()));
+  }
+
   [[nodiscard]] double impossible() const {
-    return rate_of(capacity_of(curve_.pooled->law()), pieces_between(counted_.hazard, counted_.first, counted_.start));
+    return rate_of(by_law_of(curve_.pooled->law(), equal_weights()),
+                   pieces_between(counted_.hazard, counted_.first, counted_.start));
   }
 
   [[nodiscard]] RateEstimate by_law() const {
     std::vector<double> samples;
-    for (const stats::SuiteLaw& law : curve_.bootstrap.laws) samples.push_back(rate_of(capacity_of(law), pieces_));
-    return {RateSource::law, rate_of(capacity_of(curve_.pooled->law()), pieces_),
+    const stats::RecordBootstrap& bootstrap = curve_.bootstrap;
+    for (std::size_t i = 0; i < bootstrap.laws.size(); ++i) {
+      const std::vector<double>& weights = bootstrap.weights[bootstrap.samples_with_law[i]];
+      samples.push_back(rate_of(by_law_of(bootstrap.laws[i], weights), pieces_));
+    }
+    return {RateSource::law, rate_of(by_law_of(curve_.pooled->law(), equal_weights()), pieces_),
             curve_.interval_of(std::move(samples))};
   }
 
   [[nodiscard]] RateEstimate by_shares(RateSource source) const {
     std::vector<double> samples;
     for (const std::vector<double>& weights : curve_.bootstrap.weights) samples.push_back(rate_by(source, weights));
-    return {source, rate_by(source, std::vector<double>(suite_.size(), 1.0)), curve_.interval_of(std::move(samples))};
+    return {source, rate_by(source, equal_weights()), curve_.interval_of(std::move(samples))};
   }
 
   static void set_disagreement(SuiteRate& found) {
@@ -177,23 +222,36 @@ class SuiteRates {
   /// The chosen rate of the suite without one record.
   [[nodiscard]] std::optional<double> without(std::size_t record, bool is_by_law) const {
     if (suite_.size() < 2) return std::nullopt;
-    if (!is_by_law) {
-      std::vector<double> weights(suite_.size(), 1.0);
-      weights[record] = 0.0;
-      return rate_by(RateSource::isotonic, weights);
-    }
+    std::vector<double> weights = equal_weights();
+    weights[record] = 0.0;
+    if (!is_by_law) return rate_by(RateSource::isotonic, weights);
     stats::SuiteLevels others = suite_;
     others.erase(others.begin() + static_cast<std::ptrdiff_t>(record));
     const auto law = stats::fit_suite_near(others, curve_.pooled->law()).law;
-    return law ? std::optional(rate_of(capacity_of(*law), pieces_)) : std::nullopt;
+    return law ? std::optional(rate_of(by_law_of(*law, weights), pieces_)) : std::nullopt;
+  }
+
+  /// The mean over the records is the observed rate. A range of the tail is shared out by the mean of the shares that a
+  /// record has in the probabilities at its two ends.
+  [[nodiscard]] double rate_of_record(std::size_t record) const {
+    const std::vector<double> own = rates_.counted_of(shares_.of_record(record), tail_.of_record(record));
+    if (!tail_.end()) return rates_.rate(own);
+    const std::vector<double> means = observed();
+    const auto of_all = rates_.probability(means);
+    double rate = rate_of(rates_.probability(own), pieces_within(pieces_, tail_.y().back(), HUGE_VAL));
+    for (std::size_t i = 0; i < tail_.size(); ++i) {
+      const double low = i == 0 ? -HUGE_VAL : tail_.y()[i];
+      const double share = 0.5 * (own[i] / means[i] + own[i + 1] / means[i + 1]);
+      rate += share * rate_of(of_all, pieces_within(pieces_, low, tail_.y()[i + 1]));
+    }
+    return rate;
   }
 
   void set_records(bool is_by_law, SuiteRate& found) const {
     double sum = 0.0;
     for (std::size_t r = 0; r < suite_.size(); ++r) {
-      found.by_record.push_back({.name = curve_.records[r].name,
-                                 .rate = rates_.rate(rates_.counted_of(shares_.of_record(r))),
-                                 .without = without(r, is_by_law)});
+      found.by_record.push_back(
+          {.name = curve_.records[r].name, .rate = rate_of_record(r), .without = without(r, is_by_law)});
       sum += found.by_record.back().rate;
     }
     for (RateOfRecord& record : found.by_record) record.share = sum > 0.0 ? record.rate / sum : 0.0;
@@ -219,19 +277,20 @@ class SuiteRates {
   }
 
   void set_undecided(SuiteRate& found) const {
-    const std::vector<double> equal(suite_.size(), 1.0);
-    const std::vector<double> means = rates_.counted_of(shares_.mean(equal));
+    const std::vector<double> means = observed();
     std::uint64_t trials = 0;
     for (const auto& record : suite_) trials += record.front().happened.trials;
     const std::vector<LevelShare> levels = rates_.levels(means, 0.5 / static_cast<double>(trials));
-    const double observed = rates_.rate(means);
+    const double rate = rates_.rate(means);
     double open = 0.0;
     for (const UndecidedRange& range : undecided_ranges(levels, counted_.hazard, counted_.start)) open += range.rate;
-    found.undecided_share = observed > 0.0 ? open / observed : (open > 0.0 ? 1.0 : 0.0);
-    const KnownProbabilities between = rates_.known(means);
+    found.undecided_share = rate > 0.0 ? open / rate : (open > 0.0 ? 1.0 : 0.0);
+    const auto between = rates_.probability(means);
     found.add_levels =
-        levels_to_add(levels, counted_.hazard, counted_.start, most_undecided_share * observed, [&](double intensity) {
-          if (curve_.pooled) return curve_.pooled->law().probability(intensity);
+        levels_to_add(levels, counted_.hazard, counted_.start, most_undecided_share * rate, [&](double intensity) {
+          if (curve_.pooled) {
+            return by_law_of(curve_.pooled->law(), equal_weights()).probability(std::log(intensity));
+          }
           return intensity > levels.back().intensity ? 0.5 * (1.0 + means.back())
                                                      : between.probability(std::log(intensity));
         });
@@ -241,12 +300,12 @@ class SuiteRates {
 
   /// Inside the range whose rates by the law and by the observed shares differ most.
   [[nodiscard]] double where_law_differs_most(const SuiteRate& found) const {
-    const KnownProbabilities observed = rates_.known(rates_.counted_of(shares_.mean(std::vector(suite_.size(), 1.0))));
+    const auto of_shares = rates_.probability(observed());
     double most = -1.0, at = counted_.start;
     for (const RateInRange& range : found.chosen.by_level) {
       const std::vector<HazardPiece> pieces = pieces_between(counted_.hazard, range.from, range.to);
-      const double law = curve_.pooled ? rate_of(capacity_of(curve_.pooled->law()), pieces) : 0.0;
-      const double difference = std::abs(law - rate_of(observed, pieces));
+      const double law = curve_.pooled ? rate_of(by_law_of(curve_.pooled->law(), equal_weights()), pieces) : 0.0;
+      const double difference = std::abs(law - rate_of(of_shares, pieces));
       if (difference <= most) continue;
       most = difference;
       at = inside(range.from, range.to);
@@ -257,6 +316,7 @@ class SuiteRates {
   const SuiteCurve& curve_;
   stats::SuiteLevels suite_;
   stats::RecordShares shares_;
+  SuiteTail tail_;
   CountedHazard counted_;
   std::vector<HazardPiece> pieces_;
   SharesAndHazard rates_;

@@ -94,7 +94,7 @@ std::vector<double> levels_to_add(std::vector<LevelShare> levels, const HazardCu
     const double most = next == levels.end() ? 1.0 : next->share;
     levels.insert(next, {.intensity = intensity,
                          .share = std::clamp(expected(intensity), std::min(least, most), std::max(least, most)),
-                         .half_trial = levels.front().half_trial});
+                         .half_trial = (next == levels.begin() ? next : std::prev(next))->half_trial});
     added.push_back(intensity);
   }
   std::ranges::sort(added);

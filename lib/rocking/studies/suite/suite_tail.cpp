@@ -1,0 +1,42 @@
+#include "rocking/studies/suite/suite_tail.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "rocking/base/error.hpp"
+#include "rocking/studies/rare_tail.hpp"
+
+namespace rocking {
+
+SuiteTail::SuiteTail(const SuiteCurve& curve) {
+  for (const RareLevel& level : rare_below_levels(curve)) intensities_.push_back(level.intensity);
+  if (!intensities_.empty()) {
+    end_ = lowest_sure_level(curve.levels);
+    for (const double intensity : intensities_) y_.push_back(std::log(intensity));
+    y_.push_back(std::log(*end_));
+  }
+  for (const RecordCurve& record : curve.records) {
+    std::vector<double>& probabilities = of_records_.emplace_back(size(), 0.0);
+    for (const RareLevel& level : record.curve.rare) {
+      const auto node = std::ranges::find(intensities_, level.intensity);
+      if (node != intensities_.end()) {
+        probabilities[static_cast<std::size_t>(node - intensities_.begin())] = level.probability;
+      }
+    }
+  }
+}
+
+std::vector<double> SuiteTail::means(const std::vector<double>& weights) const {
+  std::vector<double> sums(size(), 0.0);
+  if (sums.empty()) return sums;
+  ROCKING_EXPECT(weights.size() == of_records_.size());
+  double total = 0.0;
+  for (std::size_t r = 0; r < weights.size(); ++r) {
+    total += weights[r];
+    for (std::size_t node = 0; node < size(); ++node) sums[node] += weights[r] * of_records_[r][node];
+  }
+  for (double& sum : sums) sum /= total;
+  return sums;
+}
+
+}  // namespace rocking

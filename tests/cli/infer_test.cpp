@@ -169,7 +169,7 @@ TEST_F(Infer, RefusesTestsWithLineValueAndRemedy) {
   const auto at = [](const std::string& place_and_value, const std::string& remedy) {
     return AllOf(HasSubstr("bad.csv, " + place_and_value), HasSubstr(remedy));
   };
-  expect_bad_tests("amplitud3,\"(1,1)\",other\n4.5,1,2\n", at("line 1 = \"amplitud3\"", "write modes such as (1,1)"));
+  expect_bad_tests("amplitud3,\"(1,1)\",other\n4.5,1,2\n", at("line 1 = \"amplitud3\"", "did you mean \"amplitude\"?"));
   expect_bad_tests("/excitation/amplitud,\"(1,1)\",other\n4.5,1,2\n",
                    at("line 1 = \"/excitation/amplitud\"", "did you mean \"/excitation/amplitude\"?"));
   expect_bad_tests("amplitude,/excitation/amplitude,other\n4.5,4.5,2\n",
@@ -187,6 +187,8 @@ TEST_F(Infer, RefusesTestsWithLineValueAndRemedy) {
   expect_bad_tests("mean,\"(1,1)\",other\n0.3,1,2\n", at("line 1 = \"mean\": is an unknown", "omit the column"));
   expect_bad_tests("amplitude\n4.5\n", HasSubstr("has no column of a response mode"));
   expect_bad_tests("", HasSubstr("has no conditions"));
+  expect_bad_tests("amplitude,\"(1,1)\",other\n4,1,2\n4.0,1,2\n", at("line 3 = \"4.0\": stands in line 2", "add up"));
+  expect_bad_tests("amplitude,\"(1,1)\",other\n\xFF,1,2\n", at("line 2", "convert the file to UTF-8"));
 }
 
 TEST_F(Infer, RefusesCandidatesWithCounts) {
@@ -218,8 +220,18 @@ TEST_F(Infer, RefusesExperimentsWithPlaceValueAndRemedy) {
   expect_bad_experiment("unknown", with("parameter", "/friction/statik"), "did you mean \"/friction/static\"?");
   expect_bad_experiment("unknown", with("parameter", "/friction"), "is no number in this file");
   expect_bad_experiment("unknown", with("form", 0.3), "did you mean \"from\"?");
+  expect_bad_experiment("unknown", with("prior", Json::parse(R"({"normal": {"mean": 0.35, "sigma": 0}})")),
+                        "/unknown/0/prior: has no weight between 0.3 and 0.45");
   expect_bad_experiment("realisations", Json::parse(R"({"until": {"half_width": 0.1, "at_most": 1000}})"),
                         "/realisations: depends on intervals");
+}
+
+TEST_F(Infer, RefusesASuite) {
+  write("record1.txt", rocking::support::recorded_pulse());
+  write("record2.txt", "0, 0\n0, 1\n0.5, 1\n0.5, 0\n");
+  experiment_.erase("horizon");
+  expect_bad_experiment("excitation", Json::parse(R"({"kind": "recorded", "suite": "record*.txt"})"),
+                        "/excitation/suite: gives one test several records; give the record as \"file\"");
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "rocking/base/error.hpp"
 #include "rocking/base/number_text.hpp"
 #include "rocking/input/read_tests.hpp"
+#include "rocking/input/suite.hpp"
 #include "rocking/output/infer_report.hpp"
 #include "rocking/studies/infer/infer.hpp"
 #include "rocking/text/files.hpp"
@@ -36,11 +37,11 @@ void check_infer(const Experiment& experiment) {
     throw base::InputError(
         {"/realisations", "", "depends on intervals, but every point of a design has as many", "give a fixed number"});
   }
-  if (std::ranges::any_of(first.parameters,
-                          [](const Parameter& each) { return each.pointer == "/excitation/suite"; })) {
+  if (std::ranges::any_of(first.parameters, [](const Parameter& each) { return each.pointer == suite_place; })) {
     throw base::InputError({"/excitation/suite", "", "gives one test several records",
                             "give the record as \"file\", and infer each by itself"});
   }
+  check_priors(experiment.unknowns);
 }
 
 Inference infer_unknowns(const Experiment& experiment, const InferRequest& request, const Execution& execution) {

@@ -36,7 +36,8 @@ struct InferRequest {
                                                      const std::optional<std::filesystem::path>& candidates = {},
                                                      const std::filesystem::path& folder = ".");
 
-/// Throws base::InputError if the experiment has no unknowns, no fixed number of realisations, or a suite.
+/// Throws base::InputError if the experiment has no unknowns, no fixed number of realisations, a suite, or a prior
+/// without weight in the range of its unknown.
 ROCKING_API void check_infer(const Experiment& experiment);
 
 /// Estimates the unknowns of an experiment from counted tests, with intervals and a joint region. Uses `threads`,

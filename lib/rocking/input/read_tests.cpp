@@ -2,15 +2,18 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <functional>
 #include <numeric>
 #include <optional>
 #include <utility>
 
 #include "rocking/base/error.hpp"
+#include "rocking/base/utf8.hpp"
 #include "rocking/input/condition_family.hpp"
 #include "rocking/input/line_problems.hpp"
 #include "rocking/input/test_columns.hpp"
+#include "rocking/text/parse_json.hpp"
 
 namespace rocking {
 namespace {
@@ -18,18 +21,21 @@ namespace {
 /// Of one condition: more would take the memory of numbers, not of a laboratory.
 constexpr std::uint64_t most_tests = 1'000'000;
 
-/// The field as a JSON value: a number, `true`, an object; else text.
-std::string json_of(const std::string& field) {
-  const Json value = Json::parse(field, nullptr, false);
-  return value.is_discarded() ? Json(field).dump() : value.dump();
+/// Of the value in a problem, which is JSON, what stands in the file.
+std::string as_written(const std::string& value) {
+  const Json json = Json::parse(value, nullptr, false);
+  return json.is_string() ? json.get<std::string>() : value;
 }
 
+/// Equal numbers may be written in different ways.
 bool are_equal(const std::vector<Parameter>& a, const std::vector<Parameter>& b) {
-  return std::ranges::equal(a, b, {}, &Parameter::value, &Parameter::value);
+  return std::ranges::equal(a, b, [](const Parameter& one, const Parameter& other) {
+    return one.value == other.value || Json::parse(one.value) == Json::parse(other.value);
+  });
 }
 
-/// All combinations of the ends of the unknowns.
-std::vector<std::vector<Parameter>> corners(const std::vector<Unknown>& unknowns) {
+/// All combinations of the ends of the unknowns, and a point between them that no whole number is.
+std::vector<std::vector<Parameter>> samples(const std::vector<Unknown>& unknowns) {
   std::vector<std::vector<Parameter>> all;
   for (unsigned corner = 0; corner < (1U << unknowns.size()); ++corner) {
     std::vector<Parameter> at;
@@ -38,21 +44,35 @@ std::vector<std::vector<Parameter>> corners(const std::vector<Unknown>& unknowns
     }
     all.push_back(std::move(at));
   }
+  all.emplace_back();
+  for (const Unknown& unknown : unknowns) {
+    const double between = std::lerp(unknown.from, unknown.to, 0.381966);
+    all.back().push_back({unknown.pointer, Json(between).dump()});
+  }
   return all;
+}
+
+std::string setting_in_words(const std::vector<Parameter>& values) {
+  std::string words;
+  for (const Parameter& each : values) words += (words.empty() ? "" : ", ") + each.pointer + " = " + each.value;
+  return words;
 }
 
 class TestReader {
  public:
   TestReader(const std::string& name, const Experiment& experiment, const std::filesystem::path& folder)
-      : experiment_(&experiment), condition_at_(condition_maker(experiment, seen_from(folder))), lines_(name, problems_) {}
+      : experiment_(&experiment),
+        condition_at_(condition_maker(experiment, seen_from(folder))),
+        lines_(name, problems_) {}
 
   /// `has_counts`: of tests; else of candidates.
   void read(std::string_view text, bool has_counts) {
     if (text.size() > most_tests_bytes) lines_.reject_file("is longer than 1 MB", "give one line for each condition");
     text = without_byte_order_mark(text);
+    check_unknowns();
     std::optional<std::size_t> columns;
     while (!text.empty() && !lines_.enough() && !(lines_.any() && !columns)) {
-      const std::vector<std::string> fields = test_fields(lines_.next_line(text));
+      const std::vector<std::string> fields = test_fields(lines_.next_line(text), lines_);
       if (fields.empty()) continue;
       if (!columns) {
         columns_ = read_test_columns(fields, *experiment_, lines_);
@@ -62,6 +82,9 @@ class TestReader {
       } else if (fields.size() != *columns) {
         lines_.reject_line(std::to_string(fields.size()) + " fields", "has not as many fields as there are columns",
                            "give " + std::to_string(*columns) + " fields");
+      } else if (conditions_.size() == most_tested_conditions) {
+        lines_.reject_file("has more than " + std::to_string(most_tested_conditions) + " conditions", "omit some");
+        break;
       } else {
         read_condition(fields, has_counts);
       }
@@ -77,7 +100,7 @@ class TestReader {
 
  private:
   void check_columns(bool has_counts) {
-    if (has_counts && columns_.groups.empty()) {
+    if (has_counts && columns_.groups.empty() && !lines_.any()) {
       lines_.reject_file("has no column of a response mode", "add columns such as \"(1,1)\" with the counts of tests");
     }
     if (!has_counts && !columns_.groups.empty()) {
@@ -88,21 +111,44 @@ class TestReader {
 
   void read_condition(const std::vector<std::string>& fields, bool has_counts) {
     TestedCondition condition;
+    std::string parameters;
     for (std::size_t i = 0; i < columns_.parameters.size(); ++i) {
-      condition.parameters.push_back({columns_.parameters[i], json_of(fields[i])});
+      condition.parameters.push_back({columns_.parameters[i], value_of(fields[i])});
+      parameters += (i == 0 ? "" : ", ") + fields[i];
     }
     for (std::size_t i = columns_.parameters.size(); i < fields.size(); ++i)
       condition.counts.push_back(count(fields[i]));
     const auto same = std::ranges::find_if(
         conditions_, [&](const TestedCondition& other) { return are_equal(other.parameters, condition.parameters); });
     if (same != conditions_.end()) {
-      lines_.reject_line("", "has the same parameters as an earlier line", "add up the counts in one line");
+      lines_.reject_line(
+          parameters,
+          "stands in line " +
+              std::to_string(lines_of_conditions_[static_cast<std::size_t>(same - conditions_.begin())]) + " too",
+          has_counts ? "add up the counts in one line" : "omit one of them");
     }
     if (has_counts && std::accumulate(condition.counts.begin(), condition.counts.end(), std::uint64_t{0}) == 0) {
-      lines_.reject_line("", "has no tests", "omit the line, or give the condition among the candidates");
+      lines_.reject_line(parameters, "has no tests", "omit the line, or give the condition among the candidates");
     }
     if (!lines_.any()) check_values(condition.parameters);
     conditions_.push_back(std::move(condition));
+    lines_of_conditions_.push_back(lines_.line());
+  }
+
+  /// The field as a JSON value: a number, `true`, an object; else text.
+  std::string value_of(std::string_view field) {
+    const bool is_number = is_number_field(field);
+    if (is_number && field.starts_with('+')) field.remove_prefix(1);
+    try {
+      return parse_json(field).dump();
+    } catch (const base::InputError& error) {
+      const bool is_json = is_number || field.starts_with('{') || field.starts_with('[') || field.starts_with('"');
+      if (is_json) lines_.reject_line(field, error.problems().front().reason, error.problems().front().remedy);
+    }
+    if (field.empty()) lines_.reject_line(field, "is an empty field", "give a value, or omit the column");
+    if (base::is_utf8(field)) return Json(field).dump();
+    lines_.reject_line(field, "is not text in UTF-8", "convert the file to UTF-8");
+    return "null";
   }
 
   std::uint64_t count(const std::string& field) {
@@ -113,19 +159,29 @@ class TestReader {
     return 0;
   }
 
+  void check_unknowns() const {
+    for (const std::vector<Parameter>& at : samples(experiment_->unknowns)) {
+      try {
+        static_cast<void>(condition_at_(at));
+      } catch (const base::InputError& error) {
+        const base::Problem& first = error.problems().front();
+        throw base::InputError({"/unknown", setting_in_words(at), "is not allowed: " + first.place + ' ' + first.reason,
+                                "change \"from\" or \"to\""});
+      }
+    }
+  }
+
   /// Whether the experiment allows them, wherever the unknowns are.
   void check_values(const std::vector<Parameter>& values) {
-    for (const std::vector<Parameter>& corner : corners(experiment_->unknowns)) {
+    for (const std::vector<Parameter>& at : samples(experiment_->unknowns)) {
       std::vector<Parameter> all = values;
-      all.insert(all.end(), corner.begin(), corner.end());
+      all.insert(all.end(), at.begin(), at.end());
       try {
         static_cast<void>(condition_at_(all));
       } catch (const base::InputError& error) {
         const base::Problem& first = error.problems().front();
-        std::string setting;
-        for (const Parameter& each : corner)
-          setting += (setting.empty() ? "" : ", ") + each.pointer + " = " + each.value;
-        lines_.reject_line(first.value, first.place + " " + first.reason + " (with " + setting + ")", first.remedy);
+        lines_.reject_line(as_written(first.value),
+                           first.place + " " + first.reason + " (with " + setting_in_words(at) + ")", first.remedy);
         return;
       }
     }
@@ -137,6 +193,7 @@ class TestReader {
   LineProblems lines_;
   TestColumns columns_;
   std::vector<TestedCondition> conditions_;
+  std::vector<std::size_t> lines_of_conditions_;
 };
 
 /// The group of all modes that no other has comes last.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -10,16 +11,18 @@ namespace rocking {
 
 /// Largest size of a file of counted tests.
 inline constexpr std::size_t most_tests_bytes = 1'000'000;
+/// Largest number of conditions in it.
+inline constexpr std::size_t most_tested_conditions = 1000;
 
 /// Reads counted tests: a line for each tested condition, of which the first names the columns. A column is a parameter
 /// (a JSON pointer into the experiment, or its last key where only one has it), or else response modes with their
 /// count: `(1,1)`, `chaotic`, `(1,1)|(3,3)` for modes that are counted together, `other` for all that no column has.
 /// Fields are separated by a comma, a semicolon or a tab outside of quotation marks and parentheses; `#` begins a
-/// comment.
+/// comment. A parameter is a JSON value, or text.
 ///
 /// `name`: of the file, for messages. Throws base::InputError with the line of each fault, also where the experiment
-/// does not allow a value, with the unknowns at any end of their ranges. Files of the experiment are seen from
-/// `folder`.
+/// does not allow a value, with the unknowns at the ends of their ranges or between them. Files of the experiment are
+/// seen from `folder`.
 [[nodiscard]] CountedTests read_tests(std::string_view text, const std::string& name, const Experiment& experiment,
                                       const std::filesystem::path& folder);
 

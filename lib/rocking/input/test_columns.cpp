@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "rocking/base/error.hpp"
 #include "rocking/input/swept_place.hpp"
@@ -25,8 +26,8 @@ class ColumnReader {
     for (const std::string& name : names) {
       if (const auto pointer = parameter_named(name)) {
         add_parameter(name, *pointer);
-      } else {
-        columns_.groups.push_back({.name = name, .modes = modes_named(name)});
+      } else if (auto modes = modes_named(name)) {
+        columns_.groups.push_back({.name = name, .modes = *std::move(modes)});
       }
     }
     refuse_missing_parameters();
@@ -75,14 +76,23 @@ class ColumnReader {
     columns_.parameters.push_back(pointer);
   }
 
-  std::vector<section::ResponseMode> modes_named(const std::string& name) {
+  /// Absent where the name, which is reported, is not that of response modes.
+  std::optional<std::vector<section::ResponseMode>> modes_named(const std::string& name) {
     std::vector<section::ResponseMode> modes;
     try {
       modes = modes_in_group(name, "");
     } catch (const base::InputError& error) {
       const base::Problem& problem = error.problems().front();
-      problems_->reject_line(problem.value, "is neither a value of the experiment nor a response mode", problem.remedy);
-      return modes;
+      const auto nearest = nearest_word(problem.value, known_words());
+      problems_->reject_line(
+          problem.value, "is neither a value of the experiment nor a response mode",
+          nearest && *nearest != problem.value ? "did you mean \"" + *nearest + "\"?" : problem.remedy);
+      return std::nullopt;
+    }
+    for (auto mode = modes.begin(); mode != modes.end(); ++mode) {
+      if (std::find(modes.begin(), mode, *mode) == mode) continue;
+      problems_->reject_line(name, "names a response mode twice", "write it once");
+      return std::nullopt;
     }
     const auto is_seen = [this](const section::ResponseMode& mode) {
       return std::ranges::any_of(columns_.groups, [&mode](const ModeGroup& group) {
@@ -95,6 +105,17 @@ class ColumnReader {
       problems_->reject_line(name, "has a mode that stands in an earlier column", "keep one of them");
     }
     return modes;
+  }
+
+  /// Names that a column may have, but for modes that are named by numbers.
+  [[nodiscard]] std::vector<std::string> known_words() const {
+    using Kind = section::ResponseKind;
+    std::vector<std::string> words{"other"};
+    for (const Kind kind : {Kind::chaotic, Kind::overturned, Kind::rest, Kind::unresolved}) {
+      words.push_back(to_string(section::ResponseMode{.kind = kind}));
+    }
+    for (const std::string& place : places_) words.push_back(last_key(place));
+    return words;
   }
 
   void refuse_missing_parameters() {
@@ -113,16 +134,21 @@ class ColumnReader {
 
 }  // namespace
 
-std::vector<std::string> test_fields(std::string_view line) {
+std::vector<std::string> test_fields(std::string_view line, LineProblems& problems) {
   std::vector<std::string> fields(1);
   bool is_quoted = false;
   int depth = 0;
-  for (const char c : line) {
-    if (c == '"') {
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const char c = line[i];
+    if (c == '"' && is_quoted && line.substr(i + 1).starts_with('"')) {
+      fields.back() += line[++i];
+    } else if (c == '"') {
       is_quoted = !is_quoted;
-    } else if (!is_quoted && c == '#') {
+    } else if (is_quoted) {
+      fields.back() += c;
+    } else if (c == '#') {
       break;
-    } else if (!is_quoted && depth == 0 && (c == ',' || c == ';' || c == '\t')) {
+    } else if (depth == 0 && (c == ',' || c == ';' || c == '\t')) {
       fields.emplace_back();
     } else {
       if (c == '(') ++depth;
@@ -131,12 +157,21 @@ std::vector<std::string> test_fields(std::string_view line) {
     }
   }
   for (std::string& field : fields) field = without_blanks(field);
+  if (is_quoted) {
+    problems.reject_line(fields.back(), "has a quotation mark that is not closed", "write for example \"(1,1)\"");
+    return {};
+  }
   if (fields.size() == 1 && fields.front().empty()) fields.clear();
   return fields;
 }
 
 TestColumns read_test_columns(const std::vector<std::string>& names, const Experiment& experiment,
                               LineProblems& problems) {
+  if (names.size() > most_test_columns) {
+    problems.reject_line(std::to_string(names.size()) + " columns", "are too many",
+                         "give at most " + std::to_string(most_test_columns));
+    return {};
+  }
   return ColumnReader(experiment, problems).read(names);
 }
 

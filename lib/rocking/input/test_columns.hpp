@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -9,9 +10,13 @@
 
 namespace rocking {
 
+/// Largest number of columns of a file of tests.
+inline constexpr std::size_t most_test_columns = 100;
+
 /// The fields of a line, without blanks and quotation marks around them. A separator within quotation marks or
-/// parentheses belongs to the field. A comment is left out.
-[[nodiscard]] std::vector<std::string> test_fields(std::string_view line);
+/// parentheses belongs to the field; two quotation marks within others are one. A comment is left out. A quotation mark
+/// that is not closed is reported; then there are no fields.
+[[nodiscard]] std::vector<std::string> test_fields(std::string_view line, LineProblems& problems);
 
 /// What the columns of a file of tests are.
 struct TestColumns {

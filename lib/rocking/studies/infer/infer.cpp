@@ -214,8 +214,10 @@ Inference inference_from(const InferenceQuestion& question, std::vector<infer::D
   return result;
 }
 
+void check_priors(const std::vector<Unknown>& unknowns) { static_cast<void>(infer::reach_of_priors(unknowns)); }
+
 Inference infer_unknowns(const InferenceQuestion& question, const InferenceSettings& settings) {
-  static_cast<void>(infer::reach_of_priors(question.unknowns));  // throws before anything is simulated
+  check_priors(question.unknowns);
   return infer::Study(question, settings).inference();
 }
 

@@ -36,10 +36,13 @@ struct InferenceSettings {
   base::StopRequest stop = {};
 };
 
+/// Throws base::InputError if a prior has no weight in the range of its unknown.
+void check_priors(const std::vector<Unknown>& unknowns);
+
 /// The answer of the tests. Points are added to the design until no interval moves by more than a tenth of its width.
 /// It does not depend on the number of threads. When it is asked to stop, it answers from the points that are finished.
 ///
-/// Throws std::invalid_argument if a prior has no weight in the range of its unknown.
+/// Throws as check_priors.
 [[nodiscard]] Inference infer_unknowns(const InferenceQuestion& question, const InferenceSettings& settings);
 
 /// The same from a design, whose last points were not followed by others for the reason `end`: answered if the first

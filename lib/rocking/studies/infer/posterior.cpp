@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
+#include <string>
 #include <utility>
 
+#include "rocking/base/error.hpp"
+#include "rocking/base/number_text.hpp"
 #include "rocking/studies/infer/prior.hpp"
 
 namespace rocking::infer {
@@ -61,7 +63,10 @@ Window reach_of_priors(const std::vector<Unknown>& unknowns) {
     window.low[axis] = std::max((reach.least - unknown.from) / width, 0.0);
     window.high[axis] = std::min((reach.largest - unknown.from) / width, 1.0);
     if (window.low[axis] >= window.high[axis]) {
-      throw std::invalid_argument("the prior of " + unknown.pointer + " has no weight within its range");
+      throw base::InputError({"/unknown/" + std::to_string(axis) + "/prior", "",
+                              "has no weight between " + base::shortest(unknown.from) + " and " +
+                                  base::shortest(unknown.to) + ", the range of the unknown",
+                              "widen the range, or give a law with a density there"});
     }
   }
   return window;

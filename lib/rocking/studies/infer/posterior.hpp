@@ -18,7 +18,7 @@ struct Posterior {
 
 /// The part of the unit cube in which the priors may have weight.
 ///
-/// Throws std::invalid_argument if a prior has none in the range of its unknown.
+/// Throws base::InputError if a prior has none in the range of its unknown.
 [[nodiscard]] Window reach_of_priors(const std::vector<Unknown>& unknowns);
 
 /// `models`: of the tested conditions; `found`: their survey.

@@ -4,9 +4,11 @@
 
 #include <cmath>
 #include <limits>
+#include <string>
 
 #include <gtest/gtest.h>
 
+#include "rocking/base/error.hpp"
 #include "rocking/studies/infer/candidates.hpp"
 #include "rocking/studies/infer/prior.hpp"
 
@@ -41,9 +43,21 @@ TEST(InferPrior, HasTheLogarithmOfTheDensityUpToAConstant) {
 TEST(InferPrior, IsRefusedWithoutADensityOrBesideTheRange) {
   EXPECT_THROW(static_cast<void>(log_density(Quantity(1.0), 1.0)), std::invalid_argument);
   EXPECT_THROW(static_cast<void>(log_density(Values{.values = {1.0, 2.0}}, 1.0)), std::invalid_argument);
-  const std::vector<Unknown> beside{
-      {.pointer = "/x", .from = 0.0, .to = 1.0, .prior = Quantity(Uniform{.low = 1.5, .high = 2.0})}};
-  EXPECT_THROW(static_cast<void>(reach_of_priors(beside)), std::invalid_argument);
+  const auto complaint_about = [](const Quantity& prior) {
+    try {
+      static_cast<void>(
+          reach_of_priors({{.pointer = "/y"}, {.pointer = "/x", .from = 0.0, .to = 1.0, .prior = prior}}));
+    } catch (const base::InputError& error) {
+      return error.problems().front().place + ' ' + error.problems().front().reason;
+    }
+    return std::string();
+  };
+  const char* const refused = "/unknown/1/prior has no weight between 0 and 1, the range of the unknown";
+  EXPECT_EQ(complaint_about(Uniform{.low = 1.5, .high = 2.0}), refused);
+  EXPECT_EQ(complaint_about(Normal{.mean = 9.0, .sigma = 0.01}), refused);
+  EXPECT_EQ(complaint_about(Normal{.mean = 0.5, .sigma = 0.0}), refused) << "its density is that of one value";
+  EXPECT_EQ(complaint_about(Lognormal{.mean = 0.5, .sigma = 0.0}), refused);
+  EXPECT_EQ(complaint_about(Normal{.mean = 0.5, .sigma = 1e-6}), "");
 }
 
 Eigen::MatrixXd grid(Eigen::Index axes) {

@@ -8,10 +8,11 @@
 namespace rocking::fuzz {
 namespace {
 
-constexpr const char* commands[] = {"run",         "resume",     "status",       "merge",     "verify",  "compare",
-                                    "bifurcation", "cost",       "fragility",    "figure",    "report",  "replay",
-                                    "schema",      "trajectory", "check-normal", "validate",  "doctor",  "completion",
-                                    "orbits",      "rare",       "--help",       "--version", "nothing", ""};
+constexpr const char* commands[] = {"run",      "resume",      "status",     "merge",      "verify",
+                                    "compare",  "bifurcation", "cost",       "fragility",  "figure",
+                                    "report",   "replay",      "schema",     "trajectory", "check-normal",
+                                    "validate", "doctor",      "completion", "orbits",     "rare",
+                                    "infer",    "--help",      "--version",  "nothing",    ""};
 constexpr const char* flags[] = {"-o",
                                  "-j",
                                  "--seed",
@@ -80,16 +81,33 @@ constexpr const char* values[] = {"",
                                   "report",
                                   "bash"};
 
+/// Counted tests of which some fields are unusual.
+std::string unusual_tests(Attack& attack) {
+  const auto field = [&attack](const char* usual) {
+    return std::string(attack.random.below(8) == 0 ? attack.one_of(values) : usual);
+  };
+  std::string text = field("amplitude") + ",\"(1,1)\"," + field("other") + '\n';
+  for (const char* amplitude : {"4.2", "6.0"}) text += field(amplitude) + ',' + field("3") + ',' + field("2") + '\n';
+  return text;
+}
+
 }  // namespace
 
 void attack_flags(Attack& attack) {
   attack.copy_sound_run("out");
   for (const char* name : {"quick.json", "pulse.txt"}) attack.write(name, attack.read(attack.sound().folder / name));
   const std::string command = attack.one_of(commands);
+  const bool is_infer = command == "infer";
+  if (is_infer) {
+    Json experiment = Json::parse(attack.read("quick.json"));
+    experiment["unknown"] = Json::parse(R"([{"parameter": "/friction/static", "from": 0.3, "to": 0.4}])");
+    attack.write("quick.json", experiment.dump());
+    attack.write("tests.csv", unusual_tests(attack));
+  }
   std::vector<std::string> arguments{command};
   if (attack.random.below(3) > 0) {
     arguments.emplace_back(command == "run" || command == "validate" || command == "cost" || command == "trajectory" ||
-                                   command == "bifurcation" || command == "orbits" || command == "rare"
+                                   command == "bifurcation" || command == "orbits" || command == "rare" || is_infer
                                ? "quick.json"
                                : "out");
   }
@@ -101,7 +119,8 @@ void attack_flags(Attack& attack) {
     }
   }
   if (command == "cost") arguments.insert(arguments.end(), {"--time", "1s"});
-  if (command == "run" || command == "resume") arguments.insert(arguments.end(), {"--max-time", "2s"});
+  if (is_infer) arguments.insert(arguments.end(), {"--tests", "tests.csv"});
+  if (command == "run" || command == "resume" || is_infer) arguments.insert(arguments.end(), {"--max-time", "2s"});
   attack.run(arguments, {0, 1, 64, 65, 66, 74, 75});
 }
 

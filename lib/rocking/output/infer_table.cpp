@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "rocking/output/infer_report.hpp"
 #include "rocking/output/infer_words.hpp"
 #include "rocking/output/mode_table.hpp"
@@ -56,6 +58,25 @@ std::string tests_table(const InferReport& report) {
   return aligned(rows);
 }
 
+/// Counts of response modes that no realisation showed, at any value of the unknowns.
+std::string never_simulated(const InferReport& report) {
+  std::string words;
+  for (std::size_t c = 0; c < report.tests.size(); ++c) {
+    const ReportedTests& tested = report.tests[c];
+    std::string setting;
+    for (const Parameter& each : tested.parameters) {
+      setting += (setting.empty() ? " with " : ", ") + last_key(each.pointer) + ' ' + short_value(each);
+    }
+    for (std::size_t g = 0; g < tested.counts.size(); ++g) {
+      const auto shows_it = [&](const infer::DesignPoint& point) { return point.counts[c][g] > 0; };
+      if (tested.counts[g] == 0 || std::ranges::any_of(report.design, shows_it)) continue;
+      words += report.groups[g] + setting + " was counted " + counted(tested.counts[g], "time") +
+               ", but never simulated at any value of the unknowns\n";
+    }
+  }
+  return words;
+}
+
 std::string candidates_table(const InferReport& report) {
   if (report.candidates.empty()) return "";
   std::vector<TextRow> rows{keys_of(report.candidates.front().parameters)};
@@ -89,7 +110,7 @@ std::string infer_table(const InferReport& report) {
   if (!report.fit) return "There is no answer yet: the first design is not finished.\n" + effort;
   const std::string& reason = report.identified.reason_why_not;
   return unknowns_table(report) + (reason.empty() ? "" : reason + "\n") + "\n" + tests_table(report) +
-         "fit: " + fit_in_words(report) + "\n" + candidates_table(report) + effort;
+         "fit: " + fit_in_words(report) + "\n" + never_simulated(report) + candidates_table(report) + effort;
 }
 
 }  // namespace rocking

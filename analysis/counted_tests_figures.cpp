@@ -17,13 +17,15 @@
 namespace rocking::analysis {
 namespace {
 
-/// Places 0, 1, ... with these names.
-Axis axis_of_names(const std::string& quantity, const std::vector<std::string>& names) {
-  Axis axis{
-      .quantity = quantity, .symbol = "", .unit = "", .low = -0.5, .high = static_cast<double>(names.size()) - 0.5};
+/// The same axis with places 0, 1, ... of these names.
+Axis with_names(Axis axis, const std::vector<std::string>& names) {
+  axis.low = -0.5;
+  axis.high = static_cast<double>(names.size()) - 0.5;
   for (const std::string& name : names) axis.ticks.push_back({static_cast<double>(axis.ticks.size()), name});
   return axis;
 }
+
+Axis axis_of_categories(const std::string& quantity) { return {.quantity = quantity, .symbol = "", .unit = ""}; }
 
 /// A row for each group: its place, the number of tests, those that showed it, their share with its interval, and the
 /// predicted share.
@@ -64,7 +66,7 @@ Table predicted_table(const ReportedTests& tests) {
 void add_condition(const InferReport& report, const ReportedTests& tests, Figure& figure) {
   Table counts = counts_table(report, tests);
   figure.panels.push_back({.title = counts.name,
-                           .x = axis_of_names("group of response modes", report.groups),
+                           .x = with_names(axis_of_categories("group of response modes"), report.groups),
                            .y = {.quantity = "share of the tests", .symbol = "", .unit = "", .low = 0.0, .high = 1.0},
                            .layers = {}});
   add_drawn(predicted_table(tests),
@@ -95,8 +97,8 @@ Axis axis_of_candidates(const std::vector<ReportedCandidate>& candidates) {
     names.push_back(first.size() == 1 ? rocking::short_value(candidate.parameters.front())
                                       : values_in_words(candidate.parameters));
   }
-  return axis_of_names(first.size() == 1 ? label_of(axis_of_parameter(first.front().pointer)) : "candidate condition",
-                       names);
+  return with_names(
+      first.size() == 1 ? axis_of_parameter(first.front().pointer) : axis_of_categories("candidate condition"), names);
 }
 
 /// A row for each candidate: its place, then the expected sizes over the present ones.

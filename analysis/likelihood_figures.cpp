@@ -58,15 +58,14 @@ Table profile_table(const ReportedUnknown& unknown, const Column& value) {
   return table;
 }
 
-/// One row: the estimate, where the likelihood ratio is 1, with its interval.
+/// One row: the estimate with its interval.
 Table estimate_table(const InferReport& report, const ReportedUnknown& unknown, const Column& value) {
   const std::string level = level_of(report);
   Table table{.name = value.meaning,
               .columns = {{"estimate", "most likely value"},
                           {"low", "lower end of its " + level + " interval"},
-                          {"high", "upper end of its " + level + " interval"},
-                          {"largest", "likelihood ratio there"}},
-              .rows = {{*unknown.estimate, unknown.interval->low, unknown.interval->high, 1.0}}};
+                          {"high", "upper end of its " + level + " interval"}},
+              .rows = {{*unknown.estimate, unknown.interval->low, unknown.interval->high}}};
   if (!unknown.posterior) return table;
   const UnknownPosterior& posterior = *unknown.posterior;
   table.columns.insert(table.columns.end(),
@@ -98,11 +97,11 @@ void add_profile(const InferReport& report, const ReportedUnknown& unknown, Figu
              .style = {.colour = "#08306b", .marker = 0},
              .legend = "likelihood over the largest one"},
             figure);
-  figure.panels.back().layers.push_back({.kind = LayerKind::points,
-                                         .table = estimate,
-                                         .columns = {0, 3},
-                                         .style = {.colour = estimate_colour},
-                                         .legend = "estimate"});
+  add_drawn({.name = "estimate of " + value.meaning,
+             .columns = {value, {"likelihood_ratio", "1, the largest one"}},
+             .rows = {{*unknown.estimate, 1.0}}},
+            {.kind = LayerKind::points, .columns = {0, 1}, .style = {.colour = estimate_colour}, .legend = "estimate"},
+            figure);
 }
 
 std::string unknown_in_words(const ReportedUnknown& unknown) {
@@ -169,9 +168,9 @@ Figure profile_figure(const InferReport& report) {
   figure.subtitle = report.input.title();
   for (const ReportedUnknown& unknown : report.unknowns) {
     add_profile(report, unknown, figure);
-    figure.description += unknown_in_words(unknown) + ".\n";
+    figure.description += (figure.description.empty() ? "Estimates: " : "; ") + unknown_in_words(unknown);
   }
-  figure.description += "Identified: " + identified_in_words(report) + ".\nFit: " + fit_in_words(report) + '.';
+  figure.description += ".\nIdentified: " + identified_in_words(report) + ".\nFit: " + fit_in_words(report) + '.';
   figure.caption = "Likelihood of the counts over the largest one";
   if (report.unknowns.size() > 1) figure.caption += ", at each value the largest over the other unknowns";
   figure.caption +=

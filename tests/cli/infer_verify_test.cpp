@@ -71,6 +71,9 @@ TEST_F(VerifiedInference, RefusesWhatHasNoSense) {
     EXPECT_EQ(rocking("figure out/infer.json -o drawn").exit_code, 65) << list;
   }
   EXPECT_EQ(changed("/unknowns", Json::array()).exit_code, 65);
+  EXPECT_EQ(changed("/unknowns/0/estimate", nullptr).exit_code, 65);
+  EXPECT_EQ(changed("/unknowns/0/profile/1/at", 0.8).exit_code, 65);
+  EXPECT_EQ(changed("/region_limit", nullptr).exit_code, 65);
   EXPECT_EQ(changed("/groups/0", "(1;1)").exit_code, 65);
   EXPECT_EQ(changed("/ended", "soon").exit_code, 65);
 }

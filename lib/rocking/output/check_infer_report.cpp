@@ -1,5 +1,7 @@
 #include "rocking/output/check_infer_report.hpp"
 
+#include <algorithm>
+#include <functional>
 #include <string>
 
 #include "rocking/base/error.hpp"
@@ -7,22 +9,19 @@
 namespace rocking {
 namespace {
 
-class Sizes {
+constexpr const char* part_of_answer = "must be there if fit is, and only then";
+
+class Completeness {
  public:
-  Sizes(const InferReport& report, const ReadingPlace& place) : report_(&report), place_(&place) {}
+  Completeness(const InferReport& report, const ReadingPlace& place) : report_(&report), place_(&place) {}
 
   void check() const {
     const std::size_t groups = report_->groups.size();
     const std::size_t unknowns = report_->unknowns.size();
     const bool has_answer = report_->fit.has_value();
     expect(unknowns >= 1 && unknowns <= 3, "unknowns", "must have one to three entries");
-    for (std::size_t i = 0; i < unknowns; ++i) {
-      const ReportedUnknown& unknown = report_->unknowns[i];
-      const bool has_all = unknown.estimate && unknown.interval && unknown.reaches && unknown.profile.size() >= 2;
-      const bool has_none = !unknown.estimate && !unknown.interval && !unknown.reaches && unknown.profile.empty();
-      expect(has_answer ? has_all : has_none, at("unknowns", i),
-             "must have all of an answer, or none where fit is null");
-    }
+    expect(report_->region_limit.has_value() == has_answer, "region_limit", part_of_answer);
+    for (std::size_t i = 0; i < unknowns; ++i) check_unknown(report_->unknowns[i], at("unknowns", i), has_answer);
     for (std::size_t i = 0; i < report_->tests.size(); ++i) {
       const ReportedTests& tested = report_->tests[i];
       expect(tested.counts.size(), groups, at("tests", i) + "/counts", "group");
@@ -30,8 +29,10 @@ class Sizes {
       expect(tested.intervals.size(), has_answer ? groups : 0, at("tests", i) + "/intervals", "group");
     }
     for (std::size_t i = 0; i < report_->candidates.size(); ++i) {
-      const std::size_t size = report_->candidates[i].deviations.size();
-      expect(size, has_answer ? unknowns : 0, at("candidates", i) + "/deviations", "unknown");
+      const ReportedCandidate& candidate = report_->candidates[i];
+      expect(candidate.region.has_value() == has_answer, at("candidates", i) + "/region", part_of_answer);
+      expect(!candidate.parameters.empty(), at("candidates", i) + "/parameters", "must have an entry");
+      expect(candidate.deviations.size(), has_answer ? unknowns : 0, at("candidates", i) + "/deviations", "unknown");
     }
     for (std::size_t i = 0; i < report_->region.size(); ++i) {
       expect(report_->region[i].at.size(), unknowns, at("region", i) + "/at", "unknown");
@@ -41,6 +42,14 @@ class Sizes {
 
  private:
   static std::string at(const char* list, std::size_t i) { return std::string(list) + '/' + std::to_string(i); }
+
+  void check_unknown(const ReportedUnknown& unknown, const std::string& place, bool has_answer) const {
+    const bool has_all = unknown.estimate && unknown.interval && unknown.reaches && unknown.profile.size() >= 2;
+    const bool has_none = !unknown.estimate && !unknown.interval && !unknown.reaches && unknown.profile.empty();
+    expect(has_answer ? has_all : has_none, place, part_of_answer);
+    expect(std::ranges::is_sorted(unknown.profile, std::ranges::less_equal{}, &infer::ProfilePoint::at),
+           place + "/profile", "must have rising values");
+  }
 
   void check_point(const infer::DesignPoint& point, const std::string& place) const {
     expect(point.at.size(), report_->unknowns.size(), place + "/at", "unknown");
@@ -66,7 +75,7 @@ class Sizes {
 }  // namespace
 
 void check_infer_report(const InferReport& report, const ReadingPlace& place) {
-  Sizes(report, place).check();
+  Completeness(report, place).check();
   try {
     static_cast<void>(tests_of(report));
   } catch (const base::InputError& error) {

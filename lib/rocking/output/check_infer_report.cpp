@@ -11,15 +11,15 @@ namespace {
 
 constexpr const char* part_of_answer = "must be there if fit is, and only then";
 
-class Completeness {
+class AnswerCheck {
  public:
-  Completeness(const InferReport& report, const ReadingPlace& place) : report_(&report), place_(&place) {}
+  AnswerCheck(const InferReport& report, const ReadingPlace& place) : report_(&report), place_(&place) {}
 
   void check() const {
     const std::size_t groups = report_->groups.size();
     const std::size_t unknowns = report_->unknowns.size();
     const bool has_answer = report_->fit.has_value();
-    expect(unknowns >= 1 && unknowns <= 3, "unknowns", "must have one to three entries");
+    expect(unknowns >= 1 && unknowns <= most_unknowns, "unknowns", "must have one to three entries");
     expect(report_->region_limit.has_value() == has_answer, "region_limit", part_of_answer);
     for (std::size_t i = 0; i < unknowns; ++i) check_unknown(report_->unknowns[i], at("unknowns", i), has_answer);
     for (std::size_t i = 0; i < report_->tests.size(); ++i) {
@@ -75,7 +75,7 @@ class Completeness {
 }  // namespace
 
 void check_infer_report(const InferReport& report, const ReadingPlace& place) {
-  Completeness(report, place).check();
+  AnswerCheck(report, place).check();
   try {
     static_cast<void>(tests_of(report));
   } catch (const base::InputError& error) {

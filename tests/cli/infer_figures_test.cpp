@@ -42,6 +42,12 @@ TEST_F(InferFigures, AreDrawnAlsoOnThePageOfTheRun) {
               AllOf(HasSubstr("What do the counted tests tell?"), HasSubstr("id=\"infer_profile\""),
                     HasSubstr("id=\"infer_region\""), HasSubstr("id=\"infer_fit\""),
                     HasSubstr("id=\"infer_candidates\""), HasSubstr("Identified: "), HasSubstr("p = ")));
+  for (const char* place : {"/region_limit", "/candidates/0/region", "/unknowns/0/profile/1/at"}) {
+    Json damaged = Json::parse(read("out/infer.json"));
+    damaged[Json::json_pointer(place)] = std::string(place).ends_with("at") ? Json(0.0) : Json();
+    write("damaged.json", damaged.dump());
+    EXPECT_EQ(rocking("figure damaged.json -o none").exit_code, 65) << place;
+  }
   ASSERT_EQ(rocking("infer block.json --tests tests.csv -q -o out --overwrite --seed 5").exit_code, 0);
   EXPECT_THAT(rocking("report out --format html").errors, HasSubstr("another experiment"));
   EXPECT_THAT(read("out/report.html"), Not(HasSubstr("infer_profile")));

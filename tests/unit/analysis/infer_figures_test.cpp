@@ -134,6 +134,7 @@ TEST(InferFigures, MapEachPairOfThreeUnknownsByTheLargestLikelihood) {
                              .interval = rocking::stats::Interval{.low = 0.0, .high = 1.0},
                              .reaches = rocking::ReachedBound::both,
                              .profile = {{0.6, 0.6}, {0.7, 1.0}}});
+  report.candidates.clear();
   report.region = {{{0.2, 1.0, 0.6}, 0.6}, {{0.2, 1.0, 0.7}, 0.3}, {{0.3, 1.0, 0.7}, 1.0}};
   const Figure figure = figure_named("infer_region", report);
   ASSERT_EQ(figure.panels.size(), 3U);
@@ -146,6 +147,7 @@ TEST(InferFigures, MapEachPairOfThreeUnknownsByTheLargestLikelihood) {
   EXPECT_THAT(layer_of(figure, 2, LayerKind::points, "estimate"), ElementsAre(ElementsAre(1.0), ElementsAre(0.7)));
   InferReport one = two_unknowns();
   one.unknowns.pop_back();
+  one.candidates.clear();
   one.region = {{{0.2}, 0.5}};
   EXPECT_EQ(figure_named("infer_region", one).name, "") << "the likelihood of one unknown shows its region";
 }

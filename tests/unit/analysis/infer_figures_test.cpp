@@ -138,11 +138,11 @@ TEST(InferFigures, MapEachPairOfThreeUnknownsByTheLargestLikelihood) {
   report.region = {{{0.2, 1.0, 0.6}, 0.6}, {{0.2, 1.0, 0.7}, 0.3}, {{0.3, 1.0, 0.7}, 1.0}};
   const Figure figure = figure_named("infer_region", report);
   ASSERT_EQ(figure.panels.size(), 3U);
-  EXPECT_THAT(layer_of(figure, 0, LayerKind::boxes, "likelihood ratio 0.5 to 1")[3], ElementsAre(1.5));
+  EXPECT_THAT(layer_of(figure, 0, LayerKind::boxes, "likelihood ratio 0.5 to 1").at(3), ElementsAre(1.5));
   EXPECT_THAT(layer_of(figure, 0, LayerKind::boxes, "likelihood ratio 0.2 to 0.5"), ElementsAre())
       << "the smaller one of the same pair is hidden";
   EXPECT_EQ(figure.panels[1].y.quantity, "restitution");
-  EXPECT_THAT(layer_of(figure, 1, LayerKind::boxes, "likelihood ratio 0.2 to 0.5")[2],
+  EXPECT_THAT(layer_of(figure, 1, LayerKind::boxes, "likelihood ratio 0.2 to 0.5").at(2),
               ElementsAre(::testing::DoubleEq(0.65)));
   EXPECT_THAT(layer_of(figure, 2, LayerKind::points, "estimate"), ElementsAre(ElementsAre(1.0), ElementsAre(0.7)));
   InferReport one = two_unknowns();
@@ -156,8 +156,8 @@ TEST(InferFigures, DrawCountedBesidePredictedShares) {
   const Figure figure = figure_named("infer_fit", two_unknowns());
   ASSERT_EQ(figure.panels.size(), 2U);
   EXPECT_EQ(figure.panels[1].title, "base amplitude 5.5");
-  EXPECT_THAT(layer_of(figure, 0, LayerKind::boxes, "predicted by the estimate")[3], ElementsAre(0.6, 0.4));
-  EXPECT_THAT(layer_of(figure, 1, LayerKind::boxes, "predicted by the estimate")[3], ElementsAre(0.1, 0.9));
+  EXPECT_THAT(layer_of(figure, 0, LayerKind::boxes, "predicted by the estimate").at(3), ElementsAre(0.6, 0.4));
+  EXPECT_THAT(layer_of(figure, 1, LayerKind::boxes, "predicted by the estimate").at(3), ElementsAre(0.1, 0.9));
   EXPECT_THAT(
       layer_of(figure, 0, LayerKind::error_bars, ""),
       ElementsAre(ElementsAre(0, 1), ElementsAre(0.75, 0.25), ElementsAre(0.19, 0.01), ElementsAre(0.99, 0.81)));
@@ -168,9 +168,9 @@ TEST(InferFigures, DrawCountedBesidePredictedShares) {
 TEST(InferFigures, DrawWhatCandidatesWouldTell) {
   const Figure figure = figure_named("infer_candidates", two_unknowns());
   ASSERT_EQ(figure.panels.size(), 1U);
-  EXPECT_THAT(layer_of(figure, 0, LayerKind::points, "joint region")[1], ElementsAre(0.9, 0.8));
-  EXPECT_THAT(layer_of(figure, 0, LayerKind::points, "static friction")[1], ElementsAre(0.95, 0.85));
-  EXPECT_THAT(layer_of(figure, 0, LayerKind::points, "initial tilt")[1], ElementsAre(0.7, 1.0));
+  EXPECT_THAT(layer_of(figure, 0, LayerKind::points, "joint region").at(1), ElementsAre(0.9, 0.8));
+  EXPECT_THAT(layer_of(figure, 0, LayerKind::points, "static friction").at(1), ElementsAre(0.95, 0.85));
+  EXPECT_THAT(layer_of(figure, 0, LayerKind::points, "initial tilt").at(1), ElementsAre(0.7, 1.0));
   EXPECT_EQ(figure.panels[0].x.ticks[1].text, "8");
   EXPECT_THAT(figure.description, HasSubstr("base amplitude 8"));
 }

@@ -54,7 +54,8 @@ ExitCode draw(const FigureRequest& request) {
 void add_figure(CLI::App& app, Action& action) {
   const auto request = std::make_shared<FigureRequest>();
   CLI::App* command = app.add_subcommand(
-      "figure", "Draw output files of trajectory, bifurcation, orbits, cost, fragility, motion, rare, infer, check-normal");
+      "figure",
+      "Draw output files of trajectory, bifurcation, orbits, cost, fragility, motion, rare, infer, check-normal");
   command->footer(
       "Example: rocking figure first.json second.json -o out --from 100\n"
       "draws two files that `rocking trajectory --samples 100` printed: each against time, both in one figure, their "

@@ -223,8 +223,9 @@ const StructType& fields_of(const FragilityCurve*) {
         return curve.law ? std::optional<std::uint64_t>(curve.missed_levels()) : std::nullopt;
       }>("missed_levels", "at which the function lies outside the simultaneous interval; null: no function"),
       field<&Curve::levels>("levels", "by increasing intensity"),
-      field<&Curve::rare>("rare", "with `--rare`: small probabilities, by increasing intensity; of a suite the means over its records", {},
-                          WithoutValue::omitted),
+      field<&Curve::rare>(
+          "rare", "with `--rare`: small probabilities, by increasing intensity; of a suite the means over its records",
+          {}, WithoutValue::omitted),
   };
   return fields;
 }

@@ -181,8 +181,9 @@ static const StructType& fields_of(const SuiteCurve*) {
       field<&Curve::simple>("simple", "pooled law of Baker (2015), which counts all trials as independent; null: none"),
       field<&Curve::bootstrap>("bootstrap", "over records", bootstrap_fields()),
       field<&Curve::levels>("levels", "all records together, by increasing intensity"),
-      field<&Curve::rare>("rare", "with `--rare`: small probabilities, by increasing intensity; of a suite the means over its records", {},
-                          WithoutValue::omitted),
+      field<&Curve::rare>(
+          "rare", "with `--rare`: small probabilities, by increasing intensity; of a suite the means over its records",
+          {}, WithoutValue::omitted),
       field<&Curve::records>("records", "each record's own curve"),
       field<&Curve::measures>("measures", "of intensity, best first"),
   };

@@ -188,6 +188,23 @@ TEST(Proposal, HasADensityThatIsOneInAll) {
   EXPECT_NEAR(inverse / count, 1.0, 0.3);  // and back
 }
 
+// Offspring of Markov chains lie close to each other: by them alone every width would be too small.
+TEST(Proposal, IsWideEnoughForFreshPointsBetweenTheOthers) {
+  std::vector<rocking::rare::WeightedPoint> twins;
+  std::vector<rocking::rare::WeightedPoint> between;
+  for (int i = -2; i <= 2; ++i) {
+    const double x = 1.5 * i;
+    twins.push_back({{x}, 1.0});
+    twins.push_back({{x + 1e-6}, 1.0});
+    between.push_back({{x + 0.75}, 1.0});
+  }
+  const auto by_themselves = rocking::rare::Proposal::fitted_to(twins, 1);
+  const auto by_fresh_ones = rocking::rare::Proposal::fitted_to(twins, between, 1);
+  for (const double x : {-2.25, -0.75, 0.75}) {
+    EXPECT_LT(by_fresh_ones.likelihood_ratio({x}), 0.5 * by_themselves.likelihood_ratio({x})) << x;
+  }
+}
+
 TEST(RareProbabilities, AreRefusedWhereNothingIsRandom) {
   Condition condition = fluctuating();
   condition.scene.fluctuation = {};

@@ -56,7 +56,7 @@ namespace importance {
 inline constexpr double fraction = 0.2;  ///< of the particles that reach the next level
 inline constexpr std::size_t most_levels = 300;
 inline constexpr std::uint64_t chain_steps = 3;
-inline constexpr int refinements = 2;
+inline constexpr int refinements = 4;
 
 struct Population {
   std::vector<Point> points;
@@ -165,23 +165,39 @@ class Searcher {
     return to;
   }
 
-  /// Fitted to points that had the event, and again to the weighted ones that the first fit gives.
+  /// Fitted to points that had the event, and again to these and the weighted ones that each fit gives: a fit to the
+  /// last ones alone would lose parts of the event that it has not seen. Each set counts as much as another.
   [[nodiscard]] Proposal refined(const Population& with_event) {
     std::vector<WeightedPoint> points;
     for (const Point& point : with_event.points) points.push_back({point, 1.0});
+    make_total_one(points);
     Proposal proposal = Proposal::fitted_to(points, model_->dimensions());
     for (int i = 0; i < refinements; ++i) {
-      const Population all = drawn_from(proposal);
-      points.clear();
-      for (std::size_t k = 0; k < all.points.size(); ++k) {
-        if (all.scores[k] != event_score) continue;
-        points.push_back({all.points[k], proposal.likelihood_ratio(all.points[k])});
-      }
+      std::vector<WeightedPoint> fresh = weighted_points_of(proposal);
       constexpr std::size_t least = 20;  // hits; a fit to fewer is worse than the one before
-      if (points.size() < least) break;
-      proposal = Proposal::fitted_to(std::move(points), model_->dimensions());
+      if (fresh.size() < least) break;
+      make_total_one(fresh);
+      proposal = Proposal::fitted_to(points, fresh, model_->dimensions());
+      points.insert(points.end(), fresh.begin(), fresh.end());
     }
     return proposal;
+  }
+
+  /// Points drawn from the proposal that have the event.
+  [[nodiscard]] std::vector<WeightedPoint> weighted_points_of(const Proposal& proposal) {
+    const Population all = drawn_from(proposal);
+    std::vector<WeightedPoint> points;
+    for (std::size_t k = 0; k < all.points.size(); ++k) {
+      if (all.scores[k] != event_score) continue;
+      points.push_back({all.points[k], proposal.likelihood_ratio(all.points[k])});
+    }
+    return points;
+  }
+
+  static void make_total_one(std::vector<WeightedPoint>& points) {
+    double total = 0.0;
+    for (const WeightedPoint& point : points) total += point.weight;
+    for (WeightedPoint& point : points) point.weight /= total;
   }
 
   const Model* model_;

@@ -82,11 +82,10 @@ double mean_kernel(const std::vector<Point>& centres, const Point& widths, const
   return sum / static_cast<double>(centres.size());
 }
 
-/// The multiple of the deviations under which every second point is most likely by the others.
-double best_multiple(const std::vector<WeightedPoint>& points, const Point& deviations) {
-  std::array<std::vector<WeightedPoint>, 2> halves;
-  for (std::size_t i = 0; i < points.size(); ++i) halves[i % 2].push_back(points[i]);
-  const std::vector<Point> centres = chosen(halves[0], most_centres / 2);
+/// The multiple of the deviations under which the fresh points are most likely by the others.
+double best_multiple(const std::vector<WeightedPoint>& points, const std::vector<WeightedPoint>& fresh,
+                     const Point& deviations) {
+  const std::vector<Point> centres = chosen(points, most_centres / 2);
   double best = 1.0;
   double highest = -std::numeric_limits<double>::infinity();
   for (const double multiple : {1.0, 0.7, 0.5, 0.35, 0.25, 0.18, 0.125, 0.09, 0.06}) {
@@ -94,7 +93,7 @@ double best_multiple(const std::vector<WeightedPoint>& points, const Point& devi
     for (double& width : widths) width *= multiple;
     double likelihood = 0.0;
     double total = 0.0;
-    for (const WeightedPoint& point : halves[1]) {
+    for (const WeightedPoint& point : fresh) {
       const double least = std::numeric_limits<double>::min();
       const double kernel = std::max(mean_kernel(centres, widths, point.point), least);
       likelihood += point.weight * (base::natural_logarithm(kernel) -
@@ -119,13 +118,29 @@ Proposal Proposal::about_mean(std::size_t dimensions, double width) {
 }
 
 Proposal Proposal::fitted_to(std::vector<WeightedPoint> points, std::size_t dimensions, double least_width) {
-  Proposal proposal(dimensions);
   merge_equal(points);
-  if (points.size() < 2 || dimensions == 0) return proposal;
-  proposal.widths_ = standard_deviations(points, dimensions);
-  const double multiple = best_multiple(points, proposal.widths_);
+  std::array<std::vector<WeightedPoint>, 2> halves;
+  for (std::size_t i = 0; i < points.size(); ++i) halves[i % 2].push_back(points[i]);
+  return fitted(points, halves[0], halves[1], dimensions, least_width);
+}
+
+Proposal Proposal::fitted_to(std::vector<WeightedPoint> points, const std::vector<WeightedPoint>& fresh,
+                             std::size_t dimensions) {
+  merge_equal(points);
+  std::vector<WeightedPoint> all = points;
+  all.insert(all.end(), fresh.begin(), fresh.end());
+  merge_equal(all);
+  return fitted(all, points, fresh, dimensions, 0.0);
+}
+
+Proposal Proposal::fitted(const std::vector<WeightedPoint>& all, const std::vector<WeightedPoint>& points,
+                          const std::vector<WeightedPoint>& fresh, std::size_t dimensions, double least_width) {
+  Proposal proposal(dimensions);
+  if (all.size() < 2 || dimensions == 0) return proposal;
+  proposal.widths_ = standard_deviations(all, dimensions);
+  const double multiple = best_multiple(points, fresh, proposal.widths_);
   for (double& width : proposal.widths_) width = std::max(least_width, multiple * width);
-  proposal.centres_ = chosen(points, most_centres);
+  proposal.centres_ = chosen(all, most_centres);
   return proposal;
 }
 

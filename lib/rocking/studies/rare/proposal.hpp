@@ -31,6 +31,11 @@ class Proposal {
   [[nodiscard]] static Proposal fitted_to(std::vector<WeightedPoint> points, std::size_t dimensions,
                                           double least_width = 0.0);
 
+  /// Fitted to all of these points together; the multiple is the one under which the fresh ones, which are drawn
+  /// independently of each other, are most likely by the others.
+  [[nodiscard]] static Proposal fitted_to(std::vector<WeightedPoint> points, const std::vector<WeightedPoint>& fresh,
+                                          std::size_t dimensions);
+
   [[nodiscard]] std::size_t dimensions() const { return dimensions_; }
   /// Uses the draws of Source::rare_choice.
   [[nodiscard]] Point draw(const random::Draws& draws) const;
@@ -38,6 +43,11 @@ class Proposal {
   [[nodiscard]] double likelihood_ratio(const Point& point) const;
 
  private:
+  /// To all points; the multiple from `points` and `fresh`.
+  [[nodiscard]] static Proposal fitted(const std::vector<WeightedPoint>& all, const std::vector<WeightedPoint>& points,
+                                       const std::vector<WeightedPoint>& fresh, std::size_t dimensions,
+                                       double least_width);
+
   /// Mean over the centres of the normal density of this multiple of the widths, over the density of the standard
   /// normal law, at a point.
   [[nodiscard]] double density_ratio(const Point& point, double multiple) const;

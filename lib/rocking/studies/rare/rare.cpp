@@ -24,6 +24,9 @@ using rare::Repetition;
 
 /// With fewer repetitions the interval is wide, whatever their spread.
 constexpr std::size_t least_repetitions = 16;
+/// Of importance sampling that has seen the event: rare large weights make intervals from fewer too short
+/// (reports/evidence/rare.md).
+constexpr std::size_t least_with_weights = 64;
 /// Before the share of a condition in the time counts. An interval from fewer has not been tested.
 constexpr std::size_t repetitions_at_any_rate = 8;
 
@@ -115,11 +118,21 @@ class ConditionStudy {
   /// How many repetitions are wanted after the first `planned`; 0 if no more are, for the reason that it notes.
   [[nodiscard]] std::size_t planned_after(std::size_t planned) {
     const auto so_far = stats::mean_of_repetitions(estimates_of(repetitions(), planned), condition_->confidence);
-    const double ratio = so_far.relative_error.value_or(0.0) / question_->relative_error;
-    result_.end = !so_far.relative_error ? RareEnd::never_seen : RareEnd::precise;
-    if (ratio <= 1.0) return 0;
-    result_.end = RareEnd::most_repetitions;
-    return planned == most_repetitions - 1 ? 0 : more_than(planned, ratio);
+    const double error = so_far.relative_error.value_or(0.0);
+    const bool is_precise = error <= question_->relative_error;
+    result_.end = !so_far.relative_error ? RareEnd::never_seen
+                  : is_precise           ? RareEnd::precise
+                                         : RareEnd::most_repetitions;
+    if (!is_precise) {
+      if (planned == most_repetitions - 1) return 0;
+      const std::size_t wanted = more_than(planned, error / question_->relative_error);
+      return std::max(wanted, least_with_event());
+    }
+    return error > 0.0 && planned < least_with_event() ? least_with_event() : 0;
+  }
+
+  [[nodiscard]] std::size_t least_with_event() const {
+    return result_.method == RareMethod::importance_sampling ? least_with_weights : least_repetitions;
   }
 
   /// The spread is known roughly at first: at most four times as many at once. The numbers do not depend on how many

@@ -48,6 +48,17 @@ TEST(RareProbabilities, AreOneWhereTheEventIsCertain) {
   EXPECT_EQ(found.front().interval.high, 1.0);
 }
 
+// Large weights are rare: fewer repetitions may be without one, and their spread too small.
+TEST(RareProbabilities, HaveAtLeast64RepetitionsOfImportanceSamplingThatHasSeenTheEvent) {
+  const rocking::RareQuestion question{.event = {.peak_tilt = 0.6}, .relative_error = 1.0};
+  for (const auto& [condition, least] : {std::pair{fluctuating(), 16U}, std::pair{drawn_once(), 64U}}) {
+    const RareEstimate found = rare_probabilities(experiment_of(condition), question, {.particles = 20}).front();
+    EXPECT_GT(found.probability, 0.0);
+    EXPECT_EQ(found.repetitions.size(), least);
+    EXPECT_EQ(found.end, rocking::RareEnd::precise);
+  }
+}
+
 double largest_tilt(const rocking::rare::Path& path) {
   double largest = 0.0;
   for (const auto& period : path.tilts) {

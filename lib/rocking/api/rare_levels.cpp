@@ -12,6 +12,7 @@
 #include "rocking/api/studies.hpp"
 #include "rocking/base/error.hpp"
 #include "rocking/output/rare_report.hpp"
+#include "rocking/stats/repetitions.hpp"
 #include "rocking/studies/suite/stripes.hpp"
 #include "rocking/text/files.hpp"
 #include "rocking/text/locate.hpp"
@@ -139,18 +140,6 @@ RareLevel level_of(double intensity, const RareEstimate& found) {
           .degrees_of_freedom = static_cast<double>(found.repetitions.size()) - 1.0};
 }
 
-/// Of Welch and Satterthwaite, for the sum over the records.
-double degrees_of_freedom(const std::vector<RareOfCurve::OfRecord>& records) {
-  double sum = 0.0;
-  double squares = 0.0;
-  for (const RareOfCurve::OfRecord& record : records) {
-    const double error = record.level.probability * record.level.relative_error;
-    sum += error * error;
-    squares += error * error * error * error / record.level.degrees_of_freedom;
-  }
-  return squares > 0.0 ? sum * sum / squares : 1.0;
-}
-
 /// The mean over all records of the run, by which the sampling is stratified; absent if the error of one is not known.
 std::optional<RareOfCurve> mean_over_records(const Estimates& estimates, const RareReport& report,
                                              const std::vector<Subject>& subjects, const std::string& file) {
@@ -170,12 +159,17 @@ std::optional<RareOfCurve> mean_over_records(const Estimates& estimates, const R
                              .probability = *suite->probability,
                              .interval = suite->interval,
                              .relative_error = *suite->relative_error}};
+  std::vector<stats::Stratum> strata;
   for (const auto& [subject, found] : estimates.all) {
     if (is_never_seen(*found)) continue;
     if (!is_sure(*found)) return std::nullopt;
-    mean.records.push_back({.name = subject->record, .level = level_of(estimates.intensity, *found)});
+    const RareLevel level = level_of(estimates.intensity, *found);
+    strata.push_back({.mean = level.probability,
+                      .standard_error = level.probability * level.relative_error,
+                      .degrees_of_freedom = level.degrees_of_freedom});
+    mean.records.push_back({.name = subject->record, .level = level});
   }
-  mean.level.degrees_of_freedom = degrees_of_freedom(mean.records);
+  mean.level.degrees_of_freedom = stats::sum_of_strata(strata, suite->confidence).degrees_of_freedom;
   return mean;
 }
 

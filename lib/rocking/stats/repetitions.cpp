@@ -30,7 +30,8 @@ RepeatedEstimate mean_of_repetitions(std::span<const double> estimates, double c
   }
   const double error = std::sqrt(squares / (count - 1.0) / count);
   result.relative_error = error;
-  result.interval = interval_about(result.mean, error, count - 1.0, confidence);
+  result.degrees_of_freedom = count - 1.0;
+  result.interval = interval_about(result.mean, error, result.degrees_of_freedom, confidence);
   return result;
 }
 
@@ -48,8 +49,8 @@ RepeatedEstimate sum_of_strata(std::span<const Stratum> strata, double confidenc
   result.relative_error = std::sqrt(variance);
   result.interval = Interval{result.mean, result.mean};
   if (of_variance > 0.0) {
-    result.interval =
-        interval_about(result.mean, *result.relative_error, variance * variance / of_variance, confidence);
+    result.degrees_of_freedom = variance * variance / of_variance;
+    result.interval = interval_about(result.mean, *result.relative_error, result.degrees_of_freedom, confidence);
   }
   return result;
 }

@@ -12,6 +12,7 @@ struct RepeatedEstimate {
   double mean = 0.0;
   std::optional<double> relative_error;  ///< standard error over the mean; absent for a mean of 0 or one estimate
   std::optional<Interval> interval;      ///< absent likewise
+  double degrees_of_freedom = 1.0;       ///< of the standard error; 1 without one
 };
 
 /// Mean, standard error and confidence interval from repetitions:

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "cli/campaign_block.hpp"
 #include "cli/program.hpp"
 
 namespace {
@@ -14,16 +15,9 @@ using ::testing::Not;
 class InferFigures : public rocking::support::ProgramTest {
  protected:
   InferFigures() {
-    write("block.json", R"({
-      "format": "rocking.experiment/1", "title": "campaign",
-      "block": { "width_m": 1.0, "height_m": 4.0 },
-      "excitation": { "amplitude": 4.2, "frequency_ratio": 10.0 },
-      "friction": { "static": { "normal": { "mean": 0.35, "sigma": 0.02, "between": [0.05, 1.0] } },
-                    "kinetic": { "ratio": 0.857 } },
-      "horizon": { "transient_periods": 100, "sampled_periods": 60 },
-      "unknown": [ { "parameter": "/friction/static/normal/mean", "from": 0.3, "to": 0.45 },
-                   { "parameter": "/friction/static/normal/sigma", "from": 0.001, "to": 0.08 } ],
-      "realisations": 20, "seed": "0x2012" })");
+    Json block = rocking::support::campaign_block();
+    block["unknown"].push_back({{"parameter", "/friction/static/normal/sigma"}, {"from", 0.001}, {"to", 0.08}});
+    write("block.json", block.dump());
     write("tests.csv", "amplitude,\"(1,1)\",\"(1,3)\",other\n4.5,5,2,3\n6.0,5,1,4\n");
     write("next.csv", "amplitude\n3.0\n5.0\n");
   }

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "cli/campaign_block.hpp"
 #include "cli/program.hpp"
 #include "support/json_schema.hpp"
 
@@ -19,18 +20,6 @@ class Infer : public rocking::support::ProgramTest {
   Infer() {
     write("block.json", experiment_.dump());
     write("tests.csv", good_tests);
-  }
-
-  static Json block() {
-    return Json::parse(R"({
-      "format": "rocking.experiment/1", "title": "campaign",
-      "block": { "width_m": 1.0, "height_m": 4.0 },
-      "excitation": { "amplitude": 4.2, "frequency_ratio": 10.0 },
-      "friction": { "static": { "normal": { "mean": 0.35, "sigma": 0.02, "between": [0.05, 1.0] } },
-                    "kinetic": { "ratio": 0.857 } },
-      "horizon": { "transient_periods": 100, "sampled_periods": 60 },
-      "unknown": [ { "parameter": "/friction/static/normal/mean", "from": 0.3, "to": 0.45 } ],
-      "realisations": 20, "seed": "0x2012" })");
   }
 
   /// Tests that the program refuses the input, names this in its message, and leaves an earlier answer.
@@ -63,7 +52,7 @@ class Infer : public rocking::support::ProgramTest {
     expect_refused("bad.json --tests tests.csv", 65, AllOf(HasSubstr("bad.json"), HasSubstr(message)));
   }
 
-  Json experiment_ = block();
+  Json experiment_ = rocking::support::campaign_block();
 };
 
 TEST_F(Infer, IsWrittenAndPrinted) {

@@ -18,15 +18,15 @@ struct FragilityLevel {
   double intensity = 0.0;
   std::optional<Shaking> shaking = std::nullopt;  ///< of the condition; absent under a ground motion
   stats::Proportion overturned;
-  double estimate = 0.0;         ///< share of the realisations that overturned
-  stats::Interval exact;         ///< Clopper-Pearson, of this level alone
-  stats::Interval simultaneous;  ///< Bonferroni-Clopper-Pearson over the levels of the curve
-  std::optional<double> fitted;  ///< by the law; absent where none is fitted
+  double estimate = 0.0;                        ///< share of the realisations that overturned
+  stats::Interval exact = {};                   ///< Clopper-Pearson, of this level alone
+  stats::Interval simultaneous = {};            ///< Bonferroni-Clopper-Pearson over the levels of the curve
+  std::optional<double> fitted = std::nullopt;  ///< by the law; absent where none is fitted
   /// Of `fitted` at this intensity alone; of `isotonic` it is `simultaneous`, which holds also if the probability decreases
   /// somewhere. Absent without both.
-  std::optional<stats::Interval> band;
+  std::optional<stats::Interval> band = std::nullopt;
   /// Most likely probability that does not decrease with the intensity; present where the fitted function was rejected.
-  std::optional<double> isotonic;
+  std::optional<double> isotonic = std::nullopt;
 
   /// Whether the fitted function lies outside the simultaneous interval.
   [[nodiscard]] bool is_missed() const;
@@ -36,7 +36,7 @@ struct FragilityLevel {
 struct RareLevel {
   double intensity = 0.0;
   double probability = 0.0;         ///< in (0, 1)
-  stats::Interval interval;         ///< at its own confidence
+  stats::Interval interval = {};    ///< at its own confidence
   double relative_error = 0.0;      ///< standard error over the probability
   double degrees_of_freedom = 1.0;  ///< of the error
 };

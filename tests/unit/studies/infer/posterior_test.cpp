@@ -63,7 +63,7 @@ TEST(InferPrior, IsRefusedWithoutADensityOrBesideTheRange) {
 Eigen::MatrixXd grid(Eigen::Index axes) {
   Eigen::MatrixXd points(1 << axes, axes);
   for (Eigen::Index i = 0; i < points.rows(); ++i) {
-    for (Eigen::Index axis = 0; axis < axes; ++axis) points(i, axis) = (i >> axis) & 1;
+    for (Eigen::Index axis = 0; axis < axes; ++axis) points(i, axis) = static_cast<double>((i >> axis) & 1);
   }
   return points;
 }

@@ -48,6 +48,12 @@ ExitCode compare(const CompareRequest& request) {
                                  counted(conditions, "condition"), request.second,
                                  counted(second.experiment.conditions.size(), "condition")));
   }
+  if (const auto place = condition_with_other_record(first.experiment, second.experiment)) {
+    throw UsageError(fmt::format(
+        "condition {} of {} and of {} has different records of a suite, so no common random numbers; compare runs with "
+        "the same records in the same order",
+        *place, request.first, request.second));
+  }
   std::vector<double> confidences;
   for (const Condition& condition : first.experiment.conditions) confidences.push_back(condition.confidence);
   const Comparison found =
@@ -65,7 +71,7 @@ void add_compare(CLI::App& app, Action& action) {
   command->footer(
       "Example: rocking compare out tighter\n"
       "compares each realisation of out with the realisation of tighter that has the same random numbers. Both runs "
-      "have the same seed and number of conditions; they may differ in anything else (amplitude, tolerance, "
+      "have the same seed, number of conditions and records; they may differ in anything else (amplitude, tolerance, "
       "formulation, sigma).");
   command->add_option("DIR_A", request->first, "Folder of a run")->required();
   command->add_option("DIR_B", request->second, "Folder of another run")->required();

@@ -1,11 +1,14 @@
 // `rocking compare`: the effect of a setting.
 
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 
 #include "cli/program.hpp"
 #include "support/json_schema.hpp"
+#include "support/record_text.hpp"
 
 namespace {
 
@@ -95,6 +98,27 @@ TEST_F(Compare, RefusesRunsThatCannotBePaired) {
   EXPECT_EQ(sweeps.exit_code, 64);
   EXPECT_THAT(sweeps.errors, HasSubstr("c has 1 condition"));
   EXPECT_EQ(rocking("compare a absent").exit_code, 66);
+}
+
+// Records of a suite have independent random numbers: only the same record can be paired.
+TEST_F(Compare, PairsSuitesRecordByRecord) {
+  write("p.at2", rocking::support::peer_at2(std::vector<double>(60, 0.3), ".01"));
+  write("q.at2", rocking::support::peer_at2({0.0, 0.3, -0.3, 0.3, -0.3, 0.0}, ".2"));
+  Json suite = Json::parse(R"({ "format": "rocking.experiment/1", "block": { "width_m": 0.35, "height_m": 1.6 },
+    "excitation": { "kind": "recorded", "suite": ["p.at2", "q.at2"] },
+    "fluctuation": { "restitution": { "sigma": 0.05 } }, "realisations": 3 })");
+  write("suite.json", suite.dump());
+  suite["block"]["width_m"] = 0.4;
+  write("wider.json", suite.dump());
+  suite["excitation"]["suite"] = {"q.at2", "p.at2"};
+  write("turned.json", suite.dump());
+  for (const std::string name : {"suite", "wider", "turned"}) {
+    ASSERT_EQ(rocking("run " + name + ".json -q -o " + name).exit_code, 0);
+  }
+  EXPECT_EQ(rocking("compare suite wider").exit_code, 0);
+  const auto turned = rocking("compare suite turned");
+  EXPECT_EQ(turned.exit_code, 64);
+  EXPECT_THAT(turned.errors, HasSubstr("condition 0 of suite and of turned has different records"));
 }
 
 }  // namespace

@@ -41,6 +41,18 @@ TEST(RareProbabilities, AreTheSameOnAnyNumberOfThreads) {
   EXPECT_EQ(one.work, three.work);
 }
 
+// lib/docs/draws.md: what is drawn under a record of a suite follows its seed.
+TEST(RareProbabilities, FollowTheSeedOfTheRecord) {
+  const rocking::RareQuestion question{.event = {.peak_tilt = 0.4}, .relative_error = 0.5};
+  Experiment experiment = experiment_of(fluctuating());
+  const RareEstimate plain = rare_probabilities(experiment, question, {.particles = 20}).front();
+  constexpr std::uint64_t stream = 0xfedcba9876543210;
+  experiment.conditions.front().record_stream = stream;
+  EXPECT_NE(rare_probabilities(experiment, question, {.particles = 20}).front().probability, plain.probability);
+  experiment.seed ^= stream;
+  EXPECT_EQ(rare_probabilities(experiment, question, {.particles = 20}).front().probability, plain.probability);
+}
+
 // A block that always reaches the tilt: 1, and no error.
 TEST(RareProbabilities, AreOneWhereTheEventIsCertain) {
   const auto found = rare_probabilities(experiment_of(drawn_once()), {.event = {.peak_tilt = 0.0}}, {.particles = 20});

@@ -12,6 +12,7 @@
 #include "rocking/ensemble/work_list.hpp"
 #include "rocking/realisation/realisation_digest.hpp"
 #include "rocking/realisation/realisation_result.hpp"
+#include "rocking/realisation/trajectory.hpp"
 #include "rocking/scene/experiment.hpp"
 #include "support/excitation.hpp"
 
@@ -52,6 +53,28 @@ ExperimentResult result_with(unsigned threads) {
   auto result = run(four_conditions(), options);
   EXPECT_TRUE(result.has_value());
   return std::move(*result);
+}
+
+// lib/docs/draws.md: the record of a suite enters the seed, in runs with their reruns, and of one realisation.
+TEST(RecordOfASuite, IsPartOfTheSeedWhereverARealisationIsDrawn) {
+  constexpr std::uint64_t stream = 0xfedcba9876543210;
+  const Experiment plain = four_conditions();
+  Experiment of_record = plain;
+  of_record.seed ^= stream;
+  for (Condition& condition : of_record.conditions) condition.record_stream = stream;
+  RunOptions options;
+  options.threads = 1;
+  EXPECT_EQ(run(plain, options)->digest, run(of_record, options)->digest);
+  for (std::size_t i = 0; i < plain.conditions.size(); ++i) {
+    EXPECT_EQ(digest_of(realise(plain.conditions[i], plain.seed, 5), 5),
+              digest_of(realise(of_record.conditions[i], of_record.seed, 5), 5));
+    const TrajectoryExtent extent(3, 4, {});
+    const Trajectory a = trajectory_of(plain.conditions[i], plain.seed, 5, extent);
+    const Trajectory b = trajectory_of(of_record.conditions[i], of_record.seed, 5, extent);
+    EXPECT_EQ(a.peaks.tilt, b.peaks.tilt);
+  }
+  of_record.conditions[0].record_stream = 0;
+  EXPECT_NE(run(plain, options)->digest, run(of_record, options)->digest);
 }
 
 void expect_same(const DivergenceTimes& a, const DivergenceTimes& b) {

@@ -231,9 +231,9 @@ def compare(
 ) -> documents.Comparison:
     """Compare two runs of the same seed, pairwise: what a setting changes.
 
-    first, second: a Result, or the folder of a run. The runs have the same seed and number of conditions; they may
-    differ in anything else. Realisations that only one run has are left out. Intervals have the confidence of the first
-    run. Raises InputError if the seeds or the numbers of conditions differ, OSError or StoreError as open_run().
+    first, second: a Result, or the folder of a run. The runs have the same seed, number of conditions and records
+    of a suite; they may differ in anything else. Realisations that only one run has are left out. Intervals have the confidence of the first
+    run. Raises InputError if the seeds, the numbers of conditions or the records differ, OSError or StoreError as open_run().
 
     >>> import rocking
     >>> slab = {"format": "rocking.experiment/1", "block": {"width_m": 1, "height_m": 4},

@@ -72,6 +72,12 @@ Comparison compare(const StoredRun& first, const StoredRun& second) {
            "gives the runs different numbers of conditions: " + std::to_string(experiment.conditions.size()) + " and " +
                std::to_string(second.experiment.conditions.size()));
   }
+  if (const auto place = condition_with_other_record(experiment, second.experiment)) {
+    refuse("/excitation/suite", "",
+           "gives condition " + std::to_string(*place) +
+               " of the runs different records, so that they have no common random numbers; run both with the same "
+               "records in the same order");
+  }
   std::vector<double> confidences;
   for (const Condition& condition : experiment.conditions) confidences.push_back(condition.confidence);
   return comparison_of(with_text(experiment), with_text(second.experiment),

@@ -260,7 +260,10 @@ class ExperimentBuilder {
       stride /= axis.values.size();
       Json canonical = read.canonical.at(places_[i]);
       read.question.condition.parameters.push_back({axis.pointer, canonical.dump()});
-      if (axis.pointer == suite_place) canonical = record_of(read.canonical);
+      if (axis.pointer == suite_place) {
+        canonical = record_of(read.canonical);
+        read.question.condition.record_stream = stream_of(canonical);
+      }
       // The first condition with this value, at the first values of the others, gives its canonical form.
       const std::size_t place = (index / stride) % axis.values.size();
       if (index == place * stride) axis.canonical_values.push_back(std::move(canonical));

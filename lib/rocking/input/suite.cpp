@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <cstddef>
 #include <map>
 #include <string>
 #include <system_error>
@@ -210,6 +212,13 @@ Json record_of(const Json& canonical) {
     if (excitation.contains(key)) record[std::string(key)] = excitation.at(std::string(key));
   }
   return record;
+}
+
+std::uint64_t stream_of(const Json& record) {
+  const auto& digits = record.at("sha256").get_ref<const std::string&>();
+  std::uint64_t number = 0;
+  std::from_chars(digits.data(), digits.data() + std::min<std::size_t>(digits.size(), 16), number, 16);
+  return number;
 }
 
 std::optional<SweepAxis> suite_axis(const Json& canonical) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -38,6 +39,9 @@ void put_record(Json& document, const Json& record);
 
 /// The record that a condition in canonical form has.
 [[nodiscard]] Json record_of(const Json& canonical);
+
+/// Condition::record_stream of a record in canonical form: the number that the first 16 digits of its `sha256` write.
+[[nodiscard]] std::uint64_t stream_of(const Json& record);
 
 /// The suite of a canonical experiment as an entry of its sweep, with the names of the files; absent if it has none.
 [[nodiscard]] std::optional<SweepAxis> suite_axis(const Json& canonical);

@@ -14,7 +14,7 @@ RealisationResult realise(const Condition& condition, std::uint64_t seed, std::u
 
 RealisationResult realise_unchecked(const Condition& condition, std::uint64_t seed, std::uint64_t realisation,
                                     base::StopRequest stop) {
-  const random::Draws draws(seed, realisation);
+  const random::Draws draws(seed_of(condition, seed), realisation);
   const Start start = start_of(condition.scene, draws);
   const Beginning beginning =
       begin_realisation(condition, draws, start, Strobe::poincare, strobes_before_window(condition));

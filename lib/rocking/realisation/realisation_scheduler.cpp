@@ -51,7 +51,7 @@ class RealisationScheduler::Implementation {
 
   void start(const RequestedRun& run, std::size_t id) {
     const Condition& condition = *run.condition;
-    const random::Draws draws(seed_, run.realisation);
+    const random::Draws draws(seed_of(condition, seed_), run.realisation);
     const Start start = start_of(condition.scene, draws);
     const Beginning beginning =
         begin_realisation(condition, draws, start, Strobe::poincare, strobes_before_window(condition));

@@ -93,7 +93,7 @@ Trajectory trajectory_of(const Condition& condition, std::uint64_t seed, std::ui
 Trajectory trajectory_of_unchecked(const Condition& condition, std::uint64_t seed, std::uint64_t realisation,
                                    const TrajectoryExtent& extent) {
   ROCKING_EXPECT(extent.periods > 0);
-  const random::Draws draws(seed, realisation);
+  const random::Draws draws(seed_of(condition, seed), realisation);
   const Start start = start_of(condition.scene, draws);
   const double shape_angle = start.geometry.shape_angle;
   Recorder recorder(shape_angle, extent.stop);

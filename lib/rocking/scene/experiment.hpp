@@ -168,7 +168,14 @@ struct Condition {
   std::optional<Until> until;
   std::optional<LabelCheck> label_check;  ///< absent: none
   double confidence = 0.95;
+  /// The first 64 bits of the SHA-256 of the record, where it is of a suite: records have independent random numbers.
+  std::uint64_t record_stream = 0;
 };
+
+/// The seed under which the realisations of a condition are drawn (lib/docs/draws.md).
+[[nodiscard]] inline std::uint64_t seed_of(const Condition& condition, std::uint64_t seed_of_experiment) {
+  return seed_of_experiment ^ condition.record_stream;
+}
 
 /// Most unknowns of an experiment.
 inline constexpr std::size_t most_unknowns = 3;

@@ -10,6 +10,7 @@ namespace rocking {
 /// 1: revision 61b81ca.
 /// 2: a block that stops slipping slips on where sticking would need N <= 0 but slipping keeps the contact.
 /// 3: the Lyapunov exponent follows from tangent vectors.
-inline constexpr std::uint64_t results_version = 3;
+/// 4: the records of a suite have independent random numbers.
+inline constexpr std::uint64_t results_version = 4;
 
 }  // namespace rocking

@@ -52,6 +52,13 @@ ConditionComparison compared(const Table& table, double confidence) {
 
 }  // namespace
 
+std::optional<std::size_t> condition_with_other_record(const Experiment& first, const Experiment& second) {
+  for (std::size_t i = 0; i < first.conditions.size(); ++i) {
+    if (second.conditions[i].record_stream != first.conditions[i].record_stream) return i;
+  }
+  return std::nullopt;
+}
+
 std::vector<ConditionComparison> compare(const Store& first, const Store& second, std::span<const double> confidences) {
   std::vector<Table> tables(confidences.size());
   first.for_each([&](const RealisationKey& key, const Summary& summary) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -50,8 +51,11 @@ struct Comparison {
   std::vector<ConditionComparison> conditions;
 };
 
+/// The first condition that has another record of a suite in the second experiment; the two have as many conditions.
+[[nodiscard]] std::optional<std::size_t> condition_with_other_record(const Experiment& first, const Experiment& second);
+
 /// Compares realisations of equal key. One entry for each condition; `confidences` has one number for each. The caller
-/// makes sure that the two runs have the same seed: only then do equal keys mean common random numbers.
+/// makes sure that the two runs have the same seed and records: only then do equal keys mean common random numbers.
 [[nodiscard]] std::vector<ConditionComparison> compare(const Store& first, const Store& second,
                                                        std::span<const double> confidences);
 

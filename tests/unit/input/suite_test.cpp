@@ -1,6 +1,7 @@
 // Suites of ground motions in an experiment: which conditions there are, and the canonical text.
 
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <numbers>
 #include <string>
@@ -8,6 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "rocking/base/digest.hpp"
 #include "rocking/input/read_experiment.hpp"
 #include "rocking/input/suite.hpp"
 #include "rocking/studies/motion/motion.hpp"
@@ -114,6 +116,29 @@ TEST_F(Suite, HasACanonicalTextWithFilesAndDigestsThatIsItsOwn) {
     EXPECT_NE(suite[0]["sha256"], suite[1]["sha256"]);
     EXPECT_EQ(Json::parse(once.canonical_text).contains("sweep"), sweep != "null");
   }
+}
+
+TEST_F(Suite, GivesEachRecordRandomNumbersByItsBytesAlone) {
+  const std::string levels = R"([{ "parameter": "/excitation/scale", "values": [1.0, 2.0] }])";
+  const Experiment two = read(experiment(R"("records/*.at2")", levels));
+  const std::string digits = base::to_hex(base::sha256(files_["records/b.at2"])).substr(0, 16);
+  const std::uint64_t of_b = std::stoull(digits, nullptr, 16);
+  EXPECT_EQ(two.conditions[2].record_stream, of_b);
+  EXPECT_EQ(two.conditions[3].record_stream, of_b) << "levels of a record have common numbers";
+  EXPECT_NE(two.conditions[0].record_stream, of_b);
+  EXPECT_EQ(seed_of(two.conditions[2], 0x2012), of_b ^ 0x2012);
+
+  files_["other.at2"] = files_["records/b.at2"];
+  files_["up.at2"] = support::peer_at2({0.1, 0.1, 0.1, 0.0}, ".5");
+  for (const char* suite : {R"(["other.at2", "records/a.at2"])", R"(["records/b.at2"])",
+                            R"([{ "file": "records/b.at2", "vertical_file": "up.at2" }])"}) {
+    EXPECT_EQ(read(experiment(suite)).conditions.front().record_stream, of_b) << suite;
+  }
+  const Experiment again = read_experiment(two.canonical_text, {}, surroundings());
+  EXPECT_EQ(again.conditions[2].record_stream, of_b);
+  Json alone = experiment("null");
+  alone["excitation"] = {{"kind", "recorded"}, {"file", "records/b.at2"}};
+  EXPECT_EQ(read(alone).conditions.front().record_stream, 0U) << "a run of one file keeps its bits";
 }
 
 TEST_F(Suite, IsScaledToAPeakAccelerationOrVelocity) {

@@ -47,7 +47,7 @@ class ConditionStudy {
         settings_(&settings),
         share_(static_cast<double>(place + 1) / static_cast<double>(experiment.conditions.size())),
         paths_{.condition = condition_,
-               .seed = experiment.seed,
+               .seed = seed_of(*condition_, experiment.seed),
                .event = question.event,
                .halt = {settings.stop, settings.elapsed_seconds, settings.seconds}} {}
 

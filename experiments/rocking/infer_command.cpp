@@ -71,7 +71,7 @@ ExitCode infer(InferCommand& command) {
   command.file.prepare();
   Inference found;
   {
-    Progress progress(suitable_progress_style(command.execution.loudness), "realisations");
+    Progress progress(suitable_progress_style(command.execution.loudness), "realisations and made-up data sets");
     found = infer_unknowns(experiment, request, watched(command.execution, progress));
   }
   const InferReport report = infer_report(experiment, request.tests, request.next_tests, found);
@@ -108,7 +108,7 @@ void add_infer(CLI::App& app, Action& action) {
                    "Realisations of each condition at each point, instead of the file's")
       ->type_name("N");
   add_duration(*command, "--max-time", request->infer.seconds,
-               "Add no points to the design after this time, e.g. 10min; what is finished then counts");
+               "Add no points to the design after this time, e.g. 10min, and answer from those that are finished");
   request->file.add_to(*command, true);
   command->add_flag("--resume", request->resume, "Go on from the points in DIR/infer.json, if it is there");
   add_threads(*command, request->execution);

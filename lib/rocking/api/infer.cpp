@@ -56,7 +56,9 @@ Inference infer_unknowns(const Experiment& experiment, const InferRequest& reque
   const OptionsOfExecution asked(execution);
   InferSimulation simulation(experiment, request.tests, seen_from(request.folder), asked.options());
   const InferenceQuestion question = inference_question(experiment, request.tests, request.next_tests, simulation);
+  simulation.expect_sets(made_up_sets(question));
   InferenceSettings settings{.threads = asked.options().threads, .stop = asked.stop()};
+  settings.on_made_up = [&simulation] { simulation.tell_set(); };
   settings.seconds = request.seconds;
   settings.elapsed_seconds = request.elapsed_seconds;
   settings.earlier = request.earlier;

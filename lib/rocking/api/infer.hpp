@@ -25,7 +25,7 @@ struct InferRequest {
   std::optional<double> seconds = {};
   std::function<double()> elapsed_seconds = {};
   std::vector<infer::DesignPoint> earlier = {};  ///< of an earlier answer to the same question; not simulated again
-  /// When it is asked to stop, it returns what is finished. Else it throws.
+  /// When it is asked to stop, it returns the finished points without an answer. Else it throws.
   bool keeps_when_stopped = false;
 };
 
@@ -41,8 +41,8 @@ struct InferRequest {
 ROCKING_API void check_infer(const Experiment& experiment);
 
 /// Estimates the unknowns of an experiment from counted tests, with intervals and a joint region. Uses `threads`,
-/// `on_progress` and `stop` of the execution; progress counts realisations, and their number grows until the intervals
-/// settle. Throws as check_infer, base::InputError for a number out of range, and base::Stopped if it is asked to stop.
+/// `on_progress` and `stop` of the execution; progress counts realisations, whose number grows until the intervals
+/// settle, and the data sets that are made up for the answer. Throws as check_infer, base::InputError for a number out of range, and base::Stopped if it is asked to stop.
 /// Source: lib/docs/infer.md.
 [[nodiscard]] ROCKING_API Inference infer_unknowns(const Experiment& experiment, const InferRequest& request,
                                                    const Execution& execution = {});

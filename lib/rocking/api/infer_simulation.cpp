@@ -17,8 +17,13 @@ InferSimulation::InferSimulation(const Experiment& experiment, const CountedTest
   const auto on_progress = options.on_progress;
   if (!on_progress) return;
   options_.on_progress = [this, on_progress](std::uint64_t done, std::uint64_t all) {
-    on_progress(earlier_ + done, earlier_ + all);
+    on_progress(earlier_ + done, earlier_ + all + later_);
   };
+}
+
+void InferSimulation::tell_set() {
+  ++made_up_;
+  if (options_.on_progress) options_.on_progress(made_up_, 0);
 }
 
 CountsAtPoints InferSimulation::counts_at(const std::vector<std::vector<double>>& points) {

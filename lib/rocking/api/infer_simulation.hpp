@@ -24,6 +24,11 @@ class InferSimulation {
   /// Throws base::Stopped if it is asked to stop.
   [[nodiscard]] CountsAtPoints counts_at(const std::vector<std::vector<double>>& points);
 
+  /// Progress counts so many data sets, too, which are made up after the realisations.
+  void expect_sets(std::uint64_t sets) { later_ = sets; }
+  /// One of them was made up.
+  void tell_set();
+
  private:
   [[nodiscard]] Condition condition(const TestedCondition& tested, const std::vector<double>& at) const;
   [[nodiscard]] std::vector<std::uint64_t> counts_of(const ConditionResult& result, std::uint64_t realisations) const;
@@ -33,6 +38,8 @@ class InferSimulation {
   std::function<Condition(const std::vector<Parameter>&)> condition_at_;
   RunOptions options_;
   std::uint64_t earlier_ = 0;  ///< realisations of earlier calls
+  std::uint64_t later_ = 0;    ///< data sets that will be made up
+  std::uint64_t made_up_ = 0;
 };
 
 /// The question of counted tests, whose points `simulation` simulates.

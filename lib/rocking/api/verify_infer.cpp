@@ -67,7 +67,8 @@ RunCheck check_of(const InferReport& claimed, const std::string& text, const std
   }
   check.checked = indices.size();
   const InferenceQuestion question = inference_question(*experiment, tests, claimed.next_tests, simulation);
-  const Inference right = inference_from(question, std::move(design), claimed.end, asked.options().threads);
+  const Inference right = inference_from(question, std::move(design), claimed.end,
+                                         {.threads = asked.options().threads, .stop = asked.stop()});
   check.findings =
       report_differences(text, infer_document().text(infer_report(*experiment, tests, claimed.next_tests, right)));
   return check;

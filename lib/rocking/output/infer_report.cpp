@@ -30,7 +30,7 @@ std::string reason_of(const ReportedUnknown& unknown) {
 Identified identified(const std::vector<ReportedUnknown>& unknowns) {
   std::string reason;
   for (const ReportedUnknown& unknown : unknowns) {
-    if (!unknown.reaches) return {"the first design was not finished"};
+    if (!unknown.reaches) return {"there is no answer yet"};
     const std::string one = reason_of(unknown);
     if (!one.empty()) reason += (reason.empty() ? "these tests cannot tell: " : "; ") + one;
   }

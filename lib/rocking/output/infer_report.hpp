@@ -13,7 +13,7 @@
 
 namespace rocking {
 
-/// An unknown, and what the tests say of it. Without an answer the first design was not finished.
+/// An unknown, and what the tests say of it. Without an answer nothing.
 struct ReportedUnknown {
   std::string parameter;
   double from = 0.0;

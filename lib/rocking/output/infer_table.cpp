@@ -107,7 +107,11 @@ std::string end_words(InferEnd end) {
 std::string infer_table(const InferReport& report) {
   const std::string effort = counted(report.realisations, "realisation") + " at " +
                              counted(report.design.size(), "point") + " of the unknowns\n" + end_words(report.end);
-  if (!report.fit) return "There is no answer yet: the first design is not finished.\n" + effort;
+  if (!report.fit) {
+    const bool is_stopped = report.end == InferEnd::stopped;
+    return std::string("There is no answer yet") + (is_stopped ? "" : ": the first design is not finished") + ".\n" +
+           effort;
+  }
   const std::string& reason = report.identified.reason_why_not;
   return unknowns_table(report) + (reason.empty() ? "" : reason + "\n") + "\n" + tests_table(report) +
          "fit: " + fit_in_words(report) + "\n" + never_simulated(report) + candidates_table(report) + effort;

@@ -169,8 +169,9 @@ double log_prior(const Eigen::VectorXd& logarithms) {
 
 /// Coordinate search with halved steps: the evidence is flat near its maximum, and a precise one is of no use.
 Eigen::VectorXd best_logarithms(const Eigen::MatrixXd& points, const std::vector<Proportion>& counts,
-                                Eigen::VectorXd at) {
+                                base::StopRequest stop, Eigen::VectorXd at) {
   const auto value_at = [&](const Eigen::VectorXd& logarithms) {
+    stop.check();
     return Laplace(covariances(scales_of(logarithms), points), counts).mode().log_evidence + log_prior(logarithms);
   };
   double best = value_at(at);
@@ -199,11 +200,11 @@ Eigen::VectorXd best_logarithms(const Eigen::MatrixXd& points, const std::vector
 }  // namespace
 
 BinomialProcess BinomialProcess::fit(const Eigen::MatrixXd& points, const std::vector<Proportion>& counts,
-                                     const ProcessScales& start) {
+                                     const ProcessScales& start, base::StopRequest stop) {
   ProcessScales first = start;
   if (first.lengths.size() == 0) first.lengths = Eigen::VectorXd::Constant(points.cols(), 0.5);
   BinomialProcess process;
-  process.scales_ = scales_of(best_logarithms(points, counts, logarithms(first)));
+  process.scales_ = scales_of(best_logarithms(points, counts, stop, logarithms(first)));
   process.columns_ = scaled(process.scales_, points);
   Mode mode = Laplace(covariances(process.scales_, points), counts).mode();
   process.weights_ = std::move(mode.weights);

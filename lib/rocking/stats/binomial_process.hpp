@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include "rocking/base/stop_request.hpp"
 #include "rocking/stats/interval.hpp"
 
 namespace rocking::stats {
@@ -31,9 +32,9 @@ struct LogOdds {
 class BinomialProcess {
  public:
   /// `points`: a row each; `counts`: of the rows; points without trials are permitted. `start`: scales from which the
-  /// search begins, absent lengths: the standard ones.
+  /// search begins, absent lengths: the standard ones. Throws base::Stopped if it is asked to stop.
   [[nodiscard]] static BinomialProcess fit(const Eigen::MatrixXd& points, const std::vector<Proportion>& counts,
-                                           const ProcessScales& start = {});
+                                           const ProcessScales& start = {}, base::StopRequest stop = {});
 
   [[nodiscard]] double mean_at(const Eigen::VectorXd& point) const;
   [[nodiscard]] LogOdds at(const Eigen::VectorXd& point) const;

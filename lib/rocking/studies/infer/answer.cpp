@@ -1,12 +1,11 @@
 #include "rocking/studies/infer/answer.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
+#include <mutex>
 #include <numeric>
 #include <span>
 
-#include "rocking/base/on_threads.hpp"
 #include "rocking/studies/infer/candidates.hpp"
 #include "rocking/studies/infer/made_up_tests.hpp"
 #include "rocking/studies/infer/posterior.hpp"
@@ -17,6 +16,7 @@ namespace {
 
 constexpr std::size_t sets_for_limits = 399;
 constexpr std::size_t sets_for_fit = 999;
+constexpr std::size_t sets_for_region = 999;
 
 std::vector<std::vector<std::uint64_t>> counts_of(const CountedTests& tests) {
   std::vector<std::vector<std::uint64_t>> counts;
@@ -26,21 +26,31 @@ std::vector<std::vector<std::uint64_t>> counts_of(const CountedTests& tests) {
 
 class Answering {
  public:
-  Answering(const InferenceQuestion& question, const std::vector<ShareModel>& models, const Survey& found)
+  Answering(const InferenceQuestion& question, const std::vector<ShareModel>& models, const Survey& found,
+            const base::ManyParts& how)
       : question_(&question),
         models_(&models),
         found_(&found),
         scale_(question.unknowns),
         counts_(counts_of(question.tests)),
         posterior_(posterior_of({models.begin(), models.begin() + static_cast<std::ptrdiff_t>(counts_.size())},
-                                in_one_row(counts_), question.unknowns, found)) {
+                                in_one_row(counts_), question.unknowns, found, how.stop)),
+        threads_(how.threads) {
     for (const auto& counts : counts_) {
       tests_.push_back(std::accumulate(counts.begin(), counts.end(), std::uint64_t{0}));
     }
     best_ = best_point(lattice(), found.logarithms);
+    each_set_.stop = how.stop;
+    if (!how.on_part) return;
+    each_set_.on_part = [this, &how] {
+      const std::lock_guard lock(mutex_);
+      how.on_part();
+    };
   }
+  Answering(const Answering&) = delete;
+  Answering& operator=(const Answering&) = delete;
 
-  [[nodiscard]] InferenceAnswer answer(unsigned threads) const {
+  [[nodiscard]] InferenceAnswer answer() const {
     InferenceAnswer answer;
     answer.unknowns.resize(question_->unknowns.size());
     answer.candidates.resize(question_->tests.candidates.size());
@@ -53,25 +63,17 @@ class Answering {
     for (std::size_t i = 0; i < answer.candidates.size(); ++i) {
       parts.emplace_back([&, i] {
         answer.candidates[i] =
-            gain_of((*models_)[tests_.size() + i], question_->next_tests, posterior_, question_->seed);
+            gain_of((*models_)[tests_.size() + i], question_->next_tests, posterior_, question_->seed, each_set_);
       });
     }
-    parts.emplace_back([&] { fit_and_region(answer); });
-    run(parts, threads);
+    parts.emplace_back([&] { answer.fit = fit(); });
+    parts.emplace_back([&] { add_region(answer); });
+    base::for_each_part({.threads = threads_, .stop = each_set_.stop}, parts.size(),
+                        [&](std::size_t i) { parts[i](); });
     return answer;
   }
 
  private:
-  static void run(const std::vector<std::function<void()>>& parts, unsigned threads) {
-    std::atomic<std::size_t> next = 0;
-    base::on_threads(
-        std::min<unsigned>(threads, static_cast<unsigned>(parts.size())),
-        [&](unsigned) {
-          for (std::size_t i = next++; i < parts.size(); i = next++) parts[i]();
-        },
-        [&] { next = parts.size(); });
-  }
-
   [[nodiscard]] const Lattice& lattice() const { return found_->likelihood.lattice(); }
   [[nodiscard]] double value_at(std::size_t k, std::size_t place) const {
     return scale_.value(k, lattice().coordinate(place, k));
@@ -80,8 +82,10 @@ class Answering {
   [[nodiscard]] std::size_t places_apart() const { return lattice().axes() == 1 ? 4 : 2; }
   [[nodiscard]] std::span<const ShareModel> tested() const { return {models_->data(), tests_.size()}; }
 
-  [[nodiscard]] Eigen::MatrixXd make_up(const Eigen::VectorXd& point, std::size_t sets) const {
-    return made_up_tests(tested(), tests_, point, question_->seed, 0, sets);
+  [[nodiscard]] Eigen::MatrixXd make_up(const Eigen::VectorXd& point, std::size_t sets,
+                                        ErrorsOfConditions errors = ErrorsOfConditions::bounded) const {
+    return made_up_tests(tested(), tests_, point, {.seed = question_->seed, .first = 0, .sets = sets, .errors = errors},
+                         each_set_);
   }
 
   [[nodiscard]] UnknownAnswer of_unknown(std::size_t k) const {
@@ -126,21 +130,16 @@ class Answering {
     return all;
   }
 
-  void fit_and_region(InferenceAnswer& answer) const {
-    const Eigen::MatrixXd sets = make_up(lattice().point(best_), sets_for_fit);
-    answer.fit.statistic = statistic(in_one_row(counts_), found_->logarithms.maxCoeff());
+  [[nodiscard]] InferenceFit fit() const {
+    const Eigen::MatrixXd sets = make_up(lattice().point(best_), sets_for_fit, ErrorsOfConditions::independent);
+    const double found = statistic(in_one_row(counts_), found_->logarithms.maxCoeff());
     const Eigen::MatrixXd logarithms = found_->likelihood.logarithms_of_sets(sets);
-    const double rounding =
-        1e-9 * (1.0 + std::abs(answer.fit.statistic));  // sets with the counts of the tests are ties
+    const double rounding = 1e-9 * (1.0 + std::abs(found));  // sets with the counts of the tests are ties
     std::size_t larger = 1;
     for (Eigen::Index set = 0; set < sets.cols(); ++set) {
-      const double most = logarithms.col(set).maxCoeff();
-      if (statistic(sets.col(set), most) >= answer.fit.statistic - rounding) ++larger;
+      if (statistic(sets.col(set), logarithms.col(set).maxCoeff()) >= found - rounding) ++larger;
     }
-    answer.fit.p_value = static_cast<double>(larger) / static_cast<double>(sets_for_fit + 1);
-    const double limit = region_limit(logarithms, best_, question_->confidence);
-    answer.region_limit = std::exp(-0.5 * limit);
-    add_region(limit, answer.region);
+    return {.statistic = found, .p_value = static_cast<double>(larger) / static_cast<double>(sets_for_fit + 1)};
   }
 
   /// The deviance of a data set whose largest log-likelihood is `most`.
@@ -155,14 +154,17 @@ class Answering {
   }
 
   /// Points of every second or so place of the lattice, and the best one.
-  void add_region(double limit, std::vector<RegionPoint>& region) const {
+  void add_region(InferenceAnswer& answer) const {
+    const Eigen::MatrixXd sets = make_up(lattice().point(best_), sets_for_region);
+    const double limit = region_limit(found_->likelihood.logarithms_of_sets(sets), best_, question_->confidence);
+    answer.region_limit = std::exp(-0.5 * limit);
     for (std::size_t i = 0; i < lattice().size(); ++i) {
       bool is_shown = true;
       for (std::size_t axis = 0; axis < lattice().axes(); ++axis)
         is_shown &= lattice().place(i, axis) % places_apart() == 0;
       const double deviance = found_->deviances[static_cast<Eigen::Index>(i)];
       if ((!is_shown && i != best_) || deviance > limit) continue;
-      region.push_back({.at = scale_.values(lattice().point(i)), .likelihood_ratio = std::exp(-0.5 * deviance)});
+      answer.region.push_back({.at = scale_.values(lattice().point(i)), .likelihood_ratio = std::exp(-0.5 * deviance)});
     }
   }
 
@@ -174,13 +176,21 @@ class Answering {
   Posterior posterior_;
   std::vector<std::uint64_t> tests_;  ///< by tested condition
   std::size_t best_ = 0;
+  unsigned threads_;
+  base::ManyParts each_set_;  ///< how data sets are made up, by several threads at a time
+  std::mutex mutex_;
 };
 
 }  // namespace
 
+std::uint64_t sets_of_answer(const InferenceQuestion& question) {
+  return question.unknowns.size() * places_of_limits * sets_for_limits + sets_for_fit + sets_for_region +
+         question.tests.candidates.size() * sets_of_candidate;
+}
+
 InferenceAnswer answer_of(const InferenceQuestion& question, const std::vector<ShareModel>& models, const Survey& found,
-                          unsigned threads) {
-  return Answering(question, models, found).answer(threads);
+                          const base::ManyParts& how) {
+  return Answering(question, models, found, how).answer();
 }
 
 }  // namespace rocking::infer

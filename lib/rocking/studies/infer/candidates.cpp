@@ -9,7 +9,6 @@ namespace rocking::infer {
 namespace {
 
 constexpr std::uint64_t candidate_sets = std::uint64_t{1} << 40U;
-constexpr std::size_t truths = 200;
 
 double entropy(const Eigen::VectorXd& weights) {
   double sum = 0.0;
@@ -32,7 +31,8 @@ struct Support {
   Eigen::VectorXd weights;
 };
 
-Support support_of(const ShareModel& candidate, const Lattice& lattice, const Eigen::VectorXd& all_weights) {
+Support support_of(const ShareModel& candidate, const Lattice& lattice, const Eigen::VectorXd& all_weights,
+                   base::StopRequest stop) {
   const double least = 1e-6 * all_weights.maxCoeff();
   const Eigen::Index n = (all_weights.array() >= least).count();
   Support support{.points = Eigen::MatrixXd(n, static_cast<Eigen::Index>(lattice.axes())),
@@ -41,6 +41,7 @@ Support support_of(const ShareModel& candidate, const Lattice& lattice, const Ei
   Eigen::Index row = 0;
   for (Eigen::Index i = 0; i < all_weights.size(); ++i) {
     if (all_weights[i] < least) continue;
+    stop.check();
     const Eigen::VectorXd point = lattice.point(static_cast<std::size_t>(i));
     support.points.row(row) = point.transpose();
     support.log_shares.row(row) = candidate.log_shares(point).transpose();
@@ -62,9 +63,10 @@ Eigen::Index place_at(const Eigen::VectorXd& weights, double u) {
 
 }  // namespace
 
-CandidateGain gain_of(const ShareModel& candidate, std::uint64_t tests, const Posterior& posterior,
-                      std::uint64_t seed) {
-  const Support support = support_of(candidate, posterior.lattice, posterior.weights);
+CandidateGain gain_of(const ShareModel& candidate, std::uint64_t tests, const Posterior& posterior, std::uint64_t seed,
+                      const base::ManyParts& how) {
+  constexpr std::size_t truths = sets_of_candidate;
+  const Support support = support_of(candidate, posterior.lattice, posterior.weights, how.stop);
   const Eigen::VectorXd present = deviations(support.points, support.weights);
   double entropies = 0.0;
   Eigen::VectorXd expected = Eigen::VectorXd::Zero(present.size());
@@ -72,7 +74,7 @@ CandidateGain gain_of(const ShareModel& candidate, std::uint64_t tests, const Po
     const std::uint64_t set = candidate_sets + truth;
     const double u = random::Draws(seed, set).uniform(random::Source::inference_counts, tests);
     const Eigen::VectorXd point = support.points.row(place_at(support.weights, u)).transpose();
-    const Eigen::VectorXd counts = made_up_tests({&candidate, 1}, {tests}, point, seed, set, 1);
+    const Eigen::VectorXd counts = made_up_tests({&candidate, 1}, {tests}, point, {seed, set, 1}, how);
     Eigen::VectorXd logarithms = support.log_shares * counts;
     logarithms.array() -= logarithms.maxCoeff();
     Eigen::VectorXd after = support.weights.cwiseProduct(logarithms.array().exp().matrix());

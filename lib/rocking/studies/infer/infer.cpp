@@ -1,14 +1,13 @@
 #include "rocking/studies/infer/infer.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <optional>
 #include <utility>
 
 #include <boost/math/distributions/chi_squared.hpp>
 
-#include "rocking/base/on_threads.hpp"
+#include "rocking/base/many_parts.hpp"
 #include "rocking/studies/infer/answer.hpp"
 #include "rocking/studies/infer/design.hpp"
 #include "rocking/studies/infer/posterior.hpp"
@@ -26,42 +25,43 @@ constexpr double small_move = 0.1;
 
 /// Of the conditions, candidates last. `former`: of a part of the design; may be empty.
 std::vector<ShareModel> models_of(const std::vector<Eigen::VectorXd>& points, const std::vector<DesignPoint>& design,
-                                  const std::vector<ShareModel>& former, unsigned threads) {
+                                  const std::vector<ShareModel>& former, const base::ManyParts& how) {
   const std::size_t conditions = design.front().counts.size();
   Eigen::MatrixXd rows(static_cast<Eigen::Index>(points.size()), points.front().size());
   for (std::size_t i = 0; i < points.size(); ++i) rows.row(static_cast<Eigen::Index>(i)) = points[i].transpose();
   std::vector<std::optional<ShareModel>> fitted(conditions);
-  std::atomic<std::size_t> next = 0;
-  base::on_threads(
-      std::min(threads, static_cast<unsigned>(conditions)),
-      [&](unsigned) {
-        for (std::size_t c = next++; c < conditions; c = next++) {
-          std::vector<std::vector<std::uint64_t>> counts;
-          for (const DesignPoint& point : design) counts.push_back(point.counts[c]);
-          fitted[c].emplace(rows, counts, former.empty() ? nullptr : &former[c]);
-        }
-      },
-      [&] { next = conditions; });
+  base::for_each_part({.threads = how.threads, .stop = how.stop}, conditions, [&](std::size_t c) {
+    std::vector<std::vector<std::uint64_t>> counts;
+    for (const DesignPoint& point : design) counts.push_back(point.counts[c]);
+    fitted[c].emplace(rows, counts, former.empty() ? nullptr : &former[c], how.stop);
+  });
   std::vector<ShareModel> models;
   for (auto& model : fitted) models.push_back(*std::move(model));
   return models;
 }
 
-Survey survey_of(const InferenceQuestion& question, const std::vector<ShareModel>& models) {
+Survey survey_of(const InferenceQuestion& question, const std::vector<ShareModel>& models, base::StopRequest stop) {
   const auto tested = static_cast<std::ptrdiff_t>(question.tests.conditions.size());
   std::vector<std::vector<std::uint64_t>> counts;
   for (const TestedCondition& condition : question.tests.conditions) counts.push_back(condition.counts);
-  return survey({models.begin(), models.begin() + tested}, in_one_row(counts));
+  return survey({models.begin(), models.begin() + tested}, in_one_row(counts), stop);
 }
 
 class Study {
  public:
   Study(const InferenceQuestion& question, const InferenceSettings& settings)
-      : question_(&question), settings_(&settings), scale_(question.unknowns) {}
+      : question_(&question),
+        settings_(&settings),
+        how_{.threads = settings.threads, .stop = settings.stop, .on_part = settings.on_made_up},
+        scale_(question.unknowns) {}
 
   [[nodiscard]] Inference inference() {
-    if (extend(first_design(question_->unknowns.size()))) refine();
-    return inference_from(*question_, std::move(design_), end_, settings_->threads);
+    try {
+      if (extend(first_design(question_->unknowns.size()))) refine();
+      return inference_from(*question_, design_, end_, how_);
+    } catch (const base::Stopped&) {
+      return inference_from(*question_, std::move(design_), InferEnd::stopped, how_);
+    }
   }
 
  private:
@@ -102,19 +102,14 @@ class Study {
     }
     CountsAtPoints found;
     if (!missing.empty()) {
-      if (settings_->stop.is_made())
-        end_ = InferEnd::stopped;
-      else if (!has_time())
+      settings_->stop.check();
+      if (!has_time()) {
         end_ = InferEnd::out_of_time;
-      if (end_ != InferEnd::settled) return false;
-      try {
-        const double start = elapsed();
-        found = question_->simulate(missing);
-        longest_ = std::max(longest_, elapsed() - start);
-      } catch (const base::Stopped&) {
-        end_ = InferEnd::stopped;
         return false;
       }
+      const double start = elapsed();
+      found = question_->simulate(missing);
+      longest_ = std::max(longest_, elapsed() - start);
     }
     auto next = found.begin();
     for (const std::vector<double>& at : values) {
@@ -135,8 +130,8 @@ class Study {
 
   /// Fits the models to the design.
   void look() {
-    models_ = models_of(points_, design_, models_, settings_->threads);
-    found_.emplace(survey_of(*question_, models_));
+    models_ = models_of(points_, design_, models_, how_);
+    found_.emplace(survey_of(*question_, models_, how_.stop));
   }
 
   /// In the unit cube, by the asymptotic limit.
@@ -165,6 +160,7 @@ class Study {
 
   const InferenceQuestion* question_;
   const InferenceSettings* settings_;
+  base::ManyParts how_;
   Scale scale_;
   std::vector<Eigen::VectorXd> points_;  ///< of the design, in the unit cube
   std::vector<ShareModel> models_;       ///< by condition
@@ -198,7 +194,7 @@ std::string_view to_string(InferEnd end) {
 }
 
 Inference inference_from(const InferenceQuestion& question, std::vector<infer::DesignPoint> design, InferEnd end,
-                         unsigned threads) {
+                         const base::ManyParts& how) {
   Inference result{.design = std::move(design), .answer = {}, .end = end};
   std::vector<Eigen::VectorXd> points;
   const infer::Scale scale(question.unknowns);
@@ -208,11 +204,14 @@ Inference inference_from(const InferenceQuestion& question, std::vector<infer::D
       for (const std::uint64_t count : of_condition) result.realisations += count;
     }
   }
-  if (points.size() < infer::first_design(question.unknowns.size()).size()) return result;
-  const std::vector<infer::ShareModel> models = infer::models_of(points, result.design, {}, threads);
-  result.answer = infer::answer_of(question, models, infer::survey_of(question, models), threads);
+  const bool has_first_design = points.size() >= infer::first_design(question.unknowns.size()).size();
+  if (!has_first_design || end == InferEnd::stopped) return result;
+  const std::vector<infer::ShareModel> models = infer::models_of(points, result.design, {}, how);
+  result.answer = infer::answer_of(question, models, infer::survey_of(question, models, how.stop), how);
   return result;
 }
+
+std::uint64_t made_up_sets(const InferenceQuestion& question) { return infer::sets_of_answer(question); }
 
 void check_priors(const std::vector<Unknown>& unknowns) { static_cast<void>(infer::reach_of_priors(unknowns)); }
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "rocking/base/many_parts.hpp"
 #include "rocking/base/stop_request.hpp"
 #include "rocking/scene/counted_tests.hpp"
 #include "rocking/studies/infer/inference.hpp"
@@ -34,20 +35,27 @@ struct InferenceSettings {
   /// Points of an earlier call with the same question, in its order: they are not simulated again.
   std::vector<infer::DesignPoint> earlier = {};
   base::StopRequest stop = {};
+  /// Called after each data set that is made up for the answer, by one thread at a time.
+  std::function<void()> on_made_up = {};
 };
 
 /// Throws base::InputError if a prior has no weight in the range of its unknown.
 void check_priors(const std::vector<Unknown>& unknowns);
 
 /// The answer of the tests. Points are added to the design until no interval moves by more than a tenth of its width.
-/// It does not depend on the number of threads. When it is asked to stop, it answers from the points that are finished.
+/// It does not depend on the number of threads. When it is asked to stop, it returns the points that are finished,
+/// without an answer.
 ///
 /// Throws as check_priors.
 [[nodiscard]] Inference infer_unknowns(const InferenceQuestion& question, const InferenceSettings& settings);
 
 /// The same from a design, whose last points were not followed by others for the reason `end`: answered if the first
-/// design is finished. It depends on these arguments alone, but for `threads`, on which it runs.
+/// design is finished, and `end` is not that it was stopped. It depends on these arguments alone, but for `how`, of which
+/// a made-up data set is a part. Throws base::Stopped if it is asked to stop.
 [[nodiscard]] Inference inference_from(const InferenceQuestion& question, std::vector<infer::DesignPoint> design,
-                                       InferEnd end, unsigned threads);
+                                       InferEnd end, const base::ManyParts& how);
+
+/// Data sets that are made up for an answer.
+[[nodiscard]] std::uint64_t made_up_sets(const InferenceQuestion& question);
 
 }  // namespace rocking

@@ -80,7 +80,7 @@ enum class InferEnd : std::uint8_t {
 };
 [[nodiscard]] std::string_view to_string(InferEnd end);
 
-/// The answer, once the first design is finished.
+/// The answer, once the first design is finished and unless it was stopped.
 struct InferenceAnswer {
   std::vector<UnknownAnswer> unknowns;
   std::vector<infer::RegionPoint> region;  ///< points of a grid in the joint region
@@ -93,7 +93,7 @@ struct InferenceAnswer {
 
 struct Inference {
   std::vector<infer::DesignPoint> design;
-  std::optional<InferenceAnswer> answer;  ///< absent if the first design was not finished
+  std::optional<InferenceAnswer> answer;  ///< absent if the first design was not finished, or if it was stopped
   std::uint64_t realisations = 0;         ///< of all points and conditions
   InferEnd end = InferEnd::settled;
 };

@@ -1,5 +1,6 @@
 #include "rocking/studies/infer/likelihood.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -15,15 +16,28 @@ Counts in_one_row(const std::vector<std::vector<std::uint64_t>>& counts) {
   return row;
 }
 
-Likelihood::Likelihood(const std::vector<ShareModel>& models, Lattice lattice) : lattice_(std::move(lattice)) {
+Likelihood::Likelihood(const std::vector<ShareModel>& models, Lattice lattice, base::StopRequest stop)
+    : lattice_(std::move(lattice)), stop_(stop) {
   const auto groups = static_cast<Eigen::Index>(models.front().groups());
   log_shares_.resize(static_cast<Eigen::Index>(lattice_.size()), groups * static_cast<Eigen::Index>(models.size()));
   for (Eigen::Index i = 0; i < log_shares_.rows(); ++i) {
     const Eigen::VectorXd point = lattice_.point(static_cast<std::size_t>(i));
     for (std::size_t m = 0; m < models.size(); ++m) {
+      stop.check();
       log_shares_.row(i).segment(static_cast<Eigen::Index>(m) * groups, groups) = models[m].log_shares(point);
     }
   }
+}
+
+Eigen::MatrixXd Likelihood::logarithms_of_sets(const Eigen::MatrixXd& sets) const {
+  constexpr Eigen::Index at_once = 32;
+  Eigen::MatrixXd logarithms(log_shares_.rows(), sets.cols());
+  for (Eigen::Index first = 0; first < sets.cols(); first += at_once) {
+    stop_.check();
+    const Eigen::Index number = std::min(at_once, sets.cols() - first);
+    logarithms.middleCols(first, number).noalias() = log_shares_ * sets.middleCols(first, number);
+  }
+  return logarithms;
 }
 
 double log_coefficients(const std::vector<std::vector<std::uint64_t>>& counts) {

@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include "rocking/base/stop_request.hpp"
 #include "rocking/studies/infer/lattice.hpp"
 #include "rocking/studies/infer/share_model.hpp"
 
@@ -18,17 +19,18 @@ using Counts = Eigen::VectorXd;
 /// The multinomial likelihood of any counts at the points of a lattice.
 class Likelihood {
  public:
-  /// `models`: of the tested conditions.
-  Likelihood(const std::vector<ShareModel>& models, Lattice lattice);
+  /// `models`: of the tested conditions. Throws base::Stopped if it is asked to stop.
+  Likelihood(const std::vector<ShareModel>& models, Lattice lattice, base::StopRequest stop = {});
 
   [[nodiscard]] const Lattice& lattice() const { return lattice_; }
   /// Log-likelihood without the multinomial coefficients, at each point.
   [[nodiscard]] Eigen::VectorXd logarithms(const Counts& counts) const { return log_shares_ * counts; }
-  /// The same of several data sets, one in each column.
-  [[nodiscard]] Eigen::MatrixXd logarithms_of_sets(const Eigen::MatrixXd& sets) const { return log_shares_ * sets; }
+  /// The same of several data sets, one in each column. Throws base::Stopped if it is asked to stop.
+  [[nodiscard]] Eigen::MatrixXd logarithms_of_sets(const Eigen::MatrixXd& sets) const;
 
  private:
   Lattice lattice_;
+  base::StopRequest stop_;
   Eigen::MatrixXd log_shares_;  ///< a row for each point; condition by condition, group by group
 };
 

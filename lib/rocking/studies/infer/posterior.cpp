@@ -45,8 +45,8 @@ Posterior weighted(Lattice lattice, const Eigen::VectorXd& logarithms, const std
 }
 
 Posterior on_window(const std::vector<ShareModel>& models, const Counts& counts, const std::vector<Unknown>& unknowns,
-                    Window window) {
-  const Likelihood likelihood(models, Lattice(std::move(window)));
+                    Window window, base::StopRequest stop) {
+  const Likelihood likelihood(models, Lattice(std::move(window)), stop);
   return weighted(likelihood.lattice(), likelihood.logarithms(counts), unknowns);
 }
 
@@ -73,11 +73,11 @@ Window reach_of_priors(const std::vector<Unknown>& unknowns) {
 }
 
 Posterior posterior_of(const std::vector<ShareModel>& models, const Counts& counts,
-                       const std::vector<Unknown>& unknowns, const Survey& found) {
+                       const std::vector<Unknown>& unknowns, const Survey& found, base::StopRequest stop) {
   if (std::ranges::none_of(unknowns, has_prior)) {
     return weighted(found.likelihood.lattice(), found.logarithms, unknowns);
   }
-  Posterior posterior = on_window(models, counts, unknowns, reach_of_priors(unknowns));
+  Posterior posterior = on_window(models, counts, unknowns, reach_of_priors(unknowns), stop);
   constexpr int most_windows = 6;
   for (int i = 1; i < most_windows; ++i) {
     const double least = 1e-6 * posterior.weights.maxCoeff();
@@ -85,7 +85,7 @@ Posterior posterior_of(const std::vector<ShareModel>& models, const Counts& coun
       return posterior.weights[static_cast<Eigen::Index>(point)] >= least;
     });
     if (!is_much_smaller(window, posterior.lattice.window())) break;
-    posterior = on_window(models, counts, unknowns, window);
+    posterior = on_window(models, counts, unknowns, window, stop);
   }
   return posterior;
 }

@@ -21,9 +21,10 @@ struct Posterior {
 /// Throws base::InputError if a prior has none in the range of its unknown.
 [[nodiscard]] Window reach_of_priors(const std::vector<Unknown>& unknowns);
 
-/// `models`: of the tested conditions; `found`: their survey.
+/// `models`: of the tested conditions; `found`: their survey. Throws base::Stopped if it is asked to stop.
 [[nodiscard]] Posterior posterior_of(const std::vector<ShareModel>& models, const Counts& counts,
-                                     const std::vector<Unknown>& unknowns, const Survey& found);
+                                     const std::vector<Unknown>& unknowns, const Survey& found,
+                                     base::StopRequest stop = {});
 
 /// Mean, median and interval with equal tails of an unknown.
 [[nodiscard]] UnknownPosterior summary(const Posterior& posterior, const std::vector<Unknown>& unknowns,

@@ -82,7 +82,7 @@ stats::Interval interval_below(const Lattice& lattice, std::size_t axis, const E
 Eigen::VectorXd profile_limits(const Likelihood& likelihood, std::size_t axis, const Eigen::VectorXd& deviances,
                                const MakeUp& make_up, double confidence) {
   const auto n = static_cast<Eigen::Index>(likelihood.lattice().points_on_axis());
-  constexpr Eigen::Index parts = 20;
+  constexpr Eigen::Index parts = places_of_limits - 1;
   Eigen::VectorXd limits(n);
   Eigen::Index before = 0;
   for (Eigen::Index part = 0; part <= parts; ++part) {

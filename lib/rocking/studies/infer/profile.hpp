@@ -31,6 +31,9 @@ using MakeUp = std::function<Eigen::MatrixXd(const Eigen::VectorXd& point)>;
                                              const Eigen::VectorXd& deviances, const MakeUp& make_up,
                                              double confidence);
 
+/// The places at which profile_limits makes up data sets.
+inline constexpr int places_of_limits = 21;
+
 /// Quantile at `confidence` of the deviance at a point, over data sets made up there, but at least the limit of a
 /// parameter on its bound: the limit of the joint region. `logarithms`: of the likelihood of each set, in a column.
 [[nodiscard]] double region_limit(const Eigen::MatrixXd& logarithms, std::size_t point, double confidence);

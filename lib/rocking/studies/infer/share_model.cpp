@@ -25,7 +25,7 @@ double log_share(double log_odds) { return std::min(log_odds, 0.0) - std::log1p(
 }  // namespace
 
 ShareModel::ShareModel(const Eigen::MatrixXd& points, const std::vector<std::vector<std::uint64_t>>& counts,
-                       const ShareModel* former)
+                       const ShareModel* former, base::StopRequest stop)
     : order_(by_frequency(counts)), unknowns_(static_cast<std::size_t>(points.cols())) {
   std::vector<std::uint64_t> left;
   for (const auto& at_point : counts) {
@@ -39,8 +39,8 @@ ShareModel::ShareModel(const Eigen::MatrixXd& points, const std::vector<std::vec
       left[j] -= counts[j][order_[i]];
     }
     const bool is_known = former != nullptr && former->order_ == order_;
-    processes_.push_back(
-        stats::BinomialProcess::fit(points, taken, is_known ? former->processes_[i].scales() : stats::ProcessScales{}));
+    processes_.push_back(stats::BinomialProcess::fit(
+        points, taken, is_known ? former->processes_[i].scales() : stats::ProcessScales{}, stop));
   }
 }
 
@@ -56,20 +56,29 @@ Eigen::VectorXd ShareModel::log_shares(const Eigen::VectorXd& point) const {
   return shares;
 }
 
-Eigen::VectorXd ShareModel::uncertain_shares(const Eigen::VectorXd& point, std::span<const double> numbers) const {
-  Eigen::VectorXd shares(static_cast<Eigen::Index>(order_.size()));
-  double left = 1.0;
+UncertainShares ShareModel::uncertain_shares(const Eigen::VectorXd& point) const {
+  UncertainShares shares{.groups = {}, .last = order_.back(), .realisations = realisations_};
   for (std::size_t i = 0; i < processes_.size(); ++i) {
     const stats::LogOdds log_odds = processes_[i].at(point);
     const double share = std::exp(log_share(log_odds.mean));
-    const double of_process = 0.5 * std::sqrt(share * (1.0 - share)) * log_odds.deviation;
-    const double of_one_point = 0.5 / std::sqrt(std::max(realisations_ * left, 1.0));
-    const double angle = std::asin(std::sqrt(share)) + numbers[i] * std::max(of_process, of_one_point);
-    const double moved = std::pow(std::sin(std::clamp(angle, 0.0, std::asin(1.0))), 2);
-    shares[static_cast<Eigen::Index>(order_[i])] = left * moved;
-    left *= 1.0 - moved;
+    shares.groups.push_back({.group = order_[i],
+                             .angle = std::asin(std::sqrt(share)),
+                             .error = 0.5 * std::sqrt(share * (1.0 - share)) * log_odds.deviation});
   }
-  shares[static_cast<Eigen::Index>(order_.back())] = left;
+  return shares;
+}
+
+Eigen::VectorXd UncertainShares::moved(std::span<const double> numbers) const {
+  Eigen::VectorXd shares(static_cast<Eigen::Index>(groups.size() + 1));
+  double left = 1.0;
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    const double of_one_point = 0.5 / std::sqrt(std::max(realisations * left, 1.0));
+    const double angle = groups[i].angle + numbers[i] * std::max(groups[i].error, of_one_point);
+    const double share = std::pow(std::sin(std::clamp(angle, 0.0, std::asin(1.0))), 2);
+    shares[static_cast<Eigen::Index>(groups[i].group)] = left * share;
+    left *= 1.0 - share;
+  }
+  shares[static_cast<Eigen::Index>(last)] = left;
   return shares;
 }
 

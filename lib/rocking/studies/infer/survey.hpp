@@ -38,8 +38,8 @@ struct Survey {
   Eigen::VectorXd deviances;
 };
 
-/// `models`: of the tested conditions.
-[[nodiscard]] Survey survey(const std::vector<ShareModel>& models, const Counts& counts);
+/// `models`: of the tested conditions. Throws base::Stopped if it is asked to stop.
+[[nodiscard]] Survey survey(const std::vector<ShareModel>& models, const Counts& counts, base::StopRequest stop = {});
 
 /// Whether a smaller window is worth another lattice.
 [[nodiscard]] bool is_much_smaller(const Window& window, const Window& present);

@@ -2,10 +2,12 @@
 
 #include "rocking/studies/infer/likelihood.hpp"
 
+#include <atomic>
 #include <cmath>
 
 #include <gtest/gtest.h>
 
+#include "rocking/base/stop_request.hpp"
 #include "rocking/studies/infer/made_up_tests.hpp"
 #include "support/made_up_campaign.hpp"
 
@@ -55,13 +57,14 @@ TEST(InferShares, OfAGroupThatNeverOccursAreSmallAndFinite) {
 TEST(InferShares, AreMovedByTheirErrorAndStayShares) {
   const ShareModel shares = flat({60, 30, 10});
   const std::vector<double> none(3, 0.0);
-  EXPECT_TRUE(shares.uncertain_shares(at(0.3), none).isApprox(shares.log_shares(at(0.3)).array().exp().matrix(), 1e-9));
+  EXPECT_TRUE(
+      shares.uncertain_shares(at(0.3)).moved(none).isApprox(shares.log_shares(at(0.3)).array().exp().matrix(), 1e-9));
   for (const double number : {-8.0, -1.0, 1.0, 8.0}) {
-    const Eigen::VectorXd moved = shares.uncertain_shares(at(0.3), std::vector<double>(3, number));
+    const Eigen::VectorXd moved = shares.uncertain_shares(at(0.3)).moved(std::vector<double>(3, number));
     EXPECT_NEAR(moved.sum(), 1.0, 1e-12);
     EXPECT_GE(moved.minCoeff(), 0.0);
   }
-  const double up = shares.uncertain_shares(at(0.3), std::vector{1.0, 0.0, 0.0})[0];
+  const double up = shares.uncertain_shares(at(0.3)).moved(std::vector{1.0, 0.0, 0.0})[0];
   EXPECT_NEAR(up - 0.6, std::sqrt(0.6 * 0.4 / 100.0), 0.003);
 }
 
@@ -91,7 +94,7 @@ TEST(InferBestPoint, IsTheMiddleWhereNothingCanBeTold) {
 
 TEST(MadeUpTests, HaveTheTotalsAndTheSharesOfTheirConditions) {
   const std::vector<ShareModel> models{flat({600000, 300000, 100000}), flat({0, 500000, 500000})};
-  const Eigen::MatrixXd sets = made_up_tests(models, {10, 7}, at(0.2), 3, 0, 600);
+  const Eigen::MatrixXd sets = made_up_tests(models, {10, 7}, at(0.2), {3, 0, 600});
   ASSERT_EQ(sets.rows(), 6);
   for (Eigen::Index set = 0; set < sets.cols(); ++set) {
     EXPECT_EQ(sets.col(set).head(3).sum(), 10.0);
@@ -108,30 +111,66 @@ TEST(MadeUpTests, HaveTheTotalsAndTheSharesOfTheirConditions) {
 
 TEST(MadeUpTests, OfConditionsAreIndependent) {
   const ShareModel shares = flat({500000, 500000});
-  const Eigen::MatrixXd sets = made_up_tests(std::vector{shares, shares}, {10, 10}, at(0.2), 3, 0, 400);
+  const Eigen::MatrixXd sets = made_up_tests(std::vector{shares, shares}, {10, 10}, at(0.2), {3, 0, 400});
   const double product = ((sets.row(0).array() - 5.0) * (sets.row(2).array() - 5.0)).mean();
   EXPECT_NEAR(product, 0.0, 0.8);  // the same tests: 2.5
 }
 
 TEST(MadeUpTests, HaveTheErrorOfTheRealisationsInThem) {
   const std::vector<ShareModel> models{flat({30, 20})};
-  const Eigen::MatrixXd shares = made_up_tests(models, {1000}, at(0.5), 3, 0, 300) / 1000.0;
+  const Eigen::MatrixXd shares = made_up_tests(models, {1000}, at(0.5), {3, 0, 300}) / 1000.0;
   const double variance = (shares.row(0).array() - shares.row(0).mean()).square().mean();
   EXPECT_NEAR(variance, 0.6 * 0.4 * (1.0 / 50 + 1.0 / 1000), 0.0015);
   // Errors of four conditions may be alike.
   const Eigen::MatrixXd of_four =
-      made_up_tests(std::vector(4, models[0]), {1000, 0, 0, 0}, at(0.5), 3, 0, 300) / 1000.0;
+      made_up_tests(std::vector(4, models[0]), {1000, 0, 0, 0}, at(0.5), {3, 0, 300}) / 1000.0;
   const double widened = (of_four.row(0).array() - of_four.row(0).mean()).square().mean();
   EXPECT_NEAR(widened, 0.6 * 0.4 * (4.0 / 50 + 1.0 / 1000), 0.006);
 }
 
+TEST(MadeUpTests, OfAMillionHaveTheirTotalsAndShares) {
+  const std::vector<ShareModel> models{flat({600000, 300000, 100000}), flat({0, 500000, 500000})};
+  const Eigen::MatrixXd sets = made_up_tests(models, {1000000, 101}, at(0.2), {3, 0, 50});
+  for (Eigen::Index set = 0; set < sets.cols(); ++set) {
+    EXPECT_EQ(sets.col(set).head(3).sum(), 1e6);
+    EXPECT_EQ(sets.col(set).tail(3).sum(), 101.0);
+    // The variance of a share is that of the tests and, widened for two conditions, that of the realisations.
+    EXPECT_NEAR(sets(0, set), 6e5, 6.0 * std::sqrt(3e6 * 0.6 * 0.4));
+    EXPECT_NEAR(sets(2, set), 1e5, 6.0 * std::sqrt(3e6 * 0.1 * 0.9));
+  }
+  EXPECT_NE(sets(0, 0), sets(0, 1));
+}
+
+TEST(MadeUpTests, StopWhenTheyAreAskedTo) {
+  const std::vector<ShareModel> models{flat({30, 20})};
+  std::atomic<bool> stop = false;
+  int sets = 0;
+  const auto count = [&] { stop = ++sets == 3; };
+  EXPECT_THROW(static_cast<void>(made_up_tests(models, {1000}, at(0.5), {3, 0, 300},
+                                               {.stop = base::StopRequest(&stop), .on_part = count})),
+               base::Stopped);
+  EXPECT_EQ(sets, 3);
+}
+
+TEST(InferLikelihood, StopsWhenItIsAskedTo) {
+  const std::vector<ShareModel> models{flat({30, 20})};
+  const std::vector<std::vector<std::uint64_t>> counts(5, {30, 20});
+  std::atomic<bool> stop = false;
+  const base::StopRequest asked(&stop);
+  const Likelihood likelihood(models, Lattice({.low = at(0.0), .high = at(1.0)}), asked);
+  stop = true;
+  EXPECT_THROW(static_cast<void>(likelihood.logarithms_of_sets(Eigen::MatrixXd::Zero(2, 5))), base::Stopped);
+  EXPECT_THROW(Likelihood(models, likelihood.lattice(), asked), base::Stopped);
+  EXPECT_THROW(ShareModel(Eigen::VectorXd::LinSpaced(5, 0.0, 1.0), counts, nullptr, asked), base::Stopped);
+}
+
 TEST(MadeUpTests, DependOnTheNumberOfTheirSet) {
   const std::vector<ShareModel> models{flat({30, 20, 50})};
-  const Eigen::MatrixXd all = made_up_tests(models, {20}, at(0.5), 3, 0, 6);
-  EXPECT_EQ(made_up_tests(models, {20}, at(0.5), 3, 4, 2), all.rightCols(2));
+  const Eigen::MatrixXd all = made_up_tests(models, {20}, at(0.5), {3, 0, 6});
+  EXPECT_EQ(made_up_tests(models, {20}, at(0.5), {3, 4, 2}), all.rightCols(2));
   EXPECT_NE(all.col(0), all.col(1));
-  EXPECT_NE(made_up_tests(models, {20}, at(0.5), 4, 0, 6), all);
-  EXPECT_EQ(made_up_tests(models, {0}, at(0.5), 3, 0, 2), Eigen::MatrixXd::Zero(3, 2));
+  EXPECT_NE(made_up_tests(models, {20}, at(0.5), {4, 0, 6}), all);
+  EXPECT_EQ(made_up_tests(models, {0}, at(0.5), {3, 0, 2}), Eigen::MatrixXd::Zero(3, 2));
 }
 
 }  // namespace

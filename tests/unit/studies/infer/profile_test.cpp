@@ -92,7 +92,10 @@ TEST(InferLimits, AreThoseOfChiSquareWithinAndOfABoundOnTheBounds) {
   const Eigen::VectorXd deviances_of = deviances(likelihood.logarithms(Eigen::Vector2d(200.0, 200.0)));
   const Eigen::VectorXd limits = profile_limits(
       likelihood, 0, deviances_of,
-      [&](const Eigen::VectorXd& point) { return made_up_tests(models, {tests}, point, 5, 0, 399); }, 0.95);
+      [&](const Eigen::VectorXd& point) {
+        return made_up_tests(models, {tests}, point, {5, 0, 399});
+      },
+      0.95);
   EXPECT_NEAR(limits.segment(100, 201).mean(), 3.84, 1.3);
   EXPECT_NEAR(limits[0], 2.71, 1.0);
   EXPECT_NEAR(limits[400], 2.71, 1.0);
@@ -105,7 +108,7 @@ TEST(InferLimits, AreWiderWithFewRealisations) {
   const Likelihood likelihood(models, between(0.0, 1.0));
   const Eigen::VectorXd middle = Eigen::VectorXd::Constant(1, 0.5);
   const auto limit = [&](std::uint64_t tests) {
-    const Eigen::MatrixXd sets = made_up_tests(models, {tests}, middle, 5, 0, 399);
+    const Eigen::MatrixXd sets = made_up_tests(models, {tests}, middle, {5, 0, 399});
     return region_limit(likelihood.logarithms_of_sets(sets), 200, 0.95);
   };
   EXPECT_LT(limit(10), 6.5);

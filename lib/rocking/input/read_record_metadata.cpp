@@ -13,7 +13,8 @@
 namespace rocking {
 namespace {
 
-constexpr std::size_t most_problems = 20;
+constexpr std::size_t most_faults = 20;
+constexpr double largest_magnitude = 10.0;  // the largest earthquake ever recorded had 9.5
 constexpr std::array<std::string_view, 3> columns{"file", "magnitude", "distance_km"};
 
 std::string_view trimmed(std::string_view text) {
@@ -50,7 +51,7 @@ class MetadataReader {
 
   std::vector<RecordMetadata> read(std::string_view text) {
     if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
-    while (!text.empty() && problems_.size() < most_problems) {
+    while (!text.empty() && problems_.size() < most_faults) {
       ++line_;
       const std::size_t end = text.find('\n');
       const std::vector<std::string> values = values_in(text.substr(0, end));
@@ -96,10 +97,13 @@ class MetadataReader {
         record.file = values[i];
         continue;
       }
+      if (values[i].empty()) continue;  // not known
       const auto number = number_in(values[i]);
       if (!number) return reject(values[i], "is not a number", "give the " + header_[i] + " as a number");
-      if (header_[i] == "distance_km" && !(*number > 0.0)) {
-        return reject(values[i], "must be positive", "give the distance in km");
+      const bool is_magnitude = header_[i] == "magnitude";
+      if (is_magnitude ? !(*number >= 0.0 && *number <= largest_magnitude) : !(*number > 0.0)) {
+        return reject(values[i], is_magnitude ? "is not a magnitude from 0 to 10" : "must be positive",
+                      "give the " + header_[i] + "; leave the place between the commas empty if it is not known");
       }
       (header_[i] == "magnitude" ? record.magnitude : record.distance_km) = *number;
     }

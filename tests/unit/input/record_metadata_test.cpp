@@ -27,6 +27,7 @@ TEST(RecordMetadata, AreReadByTheirColumns) {
   EXPECT_EQ(found[0].magnitude, 6.5);
   EXPECT_EQ(found[1].distance_km, 3.5);
   EXPECT_FALSE(read_record_metadata("file,magnitude\na.at2,6\n", "m.csv")[0].distance_km);
+  EXPECT_FALSE(read_record_metadata("file,magnitude\na.at2,\n", "m.csv")[0].magnitude) << "not known";
 }
 
 TEST(RecordMetadata, AreRefusedWithLineValueAndRemedy) {
@@ -39,6 +40,10 @@ TEST(RecordMetadata, AreRefusedWithLineValueAndRemedy) {
   EXPECT_THAT(metadata_complaint(header + "a,6\n"), HasSubstr("line 2 = 2 values: do not fit the columns"));
   EXPECT_THAT(metadata_complaint(header + "a,six,10\n"), HasSubstr("line 2 = six: is not a number"));
   EXPECT_THAT(metadata_complaint(header + "a,6,0\n"), HasSubstr("must be positive"));
+  for (const char* missing : {"-999", "-9", "-99", "99", "11"}) {
+    EXPECT_THAT(metadata_complaint(header + "a," + missing + ",10\n"), HasSubstr("is not a magnitude from 0 to 10"));
+  }
+  EXPECT_THAT(metadata_complaint(header + "a,6,-999\n"), HasSubstr("must be positive"));
   EXPECT_THAT(metadata_complaint(header + "a,6,1\nb,inf,1\na,6,1\n"), HasSubstr("line 4 = a: stands twice"));
 }
 

@@ -21,7 +21,8 @@ STICK_SLIP = {"static": 0.40, "kinetic": 0.35}
 HARMONIC = {"amplitude": 4.5, "frequency_ratio": 10.0}
 STRONGER = {"amplitude": 7.0, "frequency_ratio": 10.0}
 RECORDED = {"kind": "recorded", "file": "sine.txt", "frequency_ratio": 10.0}
-WITH_VERTICAL = {"kind": "recorded", "file": "sine_with_vertical.txt", "frequency_ratio": 10.0}
+WITH_VERTICAL = {"kind": "recorded", "file": "sine_with_vertical.txt", "columns": ["time", "horizontal", "vertical"],
+                 "frequency_ratio": 10.0}
 FRICTION_SCATTER = {"static_friction": {"sigma": 0.03}, "kinetic_friction": {"sigma": 0.03}}
 OTHER_SCATTER = {"restitution": {"sigma": 0.05}, "amplitude": {"sigma": 0.2}}
 SCENES = {

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <system_error>
@@ -40,7 +41,22 @@ GroundMotionRequest asked(const MotionRequest& request) {
   return asked;
 }
 
+/// The names of columns end at the first word that is none; the others are files.
+void part_columns_from_files(GroundMotionRequest& request) {
+  const auto is_name = [](const std::string& word) {
+    return std::ranges::find(record_column_names, word) != record_column_names.end();
+  };
+  const auto first_file = std::ranges::find_if_not(request.columns, is_name);
+  if (first_file == request.columns.begin() && !request.columns.empty()) {
+    throw UsageError(fmt::format("--columns {}: give time, horizontal, vertical, other, in the order of the file",
+                                 request.columns.front()));
+  }
+  request.files.insert(request.files.end(), first_file, request.columns.end());
+  request.columns.erase(first_file, request.columns.end());
+}
+
 void check_usage(const GroundMotionRequest& request) {
+  if (request.files.empty()) throw UsageError("FILE is required");
   if (request.format == "columns" && !request.units) {
     throw UsageError("--format columns: does not state the unit of the accelerations; add --units " +
                      record_units_in_words());
@@ -66,7 +82,8 @@ void tell_warnings(const std::vector<MeasuredMotion>& motions) {
   }
 }
 
-ExitCode motion(const MotionRequest& request) {
+ExitCode motion(MotionRequest request) {
+  part_columns_from_files(request.motions);
   check_usage(request.motions);
   const analysis::FigureLook look = look_for(request.style);
   const GroundMotionRequest wanted = asked(request);
@@ -105,6 +122,11 @@ void add_reading_options(CLI::App& command, GroundMotionRequest& request) {
   command.add_option("--time-step", request.time_step, "Of columns without times [s]")
       ->check(number(1e-9, 1e6))
       ->type_name("DT");
+  command
+      .add_option("--columns", request.columns,
+                  "What the columns of a file of numbers are: time, horizontal, vertical, other")
+      ->delimiter(',')
+      ->type_name("NAME...");
   command.add_option("--vertical", request.vertical, "File with the vertical component")->type_name("FILE");
   command.add_option("--gravity", request.question.gravity, "What 1 g is [m/s^2]")
       ->check(number(1e-6, 1e6))
@@ -122,7 +144,7 @@ void add_motion(CLI::App& app, Action& action) {
       "prints what was read, peak acceleration, velocity and displacement, Arias intensity, cumulative absolute "
       "velocity, significant duration, the response spectrum, and the least scale at which the block rocks; draws the "
       "motion and its spectra into the folder out.");
-  command->add_option("FILE", request->motions.files, "Ground motions")->required();
+  command->add_option("FILE", request->motions.files, "Ground motions");
   add_reading_options(*command, request->motions);
   command->add_option("--periods", request->motions.question.periods, "Periods of the response spectrum [s]")
       ->check(number(1e-3, 1e3))

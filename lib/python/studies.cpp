@@ -95,14 +95,15 @@ Cost cost_of(const Experiment& experiment, double seconds, std::optional<std::ui
 }
 
 std::string motion_text_of(std::vector<std::string> files, std::optional<std::string> vertical, std::string format,
-                           std::optional<std::string> units, std::optional<double> time_step, double gravity,
-                           double damping, std::vector<double> periods, bool series,
-                           std::optional<std::pair<double, double>> block) {
+                           std::optional<std::string> units, std::optional<double> time_step,
+                           std::vector<std::string> columns, double gravity, double damping,
+                           std::vector<double> periods, bool series, std::optional<std::pair<double, double>> block) {
   GroundMotionRequest request{.files = std::move(files),
                               .vertical = std::move(vertical),
                               .format = std::move(format),
                               .units = std::move(units),
                               .time_step = time_step,
+                              .columns = std::move(columns),
                               .series = series,
                               .question = {.gravity = gravity, .damping = damping, .periods = std::move(periods)}};
   if (block) request.question.block = dynamics::Block{block->first, block->second, gravity};

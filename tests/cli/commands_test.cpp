@@ -133,6 +133,9 @@ TEST_F(Command, DryRunOfAGroundMotionNamesItAndCountsThePeriodsOfTheStrobe) {
   const std::string horizontal = rocking("run record.json --dry-run").output;
   EXPECT_THAT(horizontal, AllOf(HasSubstr("of the strobe\n"), HasSubstr("recorded horizontal motion of the base")));
   EXPECT_THAT(horizontal, Not(HasSubstr("recorded vertical")));
+  auto with_vertical = recorded_experiment();
+  with_vertical["excitation"]["columns"].push_back("vertical");
+  write("record.json", with_vertical.dump());
   write("pulse.txt", "0.5, 0, 0\n0.7, 2, 1\n");
   EXPECT_THAT(rocking("run record.json --dry-run").output, HasSubstr("recorded vertical motion of the base"));
 }

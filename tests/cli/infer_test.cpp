@@ -219,8 +219,9 @@ TEST_F(Infer, RefusesASuite) {
   write("record1.txt", rocking::support::recorded_pulse());
   write("record2.txt", "0, 0\n0, 1\n0.5, 1\n0.5, 0\n");
   experiment_.erase("horizon");
-  expect_bad_experiment("excitation", Json::parse(R"({"kind": "recorded", "suite": "record*.txt"})"),
-                        "/excitation/suite: gives one test several records; give the record as \"file\"");
+  expect_bad_experiment(
+      "excitation", Json::parse(R"({"kind": "recorded", "suite": "record*.txt", "columns": ["time", "horizontal"]})"),
+      "/excitation/suite: gives one test several records; give the record as \"file\"");
 }
 
 }  // namespace

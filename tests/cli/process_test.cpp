@@ -231,7 +231,11 @@ TEST_F(Process, SaysHowMuchSpaceARunTakes) {
   harmonic["sweep"] = Json::parse(R"([{"parameter": "/excitation/amplitude", "from": 3, "to": 3.299, "step": 1e-3}])");
   auto suite = harmonic;
   suite.erase("horizon");
-  suite["excitation"] = {{"kind", "recorded"}, {"suite", {"a.txt", "b.txt"}}, {"format", "columns"}, {"units", "m/s2"}};
+  suite["excitation"] = {{"kind", "recorded"},
+                         {"suite", {"a.txt", "b.txt"}},
+                         {"format", "columns"},
+                         {"units", "m/s2"},
+                         {"columns", {"time", "horizontal"}}};
   suite["sweep"] = Json::parse(R"([{"parameter": "/excitation/scale", "from": 0.01, "to": 1.5, "step": 0.01}])");
   auto fallen = suite;
   fallen["sweep"][0]["from"] = 6.01;

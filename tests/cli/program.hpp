@@ -85,7 +85,7 @@ class ProgramTest : public ::testing::Test {
 inline Json recorded_experiment() {
   return Json::parse(R"({
     "format": "rocking.experiment/1", "block": { "width_m": 1.0, "height_m": 8.0 },
-    "excitation": { "kind": "recorded", "file": "pulse.txt" },
+    "excitation": { "kind": "recorded", "file": "pulse.txt", "columns": ["time", "horizontal"] },
     "sweep": [ { "parameter": "/excitation/scale", "values": [0.1, 1.0, 10.0] } ] })");
 }
 

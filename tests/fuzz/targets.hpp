@@ -37,7 +37,7 @@ inline std::string made_up_file(const std::string& name, std::size_t) {
   }
   if (name.find("at2") != std::string::npos) return "a\nb\nUNITS OF G\nNPTS= 3, DT= .1 SEC\n .5 -.7\n .4\n";
   if (name.find("vertical") != std::string::npos) return "0 0.5 0\n0.1 6 -3\n0.1 -7 2\n0.5 4 1\n";
-  return name.find("bad") != std::string::npos ? "0 x\n" : "0 0.5\n0.1 6\n0.1 -7\n0.5 4\n";
+  return name.find("bad") != std::string::npos ? "0 x\n" : "0 0.5\n0.1 6\n0.2 -7\n0.3 4\n";
 }
 
 /// Files that a pattern fits: two, unless it is about an absent one.
@@ -73,7 +73,7 @@ inline void try_experiment(std::string_view text) {
 }
 
 /// A ground motion in any format is refused with its problems, or it is valid. The first byte selects whether a time
-/// step, and whether a format or a unit is given.
+/// step, and whether a format, a unit or columns are given.
 inline void try_record(std::string_view text) {
   if (text.empty()) return;
   GroundMotionReading how{.name = "record.txt", .time_step = {}, .gravity = 9.81};
@@ -84,6 +84,10 @@ inline void try_record(std::string_view text) {
     how.unit = static_cast<RecordUnit>(place % record_unit_names.size());
   } else if (place % 4 != 0) {
     how.format = static_cast<RecordFormat>(place % 4 - 1);
+  }
+  if (choice >= 'A' && choice <= 'Z') {
+    how.columns = {how.time_step ? RecordColumn::other : RecordColumn::time, RecordColumn::horizontal,
+                   RecordColumn::vertical};
   }
   Problems problems;
   const auto motion = read_ground_motion(text.substr(1), how, problems);

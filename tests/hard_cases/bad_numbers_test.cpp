@@ -55,7 +55,8 @@ std::vector<Json> full_experiments() {
     "sweep": [ { "parameter": "/excitation/amplitude", "values": [1.0, 2.0] } ] })"),
           parse(R"({
     "format": "rocking.experiment/1", "block": { "width_m": 1.0, "height_m": 4.0, "gravity_m_s2": 9.81 },
-    "excitation": { "kind": "recorded", "file": "any", "scale": 1.5, "time_step_s": 0.1, "frequency_ratio": 10.0 },
+    "excitation": { "kind": "recorded", "file": "any", "scale": 1.5, "time_step_s": 0.1, "columns": ["horizontal", "vertical"],
+                    "frequency_ratio": 10.0 },
     "friction": { "static": 0.35, "kinetic": 0.30 }, "initial": { "tilt": 0.1 },
     "horizon": { "transient_periods": 2, "sampled_periods": 3 } })")};
 }

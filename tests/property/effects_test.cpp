@@ -85,6 +85,8 @@ Json document_of(const Combination& combination) {
   document["excitation"] = {{"amplitude", 7.0}, {"frequency_ratio", 10.0}};
   if (combination.base != BaseMotion::harmonic) {
     document["excitation"] = {{"kind", "recorded"}, {"file", "pulses.txt"}, {"frequency_ratio", 10.0}};
+    document["excitation"]["columns"] = {"time", "horizontal"};
+    if (combination.base != BaseMotion::recorded) document["excitation"]["columns"].push_back("vertical");
   }
   if (combination.friction) document["friction"] = {{"static", 0.40}, {"kinetic", 0.35}};
   if (combination.static_friction) document["fluctuation"]["static_friction"] = {{"sigma", 0.03}};

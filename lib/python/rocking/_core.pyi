@@ -119,6 +119,7 @@ def motion(
     format: str,
     units: Optional[str],
     time_step: Optional[float],
+    columns: List[str],
     gravity: float,
     damping: float,
     periods: List[float],

@@ -19,6 +19,7 @@ def motion(
     format: str = "auto",
     units: Optional[str] = None,
     time_step: Optional[float] = None,
+    columns: Sequence[str] = (),
     gravity: float = 9.81,
     damping: float = 0.05,
     periods: Sequence[float] = (0.1, 0.2, 0.3, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0, 5.0),
@@ -29,7 +30,9 @@ def motion(
 
     vertical: file with the vertical component of a single file. format: ``auto``, ``columns``, ``peer_at2``,
     ``esm_asc``. units: ``g``, ``m/s2``, ``cm/s2``, ``mm/s2``, ``mg``, ``%g``, ``ft/s2``, ``in/s2``; by default those of
-    the file, or m/s2. time_step: of columns without times [s]. gravity: what 1 g is [m/s^2]. damping, periods [s]: of the
+    the file, or m/s2. time_step: of columns without times [s]. columns: what the columns of a file
+    of numbers are, each ``time``, ``horizontal``, ``vertical`` or ``other``; needed where there are more than a time and
+    an acceleration, or a header. gravity: what 1 g is [m/s^2]. damping, periods [s]: of the
     response spectrum. block: width and height [m] of a block whose least scale of uplift is wanted. series: also the
     motions sample by sample, which draw() needs. Raises InputError with file, line and value of each fault.
 
@@ -51,6 +54,7 @@ def motion(
         format,
         units,
         None if time_step is None else float(time_step),
+        list(columns),
         float(gravity),
         float(damping),
         [float(period) for period in periods],

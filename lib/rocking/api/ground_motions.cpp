@@ -59,6 +59,14 @@ std::vector<MeasuredMotion> motion(const GroundMotionRequest& request) {
                           .gravity = request.question.gravity,
                           .vertical_name = request.vertical.value_or("")};
   if (request.format != "auto") how.format = named<RecordFormat>("format", record_format_choices, request.format);
+  for (const std::string& column : request.columns) {
+    how.columns.push_back(named<RecordColumn>("columns", record_column_names, column));
+  }
+  if (!how.columns.empty()) {
+    if (const auto refusal = refuse_columns(how.columns, how.time_step.has_value())) {
+      refuse("columns", "", refusal->reason + "; " + refusal->remedy);
+    }
+  }
   if (request.units) how.unit = named<RecordUnit>("units", record_unit_names, *request.units);
   GroundMotionFiles files(files_seen_from(""));
   Problems problems;

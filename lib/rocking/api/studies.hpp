@@ -193,6 +193,7 @@ struct GroundMotionRequest {
   std::string format = "auto";                         ///< `auto`, `columns`, `peer_at2`, `esm_asc`
   std::optional<std::string> units = std::nullopt;     ///< as `excitation.units`; absent: that of the file, or m/s^2
   std::optional<double> time_step = std::nullopt;      ///< of columns without times [s], positive
+  std::vector<std::string> columns = {};               ///< as `excitation.columns`; empty: not given
   bool series = false;           ///< the JSON text also has the motions sample by sample, which draw() needs
   MotionQuestion question = {};  ///< 1 g, damping, periods of the response spectrum, block
 };

@@ -94,6 +94,10 @@ class DescribingKeys final : public Keys {
     add(key, with_default(words_schema(names), names[chosen], absent), in_code(names), absent,
         '`' + std::string(names[chosen]) + '`');
   }
+  void words(const Key& key, std::vector<std::size_t>&, std::span<const std::string_view> names) override {
+    add(key, {{"type", "array"}, {"items", words_schema(names)}, {"minItems", 1}}, "list of " + in_code(names),
+        Absent::omitted, "");
+  }
   void restitution(const Key& key, Restitution&, Absent absent) override {
     const Json measured =
         closed_object({{"rate_ratio", quantity_schema(rules::rate_ratio)}}, Json::array({"rate_ratio"}));

@@ -1,11 +1,13 @@
 #include "rocking/input/even_samples.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <utility>
 #include <vector>
 
 #include "rocking/base/number_text.hpp"
+#include "rocking/input/even_times.hpp"
 #include "rocking/scene/check_ground_motion.hpp"
 #include "rocking/scene/rules.hpp"
 
@@ -24,16 +26,79 @@ std::string with_exponent_e(std::string_view field) {
   return spelled;
 }
 
+/// Every `stride`-th number of a text from the number `first` on, as long as they do not fall.
+class StridedNumbers {
+ public:
+  StridedNumbers(std::size_t first, std::size_t stride) : first_(first), stride_(stride) {}
+
+  /// Returns whether the numbers before the end or a text rise evenly.
+  bool read(std::string_view text) {
+    std::vector<std::string_view> fields;
+    std::size_t index = 0;
+    bool goes_on = true;
+    while (!text.empty() && goes_on) {
+      const std::size_t end = text.find('\n');
+      split_fields(text.substr(0, end), fields);
+      text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+      for (const std::string_view field : fields) {
+        goes_on = goes_on && is_number_field(field);
+        if (goes_on && index++ % stride_ == first_ && !add(field)) return false;
+      }
+    }
+    constexpr std::size_t fewest = 3;
+    if (values_.size() < fewest) return false;
+    evenness_ = evenness_of(values_, digits_);
+    return evenness_.is_progression;
+  }
+
+  [[nodiscard]] double step() const { return evenness_.step; }
+
+ private:
+  /// Returns whether the number does not fall below the one before it.
+  bool add(std::string_view field) {
+    double value = 0.0;
+    const std::string_view digits = field.substr(field.starts_with('+') ? 1 : 0);
+    std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    if (!values_.empty() && value < values_.back()) return false;
+    values_.push_back(value);
+    digits_.add(field);
+    return true;
+  }
+
+  std::size_t first_;
+  std::size_t stride_;
+  std::vector<double> values_;
+  PrintedDigits digits_;
+  Evenness evenness_;
+};
+
+/// The step of the times that stand beside accelerations, as every second number or as the first of each line; absent if
+/// there are none. A ramp, of which all numbers rise by the same step, has none.
+std::optional<double> step_of_times_among(std::string_view text) {
+  std::vector<std::string_view> fields;
+  split_fields(text.substr(0, text.find('\n')), fields);
+  for (const std::size_t stride : {std::size_t{2}, fields.size()}) {
+    if (stride < 2) continue;
+    StridedNumbers times(0, stride);
+    if (!times.read(text)) continue;
+    StridedNumbers beside(1, stride);
+    if (!beside.read(text) || beside.step() != times.step()) return times.step();
+  }
+  return std::nullopt;
+}
+
 class EvenSamplesReader {
  public:
   EvenSamplesReader(const EvenHeader& header, double gravity, LineProblems& problems)
       : header_(header), gravity_(gravity), problems_(problems) {}
 
   std::optional<GroundMotion> read(std::string_view text) {
+    if (problems_.reject_decimal_comma(text)) return std::nullopt;
+    const std::string_view whole = text;
     while (!text.empty() && !is_ended_ && !problems_.enough() && motion_.samples.size() <= rules::most_samples) {
       read_line(problems_.next_line(text));
     }
-    if (!problems_.any()) check_whole();
+    if (!problems_.any()) check_whole(whole);
     if (problems_.any()) return std::nullopt;
     motion_.time_step = header_.time_step;
     motion_.declared = header_.declared;
@@ -84,7 +149,14 @@ class EvenSamplesReader {
     return true;
   }
 
-  void check_whole() {
+  void check_whole(std::string_view text) {
+    if (const auto step = step_of_times_among(text)) {
+      return problems_.reject_file(
+          "has a column of times, which rise by " + base::shortest(*step) +
+              ", below a header of evenly spaced accelerations: they would be taken for accelerations",
+          R"(put # before the lines of its header, and give "format": "columns", "columns": ["time", "horizontal"] and )"
+          R"("units")");
+    }
     const std::size_t found = motion_.samples.size();
     if (header_.declared && found <= rules::most_samples) {
       const std::size_t declared = *header_.declared;

@@ -1,6 +1,7 @@
 #include "rocking/input/ground_motion_files.hpp"
 
 #include "rocking/base/digest.hpp"
+#include "rocking/input/record_component.hpp"
 #include "rocking/scene/response_spectrum.hpp"
 #include "rocking/scene/rules.hpp"
 
@@ -28,6 +29,11 @@ std::shared_ptr<const GroundMotion> GroundMotionFiles::motion(const GroundMotion
 GroundMotionFiles::Reading GroundMotionFiles::read(const GroundMotionReading& how) {
   Reading reading;
   auto motion = component(how.name, how, reading.problems);
+  if (motion) {
+    if (const auto why = why_vertical(*motion)) {
+      motion->warnings.push_back("is a vertical component " + *why + ", and is used as the horizontal one");
+    }
+  }
   if (!how.vertical_name.empty()) {
     const auto vertical = component(how.vertical_name, how, reading.problems);
     if (!motion || !vertical || !add_vertical(*vertical, *motion, reading.problems)) return reading;

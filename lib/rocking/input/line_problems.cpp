@@ -12,6 +12,53 @@ namespace {
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 bool is_comma(char c) { return c == ',' || c == ';'; }
 
+/// Takes digits off the front of `text`, and returns whether there were any.
+bool take_digits(std::string_view& text) {
+  const std::size_t length = std::min(text.find_first_not_of("0123456789"), text.size());
+  text.remove_prefix(length);
+  return length > 0;
+}
+
+/// Takes a number with a decimal comma off the front of `text`: `-0,12`, `1,5E-3`.
+bool take_number_with_comma(std::string_view& text) {
+  if (text.starts_with('+') || text.starts_with('-')) text.remove_prefix(1);
+  if (!take_digits(text) || !text.starts_with(',')) return false;
+  text.remove_prefix(1);
+  if (!take_digits(text)) return false;
+  if (!text.starts_with('e') && !text.starts_with('E')) return true;
+  text.remove_prefix(1);
+  if (text.starts_with('+') || text.starts_with('-')) text.remove_prefix(1);
+  return take_digits(text);
+}
+
+enum class Commas : std::uint8_t { none, decimal, decimal_or_separating, separating };
+
+/// What the commas of a line of numbers are.
+Commas commas_of(std::string_view line) {
+  if (line.find(',') == std::string_view::npos) return Commas::none;
+  if (line.find_first_not_of("0123456789+-.,;eE \t\r") != std::string_view::npos) return Commas::none;
+  constexpr std::string_view separators = "; \t\r";
+  std::size_t words = 0;
+  bool has_number_with_comma = false;
+  bool are_pairs = false;
+  while (!line.empty()) {
+    line.remove_prefix(std::min(line.find_first_not_of(separators), line.size()));
+    std::string_view word = line.substr(0, line.find_first_of(separators));
+    if (word.empty()) break;
+    line.remove_prefix(word.size());
+    ++words;
+    are_pairs = take_number_with_comma(word);
+    has_number_with_comma = has_number_with_comma || (are_pairs && word.empty());
+    while (are_pairs && !word.empty()) {
+      are_pairs = word.starts_with(',');
+      word.remove_prefix(1);
+      are_pairs = are_pairs && take_number_with_comma(word);
+    }
+  }
+  if (words > 1) return has_number_with_comma ? Commas::decimal : Commas::separating;
+  return are_pairs ? Commas::decimal_or_separating : Commas::separating;
+}
+
 }  // namespace
 
 void split_fields(std::string_view line, std::vector<std::string_view>& fields) {
@@ -37,6 +84,22 @@ bool is_number_field(std::string_view field) {
   double value = 0.0;
   const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
   return !field.empty() && error != std::errc::invalid_argument && end == field.data() + field.size();
+}
+
+std::optional<TextLine> line_with_decimal_comma(std::string_view text) {
+  std::optional<TextLine> first;
+  bool do_commas_separate = false;
+  for (std::size_t number = 1; !text.empty(); ++number) {
+    const std::size_t end = text.find('\n');
+    std::string_view line = text.substr(0, end);
+    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+    line = line.substr(0, line.find('#'));
+    const Commas commas = commas_of(line);
+    if (commas == Commas::decimal) return TextLine{number, line};
+    if (commas == Commas::separating) do_commas_separate = true;
+    if (commas == Commas::decimal_or_separating && !first) first = TextLine{number, line};
+  }
+  return do_commas_separate ? std::nullopt : first;
 }
 
 std::string_view without_byte_order_mark(std::string_view text) {
@@ -68,6 +131,16 @@ void LineProblems::reject_instead(std::string reason, std::string remedy) {
   problems_->resize(problems_->size() - count_);
   count_ = 0;
   reject_file(std::move(reason), std::move(remedy));
+}
+
+bool LineProblems::reject_decimal_comma(std::string_view text) {
+  const auto found = line_with_decimal_comma(text);
+  if (!found) return false;
+  const std::size_t present = std::exchange(line_, line_ + found->number);
+  reject_line(found->text, "has a decimal comma, or whole numbers between commas, which cannot be told from it",
+              "write decimal points; between columns of whole numbers write blanks");
+  line_ = present;
+  return true;
 }
 
 std::optional<double> LineProblems::number(std::string_view field) {

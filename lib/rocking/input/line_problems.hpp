@@ -25,6 +25,10 @@ class LineProblems {
   /// Takes back what was reported, in favour of one problem of the file as a whole.
   void reject_instead(std::string reason, std::string remedy);
 
+  /// Reports the first line of `text`, which begins behind the present line, in which a comma is or may be a decimal
+  /// point (line_with_decimal_comma). Returns whether there is one.
+  bool reject_decimal_comma(std::string_view text);
+
   /// The number that a field of the present line is; if it is none, reports it.
   [[nodiscard]] std::optional<double> number(std::string_view field);
 
@@ -45,6 +49,18 @@ void split_fields(std::string_view line, std::vector<std::string_view>& fields);
 
 /// Whether a field is a number and nothing else.
 [[nodiscard]] bool is_number_field(std::string_view field);
+
+struct TextLine {
+  std::size_t number = 0;  ///< from 1
+  std::string_view text;
+};
+
+/// The first line of numbers in which a comma is a decimal point, or may be one:
+/// - `0,12 3,4` or `0,12;3,4`: a number with one comma beside others that blanks or semicolons separate;
+/// - `0,123`, `0,01,-0,12`: pairs of whole numbers between commas and nothing else, if no other line of the text shows
+///   that its commas separate columns, as `0.5,3`, `1,-2` and `1, 2` do.
+/// Lines with other characters than those of numbers do not count; `#` begins a comment.
+[[nodiscard]] std::optional<TextLine> line_with_decimal_comma(std::string_view text);
 
 /// `text` without a byte order mark.
 [[nodiscard]] std::string_view without_byte_order_mark(std::string_view text);

@@ -32,7 +32,9 @@ class EsmReader {
       problems_.reject_file("has no line " + std::string(key) + ": in its header", "give the original file");
     }
     if (problems_.any()) return std::nullopt;
-    return read_even_samples(rest, header_, how_.gravity, problems_);
+    auto motion = read_even_samples(rest, header_, how_.gravity, problems_);
+    if (motion) motion->component = stream_;
+    return motion;
   }
 
  private:
@@ -58,6 +60,8 @@ class EsmReader {
       read_step(value);
     } else if (key == "NDATA" && !value.empty()) {
       header_.declared = checked_count(value, problems_);
+    } else if (key == "STREAM") {
+      stream_ = value;
     } else if (key == "UNITS") {
       read_unit(value);
     } else if (key == "DATA_TYPE" && !value.empty() && value != "ACCELERATION") {
@@ -84,6 +88,7 @@ class EsmReader {
   const GroundMotionReading& how_;
   LineProblems problems_;
   EvenHeader header_;
+  std::string stream_;  ///< channel of the sensor: `HNE`, `HNZ`
   std::vector<std::string_view> fields_;
   std::set<std::string> keys_;  ///< that were read
 };

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "rocking/input/check_suite.hpp"
 #include "rocking/input/former_keys.hpp"
 #include "rocking/input/read_question.hpp"
 #include "rocking/input/suite.hpp"
@@ -82,6 +83,7 @@ class ExperimentBuilder {
     }
     const bool is_readable = !is_hopeless && !is_bad_suite && document_.is_object();
     if (is_readable && problems_.size() < most_problems) build_conditions();
+    if (has_suite() && problems_.empty()) check_suite(motions_of_suite(), problems_);
     name_flags(overrides, problems_);
     name_readable_records();
     if (has_former_keys) name_former_keys(problems_);
@@ -102,6 +104,16 @@ class ExperimentBuilder {
 
  private:
   [[nodiscard]] bool has_suite() const { return !suite_.records.empty(); }
+
+  /// Each record as the first condition has it that names it.
+  [[nodiscard]] std::vector<std::shared_ptr<const GroundMotion>> motions_of_suite() const {
+    std::vector<std::shared_ptr<const GroundMotion>> motions;
+    const std::size_t of_a_record = conditions_.size() / suite_.records.size();
+    for (std::size_t i = 0; i < conditions_.size(); i += of_a_record) {
+      motions.push_back(std::get<Recorded>(conditions_[i].scene.excitation).ground_motion);
+    }
+    return motions;
+  }
 
   void read_axes(const Json& canonical, const Overrides& overrides, Problems& found) {
     Json known = canonical;

@@ -12,12 +12,16 @@ std::optional<GroundMotion> read_ground_motion(std::string_view text, const Grou
                                                Problems& problems) {
   const RecordFormat format = how.format ? *how.format : recognised_format(text);
   const RecordReader& reader = record_readers[static_cast<std::size_t>(format)];
+  if (format != RecordFormat::columns && !how.columns.empty()) {
+    problems.push_back({how.name, "",
+                        "has the format " + std::string(reader.name) + ", in which \"columns\" has no meaning",
+                        "omit \"columns\"; if it is a file of numbers, give \"format\": \"columns\" and \"units\""});
+    return std::nullopt;
+  }
   auto motion = reader.read(text, how, problems);
   if (!motion) return std::nullopt;
   motion->name = how.name;
   motion->format = reader.name;
-  if (format == RecordFormat::columns) motion->unit = name_of(how.unit.value_or(RecordUnit::m_s2));
-  if (format == RecordFormat::columns && !how.unit) motion->warnings.push_back(unit_assumed(RecordUnit::m_s2));
   return motion;
 }
 
@@ -47,6 +51,7 @@ bool add_vertical(const GroundMotion& vertical, GroundMotion& motion, Problems& 
   }
   for (std::size_t i = 0; i < vertical.samples.size(); ++i) motion.samples[i].vertical = vertical.samples[i].horizontal;
   motion.has_vertical = true;
+  motion.vertical_file = vertical.name;
   return true;
 }
 

@@ -10,6 +10,7 @@
 #include "rocking/input/header_units.hpp"
 #include "rocking/input/header_words.hpp"
 #include "rocking/input/peer_counts.hpp"
+#include "rocking/input/record_component.hpp"
 
 namespace rocking {
 namespace {
@@ -51,6 +52,7 @@ class PeerHeader {
     return std::nullopt;
   }
 
+  [[nodiscard]] const std::string& component() const { return component_; }
   [[nodiscard]] bool states_unit() const { return stated_.has_value(); }
 
  private:
@@ -59,6 +61,7 @@ class PeerHeader {
       problems_.reject_line(line, "says that the file contains a " + std::string(other), file_of_accelerations);
       return;
     }
+    if (component_.empty()) component_ = component_in(line);
     const std::vector<StatedUnit> stated = units_stated(line);
     for (const StatedUnit& found : stated) take(found, stated_);
     if (!stated.empty() || !speaks_of_acceleration(line)) return;
@@ -117,7 +120,8 @@ class PeerHeader {
   LineProblems& problems_;
   std::optional<RecordUnit> stated_;     ///< after the word "units"
   std::optional<RecordUnit> mentioned_;  ///< in a line that speaks of accelerations
-  bool has_counts_ = false;              ///< NPTS or DT stands in a line above
+  std::string component_;
+  bool has_counts_ = false;  ///< NPTS or DT stands in a line above
 };
 
 }  // namespace
@@ -131,7 +135,9 @@ std::optional<GroundMotion> read_peer_at2(std::string_view text, const GroundMot
   const auto header = reader.read(text);
   if (!header) return std::nullopt;
   auto motion = read_even_samples(text, *header, how.gravity, problems);
+  if (motion) motion->component = reader.component();
   if (motion && !reader.states_unit() && !how.unit) {
+    motion->unit_is_assumed = true;
     motion->warnings.push_back(unit_assumed(RecordUnit::g));
   }
   return motion;

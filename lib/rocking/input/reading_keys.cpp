@@ -146,6 +146,20 @@ void ReadingKeys::word(const Key& key, std::size_t& chosen, std::span<const std:
   chosen = in_.choice(key.name, names, chosen);
 }
 
+void ReadingKeys::words(const Key& key, std::vector<std::size_t>& chosen, std::span<const std::string_view> names) {
+  chosen.clear();
+  const Json* found = in_.value(key.name);
+  const auto place = [names](const Json& word) { return std::ranges::find(names, word); };
+  const auto is_known = [&](const Json& word) { return place(word) != names.end(); };
+  if (found == nullptr || !found->is_array() || found->empty() || !std::ranges::all_of(*found, is_known)) {
+    return in_.reject(key.name, "must be a list of " + in_words(names),
+                      "give \"" + std::string(key.name) + "\": [\"" + std::string(names[0]) + "\", \"" +
+                          std::string(names[1]) + "\"]");
+  }
+  for (const Json& word : *found) chosen.push_back(static_cast<std::size_t>(place(word) - names.begin()));
+  in_.write(key.name, *found);
+}
+
 void ReadingKeys::restitution(const Key& key, Restitution& value, Absent absent) {
   const Json* found = in_.value(key.name);
   if (found == nullptr && absent == Absent::omitted) return;

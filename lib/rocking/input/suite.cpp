@@ -69,10 +69,7 @@ class SuiteReader {
     if (!is_pattern(name)) return add_record({{"file", name}}, place);
     const std::vector<std::string> found = matches_(name);
     if (found.empty()) {
-      return reject(
-          place, text, "fits no file",
-          "check the folder, which is relative to that of the experiment, and capital letters: *.at2 does not "
-          "fit A.AT2");
+      return reject(place, text, "fits no file", "check the folder, which is relative to that of the experiment");
     }
     if (found.size() > most_records)
       return reject(place, text, "fits more than 10000 files", "give a narrower pattern");
@@ -193,7 +190,7 @@ bool is_of_record(const base::Problem& problem, const Json& record) {
   for (const char* key : {"file", "vertical_file"}) {
     if (!record.contains(key) || !record[key].is_string()) continue;
     const auto& name = record[key].get_ref<const std::string&>();
-    if (problem.place == name || problem.place.starts_with(name + ':')) return true;
+    if (problem.place == name || problem.place.starts_with(name + ", line ")) return true;
   }
   return false;
 }

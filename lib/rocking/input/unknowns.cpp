@@ -11,14 +11,14 @@
 namespace rocking {
 namespace {
 
-constexpr NumberRule any_number{.bounds = {}, .demand = "must be a number", .example = "0.0"};
+constexpr NumberRule any_end{.bounds = {}, .demand = "must be a number", .example = "0.0"};
 
 /// A law with a density.
 std::optional<Quantity> read_prior(ObjectReader& in) {
   if (!in.has("prior")) return std::nullopt;
   Quantity prior = 0.0;
   const std::size_t problems_before = in.problems().size();
-  ReadingKeys(in, {.sweep = nullptr, .files = nullptr}).quantity({"prior", ""}, prior, any_number, Absent::error);
+  ReadingKeys(in, {.sweep = nullptr, .files = nullptr}).quantity({"prior", ""}, prior, any_end, Absent::error);
   if (in.problems().size() != problems_before) return std::nullopt;
   if (!is_drawn(prior) || std::holds_alternative<Values>(prior)) {
     in.reject("prior", "must be a law with a density",
@@ -36,8 +36,8 @@ Unknown read_unknown(ObjectReader& in, const Json& base) {
     in.reject("parameter", "is no number in this file",
               "write a number there, or give a number within, such as the mean");
   }
-  unknown.from = in.number("from", any_number);
-  unknown.to = in.number("to", any_number);
+  unknown.from = in.number("from", any_end);
+  unknown.to = in.number("to", any_end);
   if (in.problems().size() == problems_before && !(unknown.from < unknown.to)) {
     in.reject("to", "is not above \"from\"", "give the smallest value as \"from\" and the largest as \"to\"");
   }

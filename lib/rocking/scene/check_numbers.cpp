@@ -18,6 +18,7 @@ class CheckingKeys final : public Keys {
 
   void text(const Key&, std::string&) override {}
   void word(const Key&, std::size_t&, std::span<const std::string_view>, Absent) override {}
+  void words(const Key&, std::vector<std::size_t>&, std::span<const std::string_view>) override {}
   void mode(const Key&, std::optional<section::ResponseMode>&) override {}
   void seed(const Key&, std::uint64_t&) override {}
   void sweep(const Key&) override {}

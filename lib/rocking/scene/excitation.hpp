@@ -24,7 +24,11 @@ struct GroundMotion {
   std::string name = {};                               ///< of its file; empty: not from a file
   std::string format = {};                             ///< of its file: `columns`, `peer_at2`, `esm_asc`
   std::string unit = {};                               ///< of the accelerations in its file: `g`, `m/s2`, `cm/s2`, ...
-  std::optional<double> time_step = std::nullopt;      ///< [s]; absent: the file gives each time
+  bool unit_is_assumed = false;                        ///< neither the file nor the experiment states it
+  std::vector<std::string_view> columns = {};          ///< of a file of numbers: what each was taken for
+  std::string component = {};                          ///< that the header names: `180`, `UP`; empty: none
+  std::string vertical_file = {};                      ///< from which the vertical component was read; empty: none
+  std::optional<double> time_step = std::nullopt;      ///< [s]; absent: the times of the file are not evenly spaced
   std::optional<std::size_t> declared = std::nullopt;  ///< samples that the file says it has
   std::vector<std::string> warnings = {};              ///< about the file, which was read nonetheless
 };
@@ -119,12 +123,13 @@ struct Recorded {
 
   friend bool operator==(const Recorded&, const Recorded&) = default;
 
-  static constexpr std::array<std::string_view, 7> horizon_follows_from{"/block",
+  static constexpr std::array<std::string_view, 8> horizon_follows_from{"/block",
                                                                         "/formulation",
                                                                         "/restitution",
                                                                         "/excitation/kind",
                                                                         "/excitation/file",
                                                                         "/excitation/time_step_s",
+                                                                        "/excitation/columns",
                                                                         "/excitation/frequency_ratio"};
 
   [[nodiscard]] double size() const { return mean_of(scale); }

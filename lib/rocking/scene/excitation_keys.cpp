@@ -92,6 +92,23 @@ void keys_of_format_and_unit(Keys& in, GroundMotionReading& how) {
   });
 }
 
+void keys_of_columns(Keys& in, GroundMotionReading& how) {
+  if (!in.stands("columns", !how.columns.empty())) return;
+  std::vector<std::size_t> names;
+  for (const RecordColumn column : how.columns) names.push_back(static_cast<std::size_t>(column));
+  const std::size_t problems_before = in.problem_count();
+  in.words({"columns",
+            "of a file of numbers, in its order; it must be given where the file has a header, more than two columns, "
+            "more than one beside time_step_s, or times that are not evenly spaced"},
+           names, record_column_names);
+  how.columns.clear();
+  for (const std::size_t name : names) how.columns.push_back(static_cast<RecordColumn>(name));
+  if (!in.is_reading() || in.problem_count() != problems_before) return;
+  if (auto refusal = refuse_columns(how.columns, in.stands("time_step_s", how.time_step.has_value()))) {
+    in.reject("columns", *std::move(refusal));
+  }
+}
+
 /// The periods of the spectral accelerations by which a file gives the strength of a motion; empty: none.
 std::vector<double> keys_of_periods(Keys& in, std::string_view strength, const dynamics::Block* block) {
   std::vector<double> periods;
@@ -155,9 +172,12 @@ void keys_of(Keys& in, Recorded& recorded, const dynamics::Block& block) {
   });
   const bool has_times = is_sound([&] {
     in.optional("time_step_s", how.time_step, [&in](double& time_step) {
-      in.number({"time_step_s", "between samples [s]; absent: the first column of the file is the time"}, time_step,
-                rules::time_step, Absent::omitted);
+      in.number(
+          {"time_step_s",
+           "between samples [s], of columns without times; absent: the file gives it, or the time of each sample"},
+          time_step, rules::time_step, Absent::omitted);
     });
+    keys_of_columns(in, how);
   });
   if (!has_times) how.name.clear();
   if (in.is_reading()) recorded.frequency_ratio = block_is_sound ? strobe_once_a_second(block) : 1.0;

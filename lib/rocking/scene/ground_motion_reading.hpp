@@ -6,6 +6,9 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
+
+#include "rocking/scene/refusal.hpp"
 
 namespace rocking {
 
@@ -27,6 +30,20 @@ inline constexpr std::array<std::string_view, 8> record_unit_names{"g",  "m/s2",
   return record_unit_names[static_cast<std::size_t>(unit)];
 }
 
+/// What a column of a file of numbers contains; `other` is not used.
+enum class RecordColumn : std::uint8_t { time, horizontal, vertical, other };
+
+/// Their names in experiments, in the order of RecordColumn.
+inline constexpr std::array<std::string_view, 4> record_column_names{"time", "horizontal", "vertical", "other"};
+
+[[nodiscard]] constexpr std::string_view name_of(RecordColumn column) {
+  return record_column_names[static_cast<std::size_t>(column)];
+}
+
+/// Of columns that cannot be read: `horizontal` must stand among them once, `time` where there is no time step and only
+/// there, `vertical` at most once.
+[[nodiscard]] std::optional<Refusal> refuse_columns(const std::vector<RecordColumn>& columns, bool has_time_step);
+
 /// What must be known beside a record's text to make a base motion of it.
 struct GroundMotionReading {
   std::string name = {};                              ///< of the file; empty: it is not read
@@ -35,6 +52,7 @@ struct GroundMotionReading {
   std::optional<RecordFormat> format = std::nullopt;  ///< absent: recognised by the first lines
   std::optional<RecordUnit> unit = std::nullopt;      ///< absent: that of the file, of `columns` m/s^2
   std::string vertical_name = {};                     ///< of the file with the vertical component; empty: none
+  std::vector<RecordColumn> columns = {};             ///< of format `columns`; empty: not given
 
   friend auto operator<=>(const GroundMotionReading&, const GroundMotionReading&) = default;
 };

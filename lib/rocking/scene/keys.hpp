@@ -84,6 +84,8 @@ class Keys {
   virtual void quantity(const Key& key, Quantity& value, const NumberRule& rule, Absent absent) = 0;
   /// `chosen`: place among the names.
   virtual void word(const Key& key, std::size_t& chosen, std::span<const std::string_view> names, Absent absent) = 0;
+  /// A list of words, which may be absent; `chosen`: places among the names.
+  virtual void words(const Key& key, std::vector<std::size_t>& chosen, std::span<const std::string_view> names) = 0;
   virtual void restitution(const Key& key, Restitution& value, Absent absent) = 0;
   /// A quantity, or its ratio to the static coefficient.
   virtual void kinetic_friction(const Key& key, Friction& value) = 0;

@@ -26,7 +26,7 @@ using FileSource = std::function<std::string(const std::string& name, std::size_
 /// Source of the names that fit a pattern, sorted by bytes: `*` stands for any characters of the file name, `?` for one.
 using FileMatches = std::function<std::vector<std::string>(const std::string& pattern)>;
 
-/// Names of regular files with paths relative to `folder`; a `*` or `?` in the name of a folder is itself. Names that
+/// Names of regular files with paths relative to `folder`, in letters of any case: `*.at2` fits `A.AT2`; a `*` or `?` in the name of a folder is itself. Names that
 /// begin with a dot need a dot in the pattern. Empty where the folder of the pattern does not exist.
 [[nodiscard]] FileMatches matches_seen_from(const std::filesystem::path& folder);
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <numbers>
+#include <sstream>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -25,37 +26,97 @@ using ::testing::HasSubstr;
 
 constexpr double g = 10.0;
 
-GroundMotion read(std::string_view text, std::optional<double> time_step = {}) {
+using Columns = std::vector<RecordColumn>;
+constexpr auto time_column = RecordColumn::time;
+constexpr auto horizontal_column = RecordColumn::horizontal;
+constexpr auto vertical_column = RecordColumn::vertical;
+constexpr auto unused = RecordColumn::other;
+
+GroundMotion read(std::string_view text, std::optional<double> time_step = {}, const Columns& columns = {}) {
   Problems problems;
-  auto motion = read_ground_motion(text, {.name = "r.txt", .time_step = time_step, .gravity = g}, problems);
+  auto motion =
+      read_ground_motion(text, {.name = "r.txt", .time_step = time_step, .gravity = g, .columns = columns}, problems);
   if (!motion) ADD_FAILURE() << base::InputError(problems).what();
   return motion.value_or(GroundMotion{});
 }
 
-Problems problems_of_record(std::string_view text, std::optional<double> time_step = {}) {
+Problems problems_of_record(std::string_view text, std::optional<double> time_step = {}, const Columns& columns = {}) {
   Problems problems;
-  EXPECT_FALSE(read_ground_motion(text, {.name = "r.txt", .time_step = time_step, .gravity = g}, problems));
+  EXPECT_FALSE(
+      read_ground_motion(text, {.name = "r.txt", .time_step = time_step, .gravity = g, .columns = columns}, problems))
+      << text;
   return problems;
 }
 
-TEST(GroundMotionFile, HasOneOrTwoColumnsAtEvenSpacing) {
+TEST(GroundMotionFile, HasAccelerationsAtEvenSpacing) {
   const auto one = read("1\n-2\n3\n", 0.5);
   ASSERT_EQ(one.samples.size(), 3U);
   EXPECT_FALSE(one.has_vertical);
   EXPECT_EQ(one.samples[2].time, 1.0);
   EXPECT_EQ(one.samples[1].horizontal, -2.0 / g);
-  const auto two = read("1 4\n-2 5\n", 0.5);
-  EXPECT_TRUE(two.has_vertical);
-  EXPECT_EQ(two.samples[1].vertical, 5.0 / g);
+  EXPECT_EQ(one.time_step, 0.5);
 }
 
-TEST(GroundMotionFile, HasTwoOrThreeColumnsWithTimes) {
-  const auto two = read("0 1\n0.5 -2\n");
+TEST(GroundMotionFile, HasTimesAndAccelerations) {
+  const auto two = read("0.5 1\n1.0 -2\n1.5 3\n");
   EXPECT_FALSE(two.has_vertical);
-  EXPECT_EQ(two.samples[1].time, 0.5);
-  const auto three = read("0,1,4\n0.5,-2,5\n");
+  EXPECT_EQ(two.samples[1].time, 1.0);
+  EXPECT_EQ(two.samples[1].horizontal, -2.0 / g);
+  EXPECT_EQ(two.time_step, 0.5);
+  EXPECT_THAT(two.columns, ::testing::ElementsAre("time", "horizontal"));
+}
+
+TEST(GroundMotionFile, HasTheColumnsThatAreNamed) {
+  const auto three = read("0,1,4\n0.5,-2,5\n", {}, {time_column, vertical_column, horizontal_column});
   EXPECT_TRUE(three.has_vertical);
-  EXPECT_EQ(three.samples[1].vertical, 5.0 / g);
+  EXPECT_EQ(three.samples[1].horizontal, 5.0 / g);
+  EXPECT_EQ(three.samples[1].vertical, -2.0 / g);
+  EXPECT_THAT(three.columns, ::testing::ElementsAre("time", "vertical", "horizontal"));
+  const auto at_even_steps = read("1 4\n-2 5\n", 0.5, {horizontal_column, vertical_column});
+  EXPECT_EQ(at_even_steps.samples[1].vertical, 5.0 / g);
+  EXPECT_EQ(at_even_steps.samples[1].time, 0.5);
+  const auto without_one = read("0 - 9\n1 - 8\n", {}, {time_column, unused, horizontal_column});
+  EXPECT_FALSE(without_one.has_vertical);
+  EXPECT_EQ(without_one.samples[1].horizontal, 8.0 / g);
+  // The times of a column that is not used are replaced by even ones.
+  EXPECT_EQ(read("0.00 1\n0.01 2\n0.01 3\n", 0.005, {unused, horizontal_column}).samples[2].time, 0.01);
+}
+
+TEST(GroundMotionFile, MayHaveAHeaderWhereItsColumnsAreNamed) {
+  const auto motion = read("Station 12\nt [s]; a [m/s^2]\n0; 1\n1; 2\n", {}, {time_column, horizontal_column});
+  ASSERT_EQ(motion.samples.size(), 2U);
+  EXPECT_FALSE(motion.unit_is_assumed);
+  EXPECT_THAT(motion.warnings, ::testing::IsEmpty());
+  EXPECT_EQ(read("t,acc_(cm/s2)\n0,100.0\n1,200\n", {}, {time_column, horizontal_column}).samples[0].horizontal,
+            1.0 / g);
+}
+
+TEST(GroundMotionFile, SaysWhereTheUnitWasAssumed) {
+  const auto motion = read("0 1\n1 2\n");
+  EXPECT_TRUE(motion.unit_is_assumed);
+  EXPECT_EQ(motion.unit, "m/s2");
+}
+
+TEST(GroundMotionFile, HasTimesThatRiseEvenlyToTheirPrintedDigits) {
+  for (const char* times :
+       {"0.00 0.01 0.02 0.03 0.04", "0 1.667E-02 3.333E-02 5E-02 6.667E-02", "3 4 5 6 7",
+        "0.1 0.30000000000000004 0.5 0.7000000000000001 0.9", "99.9999 100.003 100.007 100.01 100.013"}) {
+    std::string text;
+    std::istringstream words(times);
+    for (std::string time; words >> time;) text += time + " 1\n";
+    EXPECT_EQ(read(text).samples.size(), 5U) << times;
+  }
+}
+
+// 200 Hz with two digits: every second step is 0, the others are 0.01 s.
+TEST(GroundMotionFile, TellsTheLargestDeviationOfRoundedTimes) {
+  const auto motion = read("0.00 1\n0.01 2\n0.01 3\n0.02 1\n0.02 2\n0.03 2\n0.03 1\n");
+  EXPECT_FALSE(motion.time_step);
+  ASSERT_EQ(motion.warnings.size(), 2U);
+  EXPECT_THAT(motion.warnings[0],
+              ::testing::AllOf(HasSubstr("steps from 0 to 0.01 s"), HasSubstr("even steps of 0.005 s is 0.005 s"),
+                               HasSubstr("\"time_step_s\": 0.005")));
+  EXPECT_EQ(read("0.00 1\n0.01 2\n0.02 3\n0.03 1\n").warnings.size(), 1U);
 }
 
 TEST(GroundMotionFile, IsTheSameHoweverItIsSpelled) {
@@ -71,7 +132,8 @@ TEST(GroundMotionFile, IsTheSameHoweverItIsSpelled) {
 }
 
 TEST(GroundMotionFile, MayJumpAndMayHaveGaps) {
-  const auto motion = read("0 1\n0.1 2\n0.1 -2\n7 0\n");
+  const auto motion = read("0 1\n0.1 2\n0.1 -2\n7 0\n", {}, {time_column, horizontal_column});
+  EXPECT_THAT(motion.warnings[0], HasSubstr("has uneven times: steps from 0 to 6.9 s"));
   EXPECT_EQ(motion.samples[1].time, motion.samples[2].time);
   EXPECT_EQ(motion.samples[3].time, 7.0);
 }
@@ -136,14 +198,50 @@ INSTANTIATE_TEST_SUITE_P(Whole, GroundMotionFault,
 
 TEST(GroundMotionFault, OfTheColumnsPointsAtTheTimeStep) {
   EXPECT_THAT(problems_of_record("1\n2\n")[0].remedy, HasSubstr("set \"time_step_s\""));
+  EXPECT_THAT(problems_of_record("0 1\n", 0.1)[0].remedy, HasSubstr("omit \"time_step_s\""));
   EXPECT_THAT(problems_of_record("0 1 2\n", 0.1)[0].remedy, HasSubstr("omit \"time_step_s\""));
+}
+
+TEST(GroundMotionFault, IsAColumnThatIsNotNamed) {
+  const auto problem = [](std::string_view text, std::optional<double> time_step = {}, const Columns& columns = {}) {
+    const auto problems = problems_of_record(text, time_step, columns);
+    return base::InputError({problems.at(0)}).what();
+  };
+  EXPECT_THAT(problem("0 1 2\n1 2 3\n"), HasSubstr("line 1 = \"0 1 2\": has 3 columns; what they are is not guessed"));
+  EXPECT_THAT(problem("0.1 0.2\n-0.3 0.1\n", 0.01), HasSubstr("2 columns beside \"time_step_s\""));
+  EXPECT_THAT(problem("0.01 0.2\n0.02 0.1\n", 0.01), HasSubstr("2 columns beside \"time_step_s\""));
+  EXPECT_THAT(problem("0 0.2\n0.4 0.1\n0.5 0.3\n"), HasSubstr("does not rise in even steps"));
+  EXPECT_THAT(problem("1 0.2\n1 0.1\n1 0.3\n"), HasSubstr("r.txt: "));
+  EXPECT_THAT(problem("t,a\n0,0.2\n1,0.1\n"), HasSubstr("line 1 = \"t,a\": is a header"));
+  EXPECT_THAT(problem("0 1\n1 2\n", {}, {time_column, horizontal_column, vertical_column}),
+              HasSubstr("has 2 columns, but \"columns\" names 3"));
+  EXPECT_THAT(problem("t;vertical\n0;1\n1;2\n", {}, {time_column, horizontal_column}),
+              HasSubstr("has the head \"vertical\" above column 2"));
+  EXPECT_THAT(problem("# accelerations in cm/s2\n0 1.5\n1 2\n"), HasSubstr("comment that names the unit cm/s2"));
+}
+
+TEST(GroundMotionFault, IsADecimalComma) {
+  for (const auto& [text, line] :
+       {std::pair{"123,45\n-71,2\n", "line 1 = \"123,45\""}, std::pair{"# g\n0,123\n", "line 2 = \"0,123\""},
+        std::pair{"0,00;0,12\n0,01;0,34\n", "line 1 = \"0,00;0,12\""},
+        std::pair{"0.0 0.5\n0,5 1.5\n", "line 2 = \"0,5 1.5\""},
+        std::pair{"0,00,0,12\n0,01,-0,34\n", "line 1 = \"0,00,0,12\""}, std::pair{"0\t1,5E-3\n", "line 1 = "}}) {
+    for (const std::optional<double> step : {std::optional<double>(), std::optional(0.01)}) {
+      const auto problems = problems_of_record(text, step);
+      ASSERT_EQ(problems.size(), 1U) << text;
+      EXPECT_THAT(base::InputError(problems).what(), ::testing::AllOf(HasSubstr(line), HasSubstr("decimal comma")));
+    }
+  }
+  EXPECT_EQ(read("0,1\n1,2\n2,-3\n").samples.size(), 3U) << "the sign shows that the comma separates";
+  EXPECT_EQ(read("0, 1\n1, 2\n").samples.size(), 2U);
+  EXPECT_EQ(read("0,1\n0.5,2\n").samples.size(), 2U);
 }
 
 TEST(GroundMotionFault, IsToldForEveryLineButNotForThousands) {
   EXPECT_EQ(problems_of_record("a b\n0 1\nc d\n0 x\n").size(), 3U);
   std::string bad;
   for (int i = 0; i < 10'000; ++i) bad += "0 x\n";
-  EXPECT_EQ(problems_of_record(bad, 0.1).size(), 5U);
+  EXPECT_EQ(problems_of_record(bad).size(), 5U);
 }
 
 TEST(GroundMotionFault, QuotesNothingOfAFileThatHoldsNoNumbers) {
@@ -225,7 +323,7 @@ TEST(RecordedExcitation, HasACanonicalTextThatIsItsOwn) {
                             R"([{"parameter": "/restitution", "values": [0, 0.5]}])",
                             R"([{"parameter": "/formulation", "values": ["consistent", "as-printed"]}])",
                             R"([{"parameter": "/excitation", "values": [{"kind": "recorded", "file": "r.txt"},
-            {"kind": "recorded", "file": "vertical.txt"}, {"amplitude": 3, "frequency_ratio": 10}]},
+            {"kind": "recorded", "file": "vertical.txt", "columns": ["time", "horizontal", "vertical"]}, {"amplitude": 3, "frequency_ratio": 10}]},
             {"parameter": "/block/gravity_m_s2", "values": [9.81, 1.62]}])"}) {
     const auto once = experiment_of(with(recorded(), "/sweep", sweep));
     const auto again = experiment_of(Json::parse(once.canonical_text));
@@ -269,7 +367,11 @@ TEST(RecordedExcitation, OpensNoFileWhereNoneIsAskedFor) {
 }
 
 TEST(RecordedExcitation, HasVerticalMotionWhereItsFileHas) {
-  const auto scene = experiment_of(recorded(R"({"kind": "recorded", "file": "vertical.txt"})")).conditions[0].scene;
+  const auto scene =
+      experiment_of(
+          recorded(R"({"kind": "recorded", "file": "vertical.txt", "columns": ["time", "horizontal", "vertical"]})"))
+          .conditions[0]
+          .scene;
   EXPECT_TRUE(support::recorded(scene).ground_motion->has_vertical);
 }
 
@@ -314,6 +416,16 @@ INSTANTIATE_TEST_SUITE_P(
         BadExcitation{R"({"kind": "recorded", "file": "r.txt", "scale": -1})", "/excitation/scale", "factor", "1.0"},
         BadExcitation{R"({"kind": "recorded", "file": "r.txt", "time_step_s": 0})", "/excitation/time_step_s",
                       "positive", "0.005"},
+        BadExcitation{R"({"kind": "recorded", "file": "r.txt", "columns": "time"})", "/excitation/columns",
+                      "must be a list", "[\"time\", \"horizontal\"]"},
+        BadExcitation{R"({"kind": "recorded", "file": "r.txt", "columns": ["time", "up"]})", "/excitation/columns",
+                      "must be a list", "horizontal"},
+        BadExcitation{R"({"kind": "recorded", "file": "r.txt", "columns": ["time", "vertical"]})",
+                      "/excitation/columns", "must name the horizontal component once", "give"},
+        BadExcitation{R"({"kind": "recorded", "file": "r.txt", "columns": ["horizontal", "vertical"]})",
+                      "/excitation/columns", "has no column of times", "time"},
+        BadExcitation{R"({"kind": "recorded", "file": "r.txt", "columns": ["time", "horizontal"], "time_step_s": 1})",
+                      "/excitation/columns", "beside a time step", "omit"},
         BadExcitation{R"({"kind": "recorded", "file": "r.txt", "phase_rad": 0})", "/excitation/phase_rad",
                       "a ground motion has no phase", "shift"},
         BadExcitation{R"({"kind": "recorded", "file": "r.txt", "amplitude": 2})", "/excitation/amplitude", "scale",

@@ -84,6 +84,37 @@ TEST(PeerFile, MayHaveOneSampleMoreOrFewerThanItDeclares) {
   }
 }
 
+// The counts are those of one column, or were "corrected" to that of all numbers.
+TEST(PeerFile, IsRefusedWhereTimesStandBesideItsAccelerations) {
+  for (const char* counts : {"4", "8"}) {
+    for (const char* data : {"0.00 0.5\n0.01 -0.3\n0.02 0.1\n0.03 0.2\n", "0 .5 .005 -.3\n.01 .1 .015 .2\n"}) {
+      const auto problem = problem_of("a\nb\nNPTS= " + std::string(counts) + ", DT= .01 SEC\n" + data);
+      EXPECT_THAT(problem.reason, HasSubstr("has a column of times, which rise by 0.0"));
+      EXPECT_THAT(problem.remedy, HasSubstr(R"("columns": ["time", "horizontal"])"));
+    }
+  }
+  const std::string header = "a\nb\nNPTS= 8, DT= .01 SEC\n";
+  EXPECT_EQ(read_record(header + "0.1 0.2 0.3 0.4 0.5 0.6 0.7 0.8\n").samples.size(), 8U) << "a ramp";
+  EXPECT_EQ(read_record(header + "0 0.2\n0 0.4\n0 0.6\n0 0.8\n").samples.size(), 8U) << "zeros";
+}
+
+TEST(PeerFile, IsRefusedWithDecimalCommas) {
+  EXPECT_THAT(problem_of("a\nb\nNPTS= 3, DT= .01 SEC\n0,1 -0,25 0,03\n").reason, HasSubstr("decimal comma"));
+  EXPECT_EQ(problem_of("a\nb\nNPTS= 3, DT= .01 SEC\n0,1\n-0,25\n0,03\n").place, "r.at2, line 4");
+}
+
+TEST(PeerFile, NamesItsComponent) {
+  const auto component = [](const std::string& title) {
+    return read_record("P\n" + title + "\nACCELERATION IN UNITS OF G\nNPTS= 2, DT= .01\n1 2\n").component;
+  };
+  EXPECT_EQ(component("CAPE MENDOCINO 04/25/92 1806, RIO DELL OVERPASS FF, 270 (CDMG STATION 89324)"), "270");
+  EXPECT_EQ(component("LAZIO-ABRUZZO EQ, 05/07/84, 17:50, ROCCAMONFINA,  NS"), "NS");
+  EXPECT_EQ(component("Tabas_ Iran, 9/16/1978, Tabas, UP\r"), "UP");
+  EXPECT_EQ(component("somewhere, Vertical component"), "VERTICAL");
+  EXPECT_EQ(component("no comma here"), "");
+  EXPECT_EQ(component("Kobe, Up hill station"), "");
+}
+
 TEST(PeerFile, StatesItsUnit) {
   auto how = reading();
   how.unit = RecordUnit::g;

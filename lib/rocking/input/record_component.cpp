@@ -1,0 +1,140 @@
+#include "rocking/input/record_component.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <span>
+#include <vector>
+
+#include "rocking/input/header_words.hpp"
+
+namespace rocking {
+namespace {
+
+constexpr std::array<std::string_view, 12> vertical_words{"UP",  "UD", "VER",  "VERT",    "VERTICAL", "VRT",
+                                                          "DWN", "DN", "DOWN", "UP-DOWN", "U-D",      "UPDOWN"};
+constexpr std::array<std::string_view, 2> vertical_letters{"V", "Z"};
+constexpr std::array<std::string_view, 19> horizontal_words{"N",     "S",     "E",    "W",    "NS",        "SN", "EW",
+                                                            "WE",    "N-S",   "E-W",  "H1",   "H2",        "L",  "T",
+                                                            "NORTH", "SOUTH", "EAST", "WEST", "HORIZONTAL"};
+
+bool is_among(std::span<const std::string_view> words, std::string_view word) {
+  return std::ranges::find(words, word) != words.end();
+}
+
+std::string upper_case(std::string_view text) {
+  std::string upper(text);
+  std::ranges::transform(upper, upper.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  return upper;
+}
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+bool is_vertical(std::string_view word) { return is_among(vertical_words, word) || is_among(vertical_letters, word); }
+
+/// An azimuth in degrees, `N26W`, or a word.
+bool is_horizontal(std::string_view word) {
+  if (is_among(horizontal_words, word)) return true;
+  const bool is_bearing =
+      word.size() > 2 && (word.front() == 'N' || word.front() == 'S') && (word.back() == 'E' || word.back() == 'W');
+  if (is_bearing) word = word.substr(1, word.size() - 2);
+  return !word.empty() && word.size() <= 3 && std::ranges::all_of(word, is_digit);
+}
+
+std::string_view without_blanks(std::string_view text) {
+  constexpr std::string_view blanks = " \t\r";
+  const std::size_t first = text.find_first_not_of(blanks);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+/// The words of a line that consist of letters, digits and hyphens.
+std::vector<std::string> words_in(std::string_view line) {
+  std::vector<std::string> words(1);
+  for (const char c : upper_case(line)) {
+    if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-') {
+      words.back() += c;
+    } else if (!words.back().empty()) {
+      words.emplace_back();
+    }
+  }
+  return words;
+}
+
+std::string beside_component(std::string_view line) {
+  const std::vector<std::string> words = words_in(line);
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (words[i] != "COMPONENT" && words[i] != "COMP") continue;
+    if (i + 1 < words.size() && (is_vertical(words[i + 1]) || is_horizontal(words[i + 1]))) return words[i + 1];
+    if (i > 0 && (is_vertical(words[i - 1]) || is_horizontal(words[i - 1]))) return words[i - 1];
+  }
+  return {};
+}
+
+/// Takes the ending off a name and returns it; empty if there is none.
+std::string_view take_ending(std::string_view& name) {
+  const std::size_t point = name.rfind('.');
+  if (point == std::string_view::npos || point == 0) return {};
+  const std::string_view ending = name.substr(point + 1);
+  name = name.substr(0, point);
+  return ending;
+}
+
+/// The word by which a name of a file, in capital letters, says that it is of a vertical component; empty if none.
+std::string_view vertical_word_in(std::string_view name) {
+  constexpr std::array<std::string_view, 6> endings{"UD", "UD1", "UD2", "UP", "VER", "VRT"};
+  constexpr std::array<std::string_view, 7> of_data{"AT2", "TXT", "DAT", "CSV", "ASC", "ACC", "TH"};
+  std::string_view stem = name.substr(name.rfind('/') + 1);
+  std::string_view rest = stem;
+  for (std::string_view ending = take_ending(rest); !ending.empty(); ending = take_ending(rest)) {
+    if (is_among(endings, ending)) return ending;
+    if (!is_among(of_data, ending)) break;
+    stem = rest;
+  }
+  const std::size_t separator = stem.find_last_of("-_. ");
+  const std::string_view last = stem.substr(separator == std::string_view::npos ? 0 : separator + 1);
+  if (is_among(vertical_words, last)) return last;
+  if (separator != std::string_view::npos && is_among(vertical_letters, last)) return last;
+  const std::string_view behind_digit = last.substr(std::min(last.find_last_of("0123456789") + 1, last.size()));
+  if (behind_digit.size() < last.size() && is_among(vertical_words, behind_digit)) return behind_digit;
+  return {};
+}
+
+/// The fourth part of a name with points, `IV.NRC..HNZ.D...`, if it is the channel of a vertical sensor.
+std::string_view vertical_channel_in(std::string_view name) {
+  name = name.substr(name.rfind('/') + 1);
+  for (int part = 0; part < 3; ++part) {
+    const std::size_t point = name.find('.');
+    if (point == std::string_view::npos) return {};
+    name.remove_prefix(point + 1);
+  }
+  const std::string_view channel = name.substr(0, name.find('.'));
+  const bool is_channel = channel.size() == 3 && std::string_view("HNLG").find(channel[1]) != std::string_view::npos;
+  return is_channel && channel[2] == 'Z' && channel.size() < name.size() ? channel : std::string_view{};
+}
+
+}  // namespace
+
+std::string component_in(std::string_view line) {
+  if (std::string word = beside_component(line); !word.empty()) return word;
+  const std::size_t comma = line.rfind(',', std::min(line.find('('), line.size()));
+  if (comma == std::string_view::npos) return {};
+  const std::string_view field = line.substr(comma + 1);
+  const std::string last = upper_case(without_blanks(field.substr(0, field.find('('))));
+  return is_vertical(last) || is_horizontal(last) ? last : std::string();
+}
+
+std::optional<std::string> why_vertical(const GroundMotion& motion) {
+  const std::string& component = motion.component;
+  const bool is_channel = component.size() == 3 && component.ends_with('Z');
+  if (is_vertical(component) || is_channel) return "by its header (" + component + ')';
+  const std::string name = upper_case(motion.name);
+  const std::string_view word = vertical_word_in(name);
+  const bool does_header_decide = is_among(vertical_letters, word) && !component.empty();
+  if (!word.empty() && !does_header_decide) return "by its name (" + std::string(word) + ')';
+  const std::string_view channel = vertical_channel_in(name);
+  if (!channel.empty()) return "by its name (" + std::string(channel) + ')';
+  return std::nullopt;
+}
+
+}  // namespace rocking

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "rocking/scene/experiment.hpp"
+
+namespace rocking {
+
+/// The component that a line of a header names: `..., RIO DELL OVERPASS FF, 270 (CDMG STATION 89324)`, `COMP: UP`,
+/// `Vertical component`. Empty if none of the known names stands there: it is the last field between commas, without what
+/// stands in brackets behind it, or a word beside `component`.
+[[nodiscard]] std::string component_in(std::string_view line);
+
+/// Why a ground motion is a vertical component: `by its name (UP)`, `by its header (UP)`; absent if nothing says so. Of a
+/// name counts what stands behind its last separator, or behind the last digit of it, and the ending (`.UD`); `V` and `Z`
+/// alone do not count against a header that names a horizontal component.
+[[nodiscard]] std::optional<std::string> why_vertical(const GroundMotion& motion);
+
+}  // namespace rocking

@@ -35,7 +35,7 @@ constexpr std::array<SpectrumPanel, 2> spectrum_panels{
      {&SpectrumEntry::sv_m_s, "sv_m_s", "spectral velocity", "m/s"}}};
 
 Table series_table(const ReportedMotion& motion) {
-  Table table{.name = motion.file, .columns = {{"time_s", "time [s]"}}, .rows = {}};
+  Table table{.name = motion.facts.file, .columns = {{"time_s", "time [s]"}}, .rows = {}};
   for (const SeriesPanel& panel : series_panels) {
     table.columns.push_back({panel.key, std::string(panel.quantity) + " of the base [" + panel.unit + ']'});
   }
@@ -58,11 +58,11 @@ Figure time_figure(const ReportedMotion& motion) {
   Figure figure;
   figure.name = "ground_motion";
   figure.title = "Ground motion";
-  figure.subtitle = motion.file;
+  figure.subtitle = motion.facts.file;
   figure.caption = measures_in_words(motion.measures) +
                    ". Velocity and displacement are the integrals of the acceleration as it is, from rest: nothing is "
                    "filtered, and no baseline is corrected.";
-  figure.description = "Acceleration, velocity and displacement of " + motion.file +
+  figure.description = "Acceleration, velocity and displacement of " + motion.facts.file +
                        " against time: " + measures_in_words(motion.measures) + '.';
   figure.arrangement = Arrangement::stacked;
   figure.tables.push_back(series_table(motion));
@@ -80,7 +80,7 @@ Figure time_figure(const ReportedMotion& motion) {
 }
 
 Table spectrum_table(const ReportedMotion& motion) {
-  Table table{.name = motion.file, .columns = {{"period_s", "period of the oscillator [s]"}}, .rows = {}};
+  Table table{.name = motion.facts.file, .columns = {{"period_s", "period of the oscillator [s]"}}, .rows = {}};
   for (const SpectrumPanel& panel : spectrum_panels) {
     table.columns.push_back({panel.key, std::string(panel.quantity) + " [" + panel.unit + ']'});
   }
@@ -116,7 +116,7 @@ Figure spectra_figure(const MotionReport& report) {
                                          .table = figure.tables.size(),
                                          .columns = {0, i + 1},
                                          .style = style,
-                                         .legend = motion.file});
+                                         .legend = motion.facts.file});
     }
     figure.tables.push_back(spectrum_table(motion));
   }

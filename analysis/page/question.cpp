@@ -308,6 +308,11 @@ std::string further_question(const Report& report) {
         "differences "
         "between ground motions show what differs between earthquakes.</p>\n";
   }
+  const std::vector<std::string> lines = ground_motion_lines(report.ground_motions);
+  for (const std::string& line : lines) {
+    text += fmt::format("{}{}.{}", &line == lines.data() ? "<p>" : " ", escaped(line),
+                        &line == &lines.back() ? "</p>\n" : "");
+  }
   return text + fmt::format("<p>{}, {} in all; {}.</p>\n", counted(report.conditions.size(), "condition"),
                             counted(realisations_of(report), "realisation"), horizon_in_brief(report));
 }

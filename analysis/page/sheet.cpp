@@ -203,6 +203,11 @@ std::string rates(const Sheet& sheet) {
          omitted;
 }
 
+std::string scale_warning(const Sheet& sheet) {
+  const auto far = far_scaled(sheet.run.ground_motions);
+  return far ? fmt::format("<p class=\"warning\">{}.</p>\n", escaped(*far)) : "";
+}
+
 std::string basis(const Sheet& sheet) {
   const ReportedSuite& object = sheet.suites.front();
   const SuiteRate& rate = *object.rate;
@@ -271,8 +276,9 @@ std::string sheet_text(const Sheet& sheet) {
              "<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n<h1>{}</h1>\n",
              policy_hash(sheet_style()), escaped(title), sheet_style(), escaped(title)) +
          answer(sheet) + "<div class=\"top\">\n<div class=\"object\">\n" + drawing(sheet.run) + motions(sheet) +
-         "</div>\n<div class=\"question\">\n<h2>Question</h2>\n" + question_in_brief(sheet.run) + basis(sheet) +
-         "</div>\n</div>\n" + curve(sheet) + rates(sheet) + assumptions(sheet) + footer(sheet) + "</body>\n</html>\n";
+         "</div>\n<div class=\"question\">\n<h2>Question</h2>\n" + question_in_brief(sheet.run) + scale_warning(sheet) +
+         basis(sheet) + "</div>\n</div>\n" + curve(sheet) + rates(sheet) + assumptions(sheet) + footer(sheet) +
+         "</body>\n</html>\n";
 }
 
 }  // namespace rocking::analysis

@@ -199,6 +199,16 @@ std::vector<Check> checks_of(const Report& report) {
     checks.push_back(
         {.name = "records of the suite", .rating = Rating::look, .finding = escaped(*names) + '.', .where = {}});
   }
+  if (const auto far = far_scaled(report.ground_motions)) {
+    checks.push_back(
+        {.name = "scale factors of the records", .rating = Rating::look, .finding = escaped(*far) + '.', .where = {}});
+  }
+  for (const UsedGroundMotion& used : report.ground_motions) {
+    if (used.facts.warnings.empty()) continue;
+    std::string finding = escaped(used.facts.file) + ':';
+    for (const std::string& warning : used.facts.warnings) finding += ' ' + escaped(warning) + '.';
+    checks.push_back({.name = "reading of a ground motion", .rating = Rating::look, .finding = finding, .where = {}});
+  }
   return checks;
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "ground_motion_notes.hpp"
 #include "interrupt.hpp"
 #include "machine.hpp"
 #include "rocking/output/plan_text.hpp"
@@ -17,7 +18,7 @@ ExitCode show_plan(const Experiment& experiment, const Means& means, const Execu
   if (!plan.time) {
     print_notice(fmt::format("the time is not known: no realisation was finished within {:g} s", longest_sample_s));
   }
-  print_study(execution.loudness, facts_text(plan_facts(plan)), plan_text(plan));
+  print_study(execution.loudness, facts_text(plan_facts(plan)), plan_text(plan) + ground_motion_text(experiment));
   return ExitCode::done;
 }
 

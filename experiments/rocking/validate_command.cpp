@@ -28,7 +28,8 @@ ExitCode validate(const ValidateRequest& request) {
     } else if (!request.loudness.quiet) {
       tell_ground_motion_notes(experiment);
       const Plan plan = plan_of(experiment, {.threads = available_threads(), .shard = {}});
-      print_result(base::printable(fmt::format("{}: valid: {}\n", source.name, plan_text(plan))));
+      print_result(base::printable(
+          fmt::format("{}: valid: {}\n{}", source.name, plan_text(plan), ground_motion_text(experiment))));
     }
     return ExitCode::done;
   } catch (const base::InputError& error) {

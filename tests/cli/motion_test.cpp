@@ -22,7 +22,7 @@ class MotionCommand : public rocking::support::ProgramTest {
   MotionCommand() {
     write("a.AT2", peer_at2({0.1, -0.25, 0.03, 0.0}, ".02"));
     write("b.asc", esm_asc("0.01", "cm/s^2", "3", "98.1\n-196.2\n0.0\n"));
-    write("c.txt", "0 1\n1 -2\n3 0\n");
+    write("c.txt", "0 1\n1 -2\n2 0\n");
   }
 
   Json measured(const std::string& arguments) {
@@ -49,8 +49,11 @@ TEST_F(MotionCommand, SaysWhatWasReadInEachFormat) {
   EXPECT_EQ(found[1]["unit"], "cm/s2");
   EXPECT_DOUBLE_EQ(found[1]["pga_g"], 0.2);
   EXPECT_EQ(found[2]["format"], "columns");
-  EXPECT_TRUE(found[2]["time_step_s"].is_null());
-  EXPECT_DOUBLE_EQ(found[2]["pgv_m_s"], 2.5);
+  EXPECT_EQ(found[2]["time_step_s"], 1.0);
+  EXPECT_EQ(found[2]["columns"], Json::parse(R"(["time", "horizontal"])"));
+  EXPECT_EQ(found[2]["unit_is_assumed"], true);
+  EXPECT_EQ(found[1]["unit_is_assumed"], false);
+  EXPECT_DOUBLE_EQ(found[2]["pgv_m_s"], 1.5);
 }
 
 TEST_F(MotionCommand, PrintsTables) {

@@ -127,7 +127,8 @@ std::string tolerance_remedy(double tolerance) {
 
 std::vector<std::string> alarms_of(const Report& report) {
   std::vector<std::string> alarms;
-  for (auto& alarm : {left_out_records(report), contact_alarm(report), clamp_alarm(report)}) {
+  for (auto& alarm :
+       {left_out_records(report), far_scaled(report.ground_motions), contact_alarm(report), clamp_alarm(report)}) {
     if (alarm) alarms.push_back(*alarm);
   }
   return alarms;

@@ -84,6 +84,14 @@ std::string common_line(std::span<const TableRow> conditions) {
   return common.empty() ? "" : "shaking: " + common + '\n';
 }
 
+/// Whether the factor on a ground motion follows from other numbers, and differs between conditions.
+bool has_scales(std::span<const TableRow> conditions) {
+  const auto is_swept = [](const Parameter& parameter) { return parameter.pointer == "/excitation/scale"; };
+  if (std::ranges::any_of(conditions.front().parameters, is_swept)) return false;
+  const auto differs = [&](const TableRow& row) { return row.scale != conditions.front().scale; };
+  return std::ranges::any_of(conditions, differs);
+}
+
 /// The columns of the swept parameters, and of the shaking in its other form if the lines stay within `width`.
 std::vector<TextRow> parameter_columns(std::span<const TableRow> conditions, std::size_t width) {
   TextRow header;
@@ -92,13 +100,19 @@ std::vector<TextRow> parameter_columns(std::span<const TableRow> conditions, std
   std::size_t needed = 0;
   for (const std::string& name : header) needed += name.size() + gap;
   for (const std::string_view name : beside) needed += name.size() + gap;
+  constexpr std::string_view scale_heading = "scale";
+  bool shows_scale = has_scales(conditions);
+  if (shows_scale) needed += scale_heading.size() + gap;
+  if (width < needed) shows_scale = false;
   if (width < needed) beside.clear();
   header.insert(header.end(), beside.begin(), beside.end());
+  if (shows_scale) header.emplace_back(scale_heading);
   std::vector<TextRow> rows{header};
   for (const TableRow& condition : conditions) {
     TextRow& row = rows.emplace_back();
     for (const Parameter& parameter : condition.parameters) row.push_back(short_value(parameter));
     for (const std::string_view key : beside) row.push_back(column_cell(condition.shaking, key));
+    if (shows_scale) row.push_back(condition.scale ? significant(*condition.scale, 4) : ".");
   }
   return rows;
 }
@@ -242,7 +256,8 @@ std::vector<TableRow> table_rows(const Report& report) {
                  .realisations = condition.result.realisations,
                  .modes = {},
                  .is_random = condition.result.is_random(),
-                 .shaking = condition.shaking};
+                 .shaking = condition.shaking,
+                 .scale = condition.scale};
     const auto& tilts = condition.result.peaks.tilt.levels;
     if (!tilts.empty()) row.peak_tilt = peak_tilt_cell(tilts);
     for (const section::ResponseMode& mode : modes) {

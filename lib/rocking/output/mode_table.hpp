@@ -45,6 +45,7 @@ struct TableRow {
   std::vector<TableEntry> modes;
   bool is_random = true;  ///< otherwise the single realisation is the response of the condition, with certainty
   std::optional<Shaking> shaking = std::nullopt;  ///< absent under a ground motion
+  std::optional<double> scale = std::nullopt;     ///< of a ground motion
   std::string peak_tilt = {};                     ///< peak_tilt_cell, or empty
 };
 

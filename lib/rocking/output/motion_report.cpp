@@ -61,15 +61,8 @@ static const StructType& fields_of(const ReportedMotion*) {
   using Motion = ReportedMotion;
   static const StructType fields{
       "GroundMotion",
-      field<&Motion::file>("file", "that was read"),
+      inlined<&Motion::facts>(),
       field<&Motion::sha256>("sha256", "of the file"),
-      field<&Motion::format>("format", "in which it was read"),
-      field<&Motion::unit>("unit", "of the accelerations in the file"),
-      field<&Motion::samples>("samples", "that were read", {.least = 1}),
-      field<&Motion::declared_samples>("declared_samples", "that the header declares, or null"),
-      field<&Motion::time_step_s>("time_step_s", "null if the file gives each time [s]", rule::positive),
-      field<&Motion::duration_s>("duration_s", "from the first sample to the last [s]", rule::not_negative),
-      field<&Motion::warnings>("warnings", "sentences about the file"),
       inlined<&Motion::measures>(),
       field<&Motion::vertical_pga_g>("vertical_pga_g", "of the vertical component, or null", rule::not_negative),
       field<&Motion::uplift_scale>("uplift_scale",
@@ -154,15 +147,8 @@ MotionSeries series_of(const GroundMotion& motion, const MotionQuestion& questio
 
 ReportedMotion reported(const MeasuredMotion& found, const MotionQuestion& question, MotionDetail detail) {
   const GroundMotion& motion = *found.motion;
-  ReportedMotion reported{.file = motion.name,
+  ReportedMotion reported{.facts = facts_of(motion),
                           .sha256 = found.sha256,
-                          .format = motion.format,
-                          .unit = motion.unit,
-                          .samples = motion.samples.size(),
-                          .declared_samples = motion.declared,
-                          .time_step_s = motion.time_step,
-                          .duration_s = motion.samples.back().time - motion.samples.front().time,
-                          .warnings = motion.warnings,
                           .measures = found.measures,
                           .vertical_pga_g = {},
                           .uplift_scale = {},

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "rocking/fields/document.hpp"
+#include "rocking/output/ground_motion_facts.hpp"
 #include "rocking/output/text_table.hpp"
 #include "rocking/studies/motion/motion.hpp"
 
@@ -29,15 +30,8 @@ struct MotionSeries {
 
 /// A ground motion as `rocking motion` reports it.
 struct ReportedMotion {
-  std::string file;
+  GroundMotionFacts facts;
   std::string sha256;
-  std::string format;
-  std::string unit;
-  std::uint64_t samples = 0;
-  std::optional<std::uint64_t> declared_samples;
-  std::optional<double> time_step_s;
-  double duration_s = 0.0;
-  std::vector<std::string> warnings;
   IntensityMeasures measures;
   std::optional<double> vertical_pga_g;
   std::optional<std::optional<double>> uplift_scale;  ///< absent: no block; null: no scale

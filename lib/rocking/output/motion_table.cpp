@@ -21,12 +21,22 @@ constexpr std::array<MeasureColumn, 6> measure_columns{
      {"CAV [m/s]", [](const IntensityMeasures& of) { return of.cav_m_s; }},
      {"D5-95 [s]", [](const IntensityMeasures& of) { return of.significant_to_s - of.significant_from_s; }}}};
 
+std::string vertical_cell(const GroundMotionFacts& facts) {
+  if (!facts.has_vertical) return "none";
+  return facts.vertical_file.value_or("in the file");
+}
+
 std::string reading_table(const std::vector<ReportedMotion>& motions) {
-  std::vector<TextRow> rows{{"file", "format", "unit", "samples", "step [s]", "duration [s]"}};
+  std::vector<TextRow> rows{
+      {"file", "format", "columns", "unit", "vertical component", "samples", "step [s]", "duration [s]"}};
   for (const ReportedMotion& motion : motions) {
-    rows.push_back({motion.file, motion.format, motion.unit, std::to_string(motion.samples),
-                    motion.time_step_s ? significant(*motion.time_step_s, 6) : "uneven",
-                    significant(motion.duration_s, 6)});
+    const GroundMotionFacts& facts = motion.facts;
+    std::string columns;
+    for (const std::string& column : facts.columns) columns += (columns.empty() ? "" : ",") + column;
+    rows.push_back({facts.file, facts.format, columns.empty() ? "-" : columns,
+                    facts.unit + (facts.unit_is_assumed ? " (assumed)" : ""), vertical_cell(facts),
+                    std::to_string(facts.samples), facts.time_step_s ? significant(*facts.time_step_s, 6) : "uneven",
+                    significant(facts.duration_s, 6)});
   }
   return aligned(rows);
 }
@@ -34,11 +44,17 @@ std::string reading_table(const std::vector<ReportedMotion>& motions) {
 std::string measures_table(const MotionReport& report, Extent extent) {
   std::vector<TextRow> rows{{"file"}};
   for (const MeasureColumn& column : measure_columns) rows.front().emplace_back(column.heading);
+  const bool has_vertical = std::ranges::any_of(
+      report.motions, [](const ReportedMotion& motion) { return motion.vertical_pga_g.has_value(); });
+  if (has_vertical) rows.front().emplace_back("vertical PGA [g]");
   if (report.block) rows.front().emplace_back("uplift scale");
   for (const ReportedMotion& motion : report.motions) {
-    rows.push_back({motion.file});
+    rows.push_back({motion.facts.file});
     for (const MeasureColumn& column : measure_columns) {
       rows.back().push_back(significant(column.value(motion.measures), 4));
+    }
+    if (has_vertical) {
+      rows.back().push_back(motion.vertical_pga_g ? significant(*motion.vertical_pga_g, 4) : "none");
     }
     if (!motion.uplift_scale) continue;
     rows.back().push_back(*motion.uplift_scale ? significant(**motion.uplift_scale, 4) : "none");
@@ -51,7 +67,7 @@ std::string spectrum_table(const std::vector<ReportedMotion>& motions) {
   std::vector<TextRow> rows{{"file", "T [s]", "Sa [g]", "Sv [m/s]", "Sd [m]", "PSa [g]", "PSv [m/s]"}};
   for (const ReportedMotion& motion : motions) {
     for (const SpectrumEntry& entry : motion.spectrum) {
-      rows.push_back({motion.file, significant(entry.period_s, 4), significant(entry.sa_g, 4),
+      rows.push_back({motion.facts.file, significant(entry.period_s, 4), significant(entry.sa_g, 4),
                       significant(entry.sv_m_s, 4), significant(entry.sd_m, 4), significant(entry.psa_g, 4),
                       significant(entry.psv_m_s, 4)});
     }

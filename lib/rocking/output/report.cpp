@@ -103,6 +103,7 @@ Report report_of(const Experiment& experiment, ExperimentResult result, SystemFa
                 .digest = result.digest,
                 .tolerance_sensitivity = result.tolerance_sensitivity,
                 .conditions = {},
+                .ground_motions = used_ground_motions(experiment.conditions),
                 .system = std::move(system),
                 .swept = {}};
   report.conditions.reserve(result.conditions.size());
@@ -110,6 +111,7 @@ Report report_of(const Experiment& experiment, ExperimentResult result, SystemFa
     const Condition& condition = experiment.conditions[i];
     report.conditions.push_back({.parameters = condition.parameters,
                                  .shaking = shaking_of(condition.scene),
+                                 .scale = scale_of(condition.scene),
                                  .result = std::move(result.conditions[i]),
                                  .confidence = condition.confidence});
   }

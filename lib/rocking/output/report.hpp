@@ -11,6 +11,7 @@
 
 #include "rocking/ensemble/result.hpp"
 #include "rocking/fields/document.hpp"
+#include "rocking/output/ground_motion_facts.hpp"
 #include "rocking/output/provenance.hpp"
 #include "rocking/scene/experiment.hpp"
 #include "rocking/scene/shaking.hpp"
@@ -21,6 +22,7 @@ namespace rocking {
 struct ReportedCondition {
   std::vector<Parameter> parameters;  ///< swept; the same pointers in every condition
   std::optional<Shaking> shaking;     ///< absent under a ground motion
+  std::optional<double> scale;        ///< of a ground motion, otherwise absent
   ConditionResult result;
   double confidence = 0.95;  ///< of its intervals; follows from the experiment and the parameters
 };
@@ -31,6 +33,7 @@ struct Report {
   base::Sha256 digest{};
   std::optional<ToleranceSensitivity> tolerance_sensitivity;  ///< absent where nothing was rerun
   std::vector<ReportedCondition> conditions;                  ///< at least one
+  std::vector<UsedGroundMotion> ground_motions;
   SystemFacts system;
   std::vector<std::string> swept;  ///< pointers of the parameters
 

@@ -22,6 +22,11 @@ static const StructType& fields_of(const ReportedCondition*) {
                                 "amplitude and frequency of the base in every unit, for the mean block; absent under a "
                                 "ground motion",
                                 rule::none, WithoutValue::omitted),
+      field<&Reported::scale>(
+          "scale",
+          "factor on the accelerations of the ground motion, of a random one the mean; absent under "
+          "other excitations",
+          rule::not_negative, WithoutValue::omitted),
       inlined<&Reported::result>(),
   };
   return fields;
@@ -72,6 +77,8 @@ const StructType& fields_of(const Report*) {
       field<&Report::tolerance_sensitivity>("tolerance_sensitivity",
                                             "of all conditions together: response modes that change at a tighter "
                                             "tolerance with the same random numbers; null if none was rerun"),
+      field<&Report::ground_motions>("ground_motions", "how each file was read; absent without recorded excitation",
+                                     rule::none, WithoutValue::omitted),
       field<&Report::conditions>("conditions", "one entry for each point of the sweep"),
   };
   static const StructType fields{

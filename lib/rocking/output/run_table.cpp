@@ -156,6 +156,7 @@ std::string run_table(const Experiment& experiment, const Report& report, const 
   text += overturning_line(rows) + alike_line(experiment, rows);
   text += late_settling_of(report);
   text += noise_line(report.tolerance_sensitivity, tightest_tolerance(experiment));
+  for (const std::string& line : ground_motion_lines(report.ground_motions)) text += line + '\n';
   for (const std::string& alarm : alarms_of(report)) text += "warning: " + alarm + '\n';
   return text;
 }

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "rocking/fields/struct_type.hpp"
+#include "rocking/scene/experiment.hpp"
+
+namespace rocking {
+
+/// What was read of the file of a ground motion.
+struct GroundMotionFacts {
+  std::string file;
+  std::string format;
+  std::string unit;
+  bool unit_is_assumed = false;
+  std::vector<std::string> columns;  ///< of a file of numbers; empty for other formats
+  std::optional<std::string> vertical_file;
+  bool has_vertical = false;
+  std::uint64_t samples = 0;
+  std::optional<std::uint64_t> declared_samples;
+  std::optional<double> time_step_s;
+  double duration_s = 0.0;
+  std::vector<std::string> warnings;
+
+  friend bool operator==(const GroundMotionFacts&, const GroundMotionFacts&) = default;
+};
+
+[[nodiscard]] const StructType& fields_of(const GroundMotionFacts*);
+[[nodiscard]] GroundMotionFacts facts_of(const GroundMotion& motion);
+
+/// How a file was read, in a sentence without its name: `peer_at2, accelerations in g, horizontal component only`.
+[[nodiscard]] std::string reading_in_words(const GroundMotionFacts& facts);
+
+/// A file with the factors by which the conditions of a run multiply its accelerations.
+struct UsedGroundMotion {
+  GroundMotionFacts facts;
+  double least_scale = 0.0;  ///< of a random one the mean, as in each condition
+  double largest_scale = 0.0;
+};
+
+[[nodiscard]] const StructType& fields_of(const UsedGroundMotion*);
+
+/// The factor on the accelerations of a recorded ground motion, of a random one the mean; absent under other excitations.
+[[nodiscard]] std::optional<double> scale_of(const Scene& scene);
+
+/// Every file of a run once, in the order of the conditions.
+[[nodiscard]] std::vector<UsedGroundMotion> used_ground_motions(const std::vector<Condition>& conditions);
+
+/// Above this factor a record is no longer taken for one of a stronger earthquake without a word. In use are limits of 2
+/// to 4 (Bommer & Acevedo 2004, J. Earthq. Eng. 8(S1), 43-91); larger factors bias the response (Luco & Bazzurro 2007,
+/// Earthq. Eng. Struct. Dyn. 36(13), 1813-1835).
+inline constexpr double largest_usual_scale = 4.0;
+
+/// `ground motions: ...` and `scale factors: ...`, a line each: how the files were read, together where they were read
+/// alike, and the range of the factors. Empty without ground motions.
+[[nodiscard]] std::vector<std::string> ground_motion_lines(const std::vector<UsedGroundMotion>& motions);
+
+/// The records that are multiplied by more than `largest_usual_scale`, in a sentence; absent if there are none.
+[[nodiscard]] std::optional<std::string> far_scaled(const std::vector<UsedGroundMotion>& motions);
+
+}  // namespace rocking

@@ -133,4 +133,23 @@ TEST_F(MotionCommand, TakesAVerticalComponent) {
   EXPECT_DOUBLE_EQ(found["uplift_scale"], slope / (0.25 - slope * 0.02));
 }
 
+TEST_F(MotionCommand, SaysWhatTheColumnsAreAndTheUnitThatIsAssumed) {
+  write("d.txt", "0 1 7 0.5\n0.5 -2 7 0.4\n1 0 7 -0.2\n");
+  EXPECT_EQ(rocking("motion d.txt").exit_code, 65);
+  EXPECT_THAT(rocking("motion d.txt").errors, HasSubstr("d.txt, line 1 = \"0 1 7 0.5\": has 4 columns"));
+  for (const char* arguments :
+       {"d.txt --columns time,horizontal,other,vertical", "d.txt --columns time horizontal other vertical",
+        "--columns time horizontal other vertical d.txt"}) {
+    const auto found = rocking("motion -q " + std::string(arguments));
+    EXPECT_EQ(found.errors, "");
+    EXPECT_THAT(found.output, AllOf(HasSubstr("time,horizontal,other,vertical"), HasSubstr("m/s2 (assumed)"),
+                                    HasSubstr("in the file"), HasSubstr("vertical PGA [g]"), HasSubstr("0.05097")));
+  }
+  EXPECT_THAT(rocking("motion d.txt --columns time,horizontal,vertical").errors, HasSubstr("\"columns\" names 3"));
+  EXPECT_EQ(rocking("motion d.txt --columns up").exit_code, 64);
+  EXPECT_EQ(rocking("motion d.txt --columns time,vertical").exit_code, 65);
+  EXPECT_THAT(rocking("motion a.AT2 --columns time,horizontal").errors, HasSubstr("has the format peer_at2"));
+  EXPECT_EQ(rocking("motion c.txt --time-step 1").exit_code, 65);
+}
+
 }  // namespace

@@ -87,6 +87,32 @@ TEST_F(SuiteRun, TellsBeforeItStartsWhichRecordLiftsTheBlockAtNoScale) {
   EXPECT_THAT(rocking("run m.json --dry-run").errors, Not(HasSubstr("too weak")));
 }
 
+TEST_F(SuiteRun, SaysHowItsFilesWereReadAndHowFarTheyWereScaled) {
+  write("records/b.txt", "0 1\n0.1 -2\n0.2 3\n0.3 0.5\n");
+  Json levels = experiment();
+  levels["excitation"]["suite"] = {"records/*.at2", "records/b.txt"};
+  levels["sweep"] = Json::parse(R"([ { "parameter": "/excitation/pga_g", "values": [0.2, 0.6] } ])");
+  write("l.json", levels.dump());
+  const auto ran = rocking("run l.json -o out -q");
+  ASSERT_EQ(ran.exit_code, 0) << ran.errors;
+  const auto as_read =
+      AllOf(HasSubstr("ground motion: 3 files, push.at2 ...: peer_at2; accelerations in g; horizontal component only"),
+            HasSubstr("ground motion: b.txt: columns time, horizontal; accelerations in m/s2 (assumed); horizontal"),
+            HasSubstr("scale factor: from 0.654 (b.txt) to 600 (weak.at2)"),
+            HasSubstr("scale factors above 4 for 1 of 4 ground motions (weak.at2: up to 600)"));
+  EXPECT_THAT(ran.output, AllOf(as_read, HasSubstr("pga_g   scale")));
+  EXPECT_THAT(rocking("validate l.json").output, as_read);
+  EXPECT_THAT(rocking("run l.json --dry-run").output, as_read);
+  EXPECT_THAT(read("out/report.html"), as_read);
+  EXPECT_EQ(objections("report", read("out/report.json")), "");
+  const Json result = report("out")["result"];
+  EXPECT_EQ(result["conditions"][5]["scale"], 600.0);
+  ASSERT_EQ(result["ground_motions"].size(), 4U);
+  EXPECT_EQ(result["ground_motions"][2]["largest_scale"], 600.0);
+  EXPECT_EQ(result["ground_motions"][3]["unit_is_assumed"], true);
+  EXPECT_EQ(rocking("report out --format html").exit_code, 0) << "also from the report alone";
+}
+
 TEST_F(SuiteRun, CanBeVerifiedReplayedAndExtended) {
   ASSERT_EQ(rocking("run e.json -q -o out").exit_code, 0);
   EXPECT_EQ(rocking("verify out").exit_code, 0);

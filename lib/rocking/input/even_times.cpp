@@ -115,8 +115,10 @@ Evenness evenness_of(std::span<const double> times, const PrintedDigits& digits)
   if (length > 0.0 && !found.is_progression) {
     const FittingSteps steps(times, digits);
     const double best = steps.fits(mean) ? mean : steps.best(0.5 * mean, 2.0 * mean);
-    found.is_progression = steps.fits(best);
-    if (found.is_progression) found.step = shortest(best, [&](double step) { return steps.fits(step); });
+    // Of rounded times often one step alone fits, which is a number with few digits.
+    const double step = shortest(best, [&steps](double each) { return steps.fits(each); });
+    found.is_progression = steps.fits(step);
+    if (found.is_progression) found.step = step;
     found.largest_deviation = largest_deviation(times, found.step);
   }
   for (std::size_t i = 1; i < times.size(); ++i) {

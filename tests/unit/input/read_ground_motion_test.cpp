@@ -4,6 +4,7 @@
 #include "rocking/scene/rules.hpp"
 
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <numbers>
 #include <sstream>
@@ -117,6 +118,25 @@ TEST(GroundMotionFile, TellsTheLargestDeviationOfRoundedTimes) {
               ::testing::AllOf(HasSubstr("steps from 0 to 0.01 s"), HasSubstr("even steps of 0.005 s is 0.005 s"),
                                HasSubstr("\"time_step_s\": 0.005")));
   EXPECT_EQ(read("0.00 1\n0.01 2\n0.02 3\n0.03 1\n").warnings.size(), 1U);
+}
+
+// Every second time is rounded up or down as its bits have it, so that one step alone fits all of them.
+TEST(GroundMotionFile, HasTheStepOfTimesWithTooFewDigits) {
+  for (const auto& [step, format] : {std::pair{0.005, "%.2f %d\n"}, std::pair{1.0 / 300.0, "%.3f %d\n"},
+                                     std::pair{0.0078125, "%.3f %d\n"}, std::pair{0.00244, "%.4g %d\n"}}) {
+    std::string text;
+    for (int i = 0; i < 5000; ++i) {
+      char line[32];
+      static_cast<void>(std::snprintf(line, sizeof line, format, step * i, i % 7));
+      text += line;
+    }
+    const auto motion = read(text);
+    ASSERT_EQ(motion.warnings.size(), 2U) << step;
+    const auto begin = motion.warnings[0].find("time_step_s\": ") + 14;
+    // Over all times it stays within the coarsest last digit.
+    const double found = std::stod(motion.warnings[0].substr(begin));
+    EXPECT_LE(std::abs(found - step) * 5000.0, 0.01) << motion.warnings[0];
+  }
 }
 
 TEST(GroundMotionFile, IsTheSameHoweverItIsSpelled) {

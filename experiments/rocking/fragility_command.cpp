@@ -15,6 +15,7 @@
 #include "commands.hpp"
 #include "drawing.hpp"
 #include "exit_code.hpp"
+#include "ground_motion_notes.hpp"
 #include "interrupt.hpp"
 #include "machine.hpp"
 #include "rocking/api/studies.hpp"
@@ -148,6 +149,12 @@ ExitCode fragility(const FragilityCommand& command) {
   const std::string text = fragility_document().text(report);
   std::string table =
       fragility_table(report, command.per_record ? RecordTable::shown : RecordTable::omitted, command.execution.extent);
+  std::string as_read;
+  for (const Curves& each : curves) {
+    const std::string of_run = ground_motion_text(each.stored.experiment);
+    if (as_read.find(of_run) == std::string::npos) as_read += of_run;
+  }
+  table += as_read;
   command.file.prepare();
   table += command.file.write(text);
   WrittenFigures written;

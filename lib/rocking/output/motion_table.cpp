@@ -27,16 +27,19 @@ std::string vertical_cell(const GroundMotionFacts& facts) {
 }
 
 std::string reading_table(const std::vector<ReportedMotion>& motions) {
-  std::vector<TextRow> rows{
-      {"file", "format", "columns", "unit", "vertical component", "samples", "step [s]", "duration [s]"}};
+  std::vector<TextRow> rows{{"file", "format", "unit", "samples", "step [s]", "duration [s]", "vertical component"}};
+  const bool has_columns =
+      std::ranges::any_of(motions, [](const ReportedMotion& motion) { return !motion.facts.columns.empty(); });
+  if (has_columns) rows.front().emplace_back("columns");
   for (const ReportedMotion& motion : motions) {
     const GroundMotionFacts& facts = motion.facts;
+    rows.push_back({facts.file, facts.format, facts.unit + (facts.unit_is_assumed ? " (assumed)" : ""),
+                    std::to_string(facts.samples), facts.time_step_s ? significant(*facts.time_step_s, 6) : "uneven",
+                    significant(facts.duration_s, 6), vertical_cell(facts)});
+    if (!has_columns) continue;
     std::string columns;
     for (const std::string& column : facts.columns) columns += (columns.empty() ? "" : ",") + column;
-    rows.push_back({facts.file, facts.format, columns.empty() ? "-" : columns,
-                    facts.unit + (facts.unit_is_assumed ? " (assumed)" : ""), vertical_cell(facts),
-                    std::to_string(facts.samples), facts.time_step_s ? significant(*facts.time_step_s, 6) : "uneven",
-                    significant(facts.duration_s, 6)});
+    rows.back().push_back(columns.empty() ? "-" : columns);
   }
   return aligned(rows);
 }

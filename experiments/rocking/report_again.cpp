@@ -36,6 +36,7 @@ Report load_report(const RunFolder& folder) {
             ? fmt::format("{0}: there is no report.json yet; `rocking resume {0}` finishes the run", folder.name())
             : folder.name() + ": contains no run (there is no report.json)");
   }
+  if (folder.has_store()) static_cast<void>(folder.open_store(sqlite::Access::read));  // the report is that of this run
   const std::string text = input_of([&] { return read_file(folder.report_path()); });
   try {
     return parse_report(text);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <filesystem>
 #include <utility>
 
 #include <fmt/format.h>
@@ -74,6 +75,8 @@ Store extended_store(RunFolder& folder, const Experiment& experiment, const Expe
     }
     store.close_up();
     folder.begin_replacement();
+  } else {
+    std::filesystem::remove(folder.report_path());  // of a replacement that was not installed: not of the extension
   }
   folder.extend_store(std::move(store), experiment, extension);
   return folder.open_store(sqlite::Access::write);

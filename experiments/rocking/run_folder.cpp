@@ -7,6 +7,7 @@
 
 #include "exit_code.hpp"
 #include "output.hpp"
+#include "rocking/api/run_folder.hpp"
 #include "rocking/base/build_info.hpp"
 #include "rocking/base/error.hpp"
 #include "rocking/ensemble/extension.hpp"
@@ -66,7 +67,9 @@ Store RunFolder::open_store(sqlite::Access access) const {
   expect_short_path(store_path());
   expect_installed();
   if (!has_store()) throw MissingInput(name() + ": contains no run (there is no realisations.sqlite)");
-  return Store::open(store_path(), access);
+  Store store = Store::open(store_path(), access);
+  expect_own_report(files_.folder, store.identity());
+  return store;
 }
 
 Store RunFolder::open_valid_store() const {

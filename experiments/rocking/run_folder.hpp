@@ -54,7 +54,8 @@ class RunFolder {
   void expect_no_run() const;
   /// Creates a store. Throws as Store does.
   [[nodiscard]] Store create_store(const Identity& identity) const;
-  /// Opens the store. Throws MissingInput if there is none, otherwise as Store does.
+  /// Opens the store. Throws MissingInput if there is none, base::InputError if the report is that of another run,
+  /// otherwise as Store does.
   [[nodiscard]] Store open_store(sqlite::Access access) const;
   /// Opens it for reading after a check of every page and row; throws sqlite::UnusableFile if one is damaged.
   [[nodiscard]] Store open_valid_store() const;

@@ -296,6 +296,34 @@ TEST_F(RunFolder, IsNotVerifiedWhereTheSeedWasEdited) {
       HasSubstr("report.json: another experiment than that of the realisations: /seed is \"0x2013\", not \"0x2012\""));
 }
 
+// A copy that went wrong: no command takes part of its answer from the report and part from the realisations.
+TEST_F(RunFolder, IsNotReadWithTheReportOfAnotherRun) {
+  run_quietly("run quick.json -o out");
+  run_quietly("run quick.json -o other --seed 0x2013");
+  run_quietly("run quick.json -o longer --realisations 6");
+  const std::string own = read("out/report.json");
+  for (const char* foreign : {"other", "longer"}) {
+    write("out/report.json", read(std::string(foreign) + "/report.json"));
+    for (const char* command : {"report out", "report out --format csv", "report out --format text", "fragility out",
+                                "compare out other", "compare other out", "replay out --condition 0 --realisation 0",
+                                "status out", "merge whole out", "resume out", "resume out --realisations 8"}) {
+      const auto refused = rocking(command);
+      EXPECT_EQ(refused.exit_code, 65) << command << refused.errors;
+      EXPECT_EQ(refused.output, "") << command;
+      EXPECT_THAT(refused.errors, AllOf(HasSubstr("out/report.json"), HasSubstr("out/realisations.sqlite"),
+                                        HasSubstr(foreign == std::string("other") ? "/seed" : "/realisations"),
+                                        HasSubstr("`rocking resume out`")))
+          << command;
+    }
+    EXPECT_EQ(rocking("verify out").exit_code, 1);
+    EXPECT_EQ(read("out/report.json"), read(std::string(foreign) + "/report.json"));
+  }
+  std::filesystem::remove(folder_ / "out/report.json");
+  run_quietly("resume out");
+  write("own.json", own);
+  EXPECT_EQ(lasting_part("out/report.json"), lasting_part("own.json"));
+}
+
 TEST_F(RunFolder, IsNotVerifiedWhereAnotherVersionGivesOtherBits) {
   ASSERT_EQ(rocking("run quick.json -q -o out").exit_code, 0);
   change_report("/system/version", "0.0.9");

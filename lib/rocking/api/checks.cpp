@@ -111,7 +111,7 @@ RunCheck verify(const std::filesystem::path& folder, std::optional<std::uint64_t
   if (!std::filesystem::exists(file)) return verify(open_run(folder), sample, execution);
   const std::string text = read_file(file);
   const ReportClaims claims = claims_in(text, file);
-  RunCheck check = has_store(folder) ? verify_both(text, claims, open_run(folder), sample, execution)
+  RunCheck check = has_store(folder) ? verify_both(text, claims, stored_run(folder), sample, execution)
                                      : verify_alone(text, folder, sample, execution);
   if (!check.findings.empty() && claims.code != base::code_identity()) {
     check.findings.push_back("the run was made by rocking " + claims.code + ", this is " + base::code_identity() +

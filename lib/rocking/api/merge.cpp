@@ -72,6 +72,7 @@ StoredRun merge(const fs::path& folder, const std::vector<fs::path>& parts) {
   for (std::size_t i = 0; i < parts.size(); ++i) check_same_run(identity, stores[i].identity(), parts[i]);
   const FolderLock lock = claimed(folder);
   if (has_store(folder)) throw refused(folder, "already contains a run", "choose another folder for the whole");
+  expect_own_report(folder, identity);
   const UnfinishedWhole unfinished(folder);
   {
     identity.shard.reset();

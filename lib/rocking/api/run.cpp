@@ -102,6 +102,7 @@ Store store_for(const Experiment& experiment, const Execution& execution, std::o
                   "read the experiment from a file or from text, or run it in memory");
   }
   if (has_store(folder)) return store_in_folder(experiment, execution, damaged_file);
+  expect_own_report(folder, identity);
   identity.files = fs::absolute(execution.files).lexically_normal().string();
   return Store::create(store_in(folder), identity);
 }
@@ -152,6 +153,12 @@ RunResult run(const Experiment& experiment, const Execution& execution) {
 }
 
 StoredRun open_run(const std::filesystem::path& folder) {
+  StoredRun stored = stored_run(folder);
+  expect_own_report(folder, store_of(stored.run).identity());
+  return stored;
+}
+
+StoredRun stored_run(const std::filesystem::path& folder) {
   Store store = valid_store(folder);
   StoredRun stored{.experiment = experiment_of(store.identity()), .run = {}};
   stored.run = look_at(stored.experiment, std::move(store));

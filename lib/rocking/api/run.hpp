@@ -74,7 +74,8 @@ struct StoredRun {
 };
 
 /// Reads the folder that run(), or the program, has filled. Throws std::system_error with the path where there is none,
-/// base::UnusableFile if the store is damaged, and base::InputError if a file that the experiment names has changed.
+/// base::UnusableFile if the store is damaged, and base::InputError if a file that the experiment names has changed, or if
+/// a report.json in the folder is of another experiment.
 [[nodiscard]] ROCKING_API StoredRun open_run(const std::filesystem::path& folder);
 
 /// Joins the parts of a divided run, folders that run() or the program has filled, in a new folder; the run there has no

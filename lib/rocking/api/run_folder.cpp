@@ -1,8 +1,13 @@
 #include "rocking/api/run_folder.hpp"
 
+#include <optional>
 #include <system_error>
 #include <utility>
+#include <vector>
 
+#include "rocking/base/digest.hpp"
+#include "rocking/input/report_claims.hpp"
+#include "rocking/output/report_differences.hpp"
 #include "rocking/text/files.hpp"
 
 namespace rocking {
@@ -16,6 +21,19 @@ bool has_store(const fs::path& folder) {
   const auto bytes = fs::file_size(store_in(folder), none);
   return !none && bytes > 0;
 }
+
+namespace {
+
+std::optional<ReportClaims> claims_beside(const fs::path& report) {
+  if (!fs::exists(report)) return std::nullopt;
+  try {
+    return claims_of_report(read_file(report));
+  } catch (const base::InputError&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace
 
 FolderLock claimed(const fs::path& folder) {
   ensure_writable(folder);
@@ -33,6 +51,20 @@ Store valid_store(const fs::path& folder) {
   Store store = Store::open(store_in(folder), sqlite::Access::read);
   if (const auto damage = store.damage()) throw sqlite::UnusableFile(*damage);
   return store;
+}
+
+void expect_own_report(const fs::path& folder, const Identity& identity) {
+  const fs::path report = folder / "report.json";
+  const auto claims = claims_beside(report);
+  if (!claims || claims->sha256 == base::to_hex(base::sha256(identity.experiment))) return;
+  const std::vector<std::string> differences = experiment_differences(claims->experiment, identity.experiment);
+  throw base::InputError({.place = report.string(),
+                          .value = "",
+                          .reason = "is of another run than " + store_in(folder).string() +
+                                    (differences.empty() ? "" : ": in its experiment " + differences.front()),
+                          .remedy = "move the one that does not belong there to another folder; `rocking resume " +
+                                    folder.string() + "` writes the report of the realisations",
+                          .where = {}});
 }
 
 base::InputError refused(const fs::path& folder, std::string reason, std::string remedy) {

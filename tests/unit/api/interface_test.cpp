@@ -246,7 +246,10 @@ TEST_F(Interface, VerifiesAFolderWithItsReport) {
   const RunCheck other = verify(out);
   EXPECT_EQ(other.checked, 0U) << "the realisations are those of another experiment";
   EXPECT_THAT(other.findings, ::testing::ElementsAre(HasSubstr("another experiment")));
+  EXPECT_THAT(refusal([&] { static_cast<void>(open_run(out)); }),
+              AllOf(HasSubstr("out/report.json"), HasSubstr("out/realisations.sqlite"), HasSubstr("/title")));
   fs::remove(out / "realisations.sqlite");
+  EXPECT_THAT(refusal([&] { static_cast<void>(run(experiment, {.folder = out})); }), HasSubstr("out/report.json"));
   EXPECT_EQ(verify(out).checked, 12U);
   EXPECT_THAT(refusal([&] { static_cast<void>(verify(out, 4)); }), HasSubstr("sample"));
   write_atomically(out / "report.json", "{}");

@@ -13,6 +13,7 @@ using rocking::Json;
 using rocking::support::quick_experiment;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 class Ranks : public rocking::support::ProgramTest {
  protected:
@@ -70,6 +71,47 @@ TEST_F(Ranks, LoseAtMostTheirOpenBlocksWhenOneDies) {
   const auto resumed = shell(ranks(2, "resume out -q"));
   ASSERT_EQ(resumed.exit_code, 0) << resumed.errors;
   EXPECT_EQ(lasting_part("out/report.json"), lasting_part("whole/report.json"));
+}
+
+// The other ranks, which only compute, end with the one that writes.
+TEST_F(Ranks, LoseAtMostTheirOpenBlocksWhenTheOneThatWritesDies) {
+  ASSERT_EQ(shell(ranks(3, "run long.json -q -o whole")).exit_code, 0);
+  const auto outcome =
+      shell(ranks(3, "run long.json -q -o out") +
+            " & job=$!; until '" ROCKING_PROGRAM
+            "' status out 2>/dev/null | grep -q 'done *[1-9]'; do sleep 0.01; done; "
+            "set -- $(cat /proc/$job/task/$job/children); kill -9 $1; wait $job; echo $?; "
+            "while kill -0 $2 2>/dev/null || kill -0 $3 2>/dev/null; do sleep 0.1; done; echo all gone");
+  EXPECT_THAT(outcome.output, AllOf(Not(HasSubstr("\n0\n")), HasSubstr("all gone")));
+  EXPECT_FALSE(exists("out/report.json"));
+  const auto resumed = shell(ranks(2, "resume out -q"));
+  ASSERT_EQ(resumed.exit_code, 0) << resumed.errors;
+  EXPECT_EQ(lasting_part("out/report.json"), lasting_part("whole/report.json"));
+}
+
+// As where a file was copied to the hosts of a cluster, and one copy is old.
+TEST_F(Ranks, RefuseToComputeWithAnotherFile) {
+  Json question = rocking::support::recorded_experiment();
+  question["realisations"] = 100'000;
+  question["fluctuation"] = {{"restitution", {{"sigma", 0.02}}}};
+  const std::string pulse = rocking::support::recorded_pulse();
+  for (const std::string host : {"first", "second"}) {
+    std::filesystem::create_directory(folder_ / host);
+    write(host + "/question.json", question.dump());
+    write(host + "/pulse.txt", host == "first" ? pulse : pulse + "0.8, 0.1\n0.9, 0\n");
+  }
+  const std::string begin = "env ASAN_OPTIONS=detect_leaks=0 mpirun --allow-run-as-root --oversubscribe";
+  const std::string command =
+      std::string(" '") + ROCKING_PROGRAM "' run /proc/self/cwd/question.json -q -o " + (folder_ / "out").string();
+  const auto both = [&](const std::string& host, const std::string& more = "") {
+    return shell(begin + " -n 1 -wdir first" + command + more + " : -n 1 -wdir " + host + command);
+  };
+  const auto refused = both("second");
+  EXPECT_EQ(refused.exit_code, 74) << refused.errors;
+  EXPECT_THAT(refused.errors, AllOf(HasSubstr("rank 1: on "), HasSubstr("is not the digest of the file")));
+  EXPECT_FALSE(exists("out/report.json"));
+  std::filesystem::remove_all(folder_ / "out");
+  EXPECT_EQ(both("first", " --realisations 40").exit_code, 0);
 }
 
 TEST_F(Ranks, StopCleanlyWhenTheirTimeIsUpOrTheyAreAskedTo) {

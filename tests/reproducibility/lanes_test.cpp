@@ -28,6 +28,7 @@
 #include "rocking/realisation/realisation_digest.hpp"
 #include "rocking/realisation/realisation_scheduler.hpp"
 #include "support/excitation.hpp"
+#include "support/random_scene.hpp"
 
 namespace {
 std::uint64_t allocations = 0;
@@ -136,6 +137,22 @@ TEST(Lanes, GiveEachRealisationTheBitsThatItGetsAlone) { EXPECT_GT(expect_the_bi
 
 TEST(Lanes, GiveEachRealisationThatIsRunUntilItIsClassifiedTheBitsThatItGetsAlone) {
   expect_the_bits_alone(settling_crowd());
+}
+
+// Scenes that nobody has chosen, in the lanes of every instruction set that this machine has.
+TEST(Lanes, GiveEachRealisationOfRandomScenesTheBitsThatItGetsAlone) {
+  constexpr int scenes = 131;
+  support::SplitMix random(65);
+  std::vector<Condition> conditions;
+  for (int i = 0; i < scenes; ++i) {
+    Condition condition;
+    condition.scene = support::random_scene(random);
+    condition.horizon = {.transient_periods = random.below(20), .sampled_periods = 20};
+    condition.realisations = 3;
+    if (random.below(8) == 0) condition.tolerance = 1e-7;
+    conditions.push_back(condition);
+  }
+  expect_the_bits_alone(conditions);
 }
 
 TEST(Lanes, GiveEachRealisationUnderAGroundMotionTheBitsThatItGetsAlone) {

@@ -2,6 +2,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
@@ -44,24 +45,17 @@ std::vector<Diagram> draw(const Experiment& experiment, const BifurcationCommand
   return rocking::bifurcation(experiment, command.realisation, watched(command.execution, progress));
 }
 
-ExitCode bifurcation(const BifurcationCommand& command) {
-  const ExperimentText source = load_experiment_text(command.experiment);
-  const Experiment experiment = load_experiment(source, command.overrides);
-  std::vector<std::filesystem::path> files;
-  check_source(source, [&] { files = tables_in(command.file.folder(), experiment, diagrams_of(experiment)); });
-  const auto expect_free = [&] {
-    for (const std::filesystem::path& file : files) command.file.expect_free(file);
-  };
-  expect_free();
-  command.file.prepare();
-  const DrawnDiagrams drawn{
-      .experiment = &experiment, .realisation = command.realisation, .diagrams = draw(experiment, command)};
-  expect_free();
+void expect_free(const BifurcationCommand& command, const std::vector<std::filesystem::path>& files) {
+  for (const std::filesystem::path& file : files) command.file.expect_free(file);
+}
+
+/// Writes the points as CSV and as JSON; the lines that say so.
+std::string write(const BifurcationCommand& command, const DrawnDiagrams& drawn, std::string_view text,
+                  const std::vector<std::filesystem::path>& files) {
+  expect_free(command, files);
   write_atomically(files.front(), bifurcation_csv(drawn));
   const std::vector<DiagramTable> tables = diagram_tables(drawn);
   for (std::size_t i = 0; i < tables.size(); ++i) write_atomically(files[i + 1], tables[i].csv);
-  const std::string text =
-      bifurcation_document().text(bifurcation_report(experiment, command.realisation, drawn.diagrams));
   std::string where = command.file.write(text);
   constexpr std::size_t most_named = 4;
   const bool names_all = command.execution.extent == Extent::all || files.size() <= most_named;
@@ -69,8 +63,23 @@ ExitCode bifurcation(const BifurcationCommand& command) {
     where += fmt::format("        {}\n", file.string());
   }
   if (!names_all) where += fmt::format("        and one file for each diagram, {} in all\n", files.size() - 1);
-  print_study(command.execution.loudness, text,
-              heading(experiment) + bifurcation_table(drawn, command.execution.extent) + where);
+  return where;
+}
+
+ExitCode bifurcation(BifurcationCommand& command) {
+  const ExperimentText source = load_experiment_text(command.experiment);
+  const Experiment experiment = load_experiment(source, command.overrides);
+  std::vector<std::filesystem::path> files;
+  check_source(source, [&] { files = tables_in(command.file.folder(), experiment, diagrams_of(experiment)); });
+  expect_free(command, files);
+  command.file.prepare();
+  const DrawnDiagrams drawn{
+      .experiment = &experiment, .realisation = command.realisation, .diagrams = draw(experiment, command)};
+  const std::string text =
+      bifurcation_document().text(bifurcation_report(experiment, command.realisation, drawn.diagrams));
+  deliver_study(command.execution.loudness, text,
+                heading(experiment) + bifurcation_table(drawn, command.execution.extent),
+                [&] { return write(command, drawn, text, files); });
   return ExitCode::done;
 }
 

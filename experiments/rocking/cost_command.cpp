@@ -45,7 +45,7 @@ std::string fixed_horizon_note(const Experiment& experiment) {
       most);
 }
 
-ExitCode cost(const CostCommand& command) {
+ExitCode cost(CostCommand& command) {
   const Experiment experiment = load_experiment(command.experiment, command.overrides);
   try {
     check_request(experiment, command.cost);
@@ -61,7 +61,7 @@ ExitCode cost(const CostCommand& command) {
   }
   const std::string text = cost_document().text(cost_report(measured));
   const std::string table = heading(experiment) + cost_table(measured) + fixed_horizon_note(experiment);
-  print_study(command.execution.loudness, text, table + command.file.write(text));
+  deliver_study(command.execution.loudness, text, table, [&] { return command.file.write(text); });
   return ExitCode::done;
 }
 

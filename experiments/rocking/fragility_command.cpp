@@ -59,8 +59,7 @@ FragilityQuestion with_rare(FragilityQuestion question, const std::filesystem::p
   return question;
 }
 
-Curves curves_of(const std::string& folder, const FragilityCommand& command, const FragilityQuestion& asked) {
-  const ExecutionOptions& execution = command.execution;
+StoredRun finished_run(const std::string& folder) {
   RunFolder(folder).expect_installed();
   StoredRun stored = input_of([&] { return open_run(folder); });
   if (stored.run.done < stored.run.all || !stored.run.is_complete()) {
@@ -68,6 +67,12 @@ Curves curves_of(const std::string& folder, const FragilityCommand& command, con
         "{0}: has {1} of {2} realisations; `rocking resume {0}`, or `rocking merge` of all parts, completes it", folder,
         stored.run.done, stored.run.all));
   }
+  return stored;
+}
+
+Curves curves_of(StoredRun stored, const std::string& folder, const FragilityCommand& command,
+                 const FragilityQuestion& asked) {
+  const ExecutionOptions& execution = command.execution;
   const FragilityQuestion question = with_rare(asked, command.rare, stored.experiment);
   Progress progress(suitable_progress_style(execution.loudness), "parts of the fit");
   try {
@@ -132,41 +137,45 @@ bool write_sheet(const FragilityCommand& command, const Curves& curves, const Fr
   return !written.files.empty();
 }
 
-ExitCode fragility(const FragilityCommand& command) {
+ExitCode fragility(FragilityCommand& command) {
   const analysis::FigureLook look = look_for(command.style);
   expect_sensible(command);
   if (command.file.is_asked()) command.file.expect_free();
   FragilityQuestion question = command.question;
   if (!command.hazard.empty()) question.hazard = input_of([&] { return hazard_curve(command.hazard); });
   if (!command.metadata.empty()) question.metadata = input_of([&] { return record_metadata(command.metadata); });
+  std::vector<StoredRun> finished;
+  for (const std::string& folder : command.folders) finished.push_back(finished_run(folder));
+  command.file.prepare();
   std::vector<Curves> curves;
   std::vector<RunFragility> runs;
-  for (const std::string& folder : command.folders) {
-    curves.push_back(curves_of(folder, command, question));
+  for (std::size_t i = 0; i < finished.size(); ++i) {
+    curves.push_back(curves_of(std::move(finished[i]), command.folders[i], command, question));
     runs.push_back(curves.back().found);
   }
   const FragilityReport report = fragility_report(runs);
   const std::string text = fragility_document().text(report);
-  std::string table =
-      fragility_table(report, command.per_record ? RecordTable::shown : RecordTable::omitted, command.execution.extent);
+  const RecordTable records = command.per_record ? RecordTable::shown : RecordTable::omitted;
+  const std::string table = command.suggests ? suggestions(curves, command.folders)
+                                             : fragility_table(report, records, command.execution.extent);
   std::string as_read;
   for (const Curves& each : curves) {
     const std::string of_run = ground_motion_text(each.stored.experiment);
     if (as_read.find(of_run) == std::string::npos) as_read += of_run;
   }
-  table += as_read;
-  command.file.prepare();
-  table += command.file.write(text);
-  WrittenFigures written;
-  if (!command.figures.empty()) {
-    written = draw_fragility(report, command.figures, look);
-    table += fmt::format("{}\n", fmt::join(written.files, "\n"));
-  }
-  const bool has_sheet = write_sheet(command, curves.front(), question);
-  if (!command.sheet.empty() && has_sheet) table += fmt::format("sheet: {}\n", command.sheet.string());
-  if (command.suggests) table = suggestions(curves, command.folders);
-  print_study(command.execution.loudness, text, table);
-  const ExitCode drawn = written.failures.tell(no_figure, PictureRole::purpose);
+  WrittenFigures figures;
+  bool has_sheet = false;
+  deliver_study(command.execution.loudness, text, table, [&] {
+    std::string where = as_read + command.file.write(text);
+    if (!command.figures.empty()) {
+      figures = draw_fragility(report, command.figures, look);
+      where += fmt::format("{}\n", fmt::join(figures.files, "\n"));
+    }
+    has_sheet = write_sheet(command, curves.front(), question);
+    if (!command.sheet.empty() && has_sheet) where += fmt::format("sheet: {}\n", command.sheet.string());
+    return command.suggests ? "" : where;
+  });
+  const ExitCode drawn = figures.failures.tell(no_figure, PictureRole::purpose);
   return has_sheet ? drawn : ExitCode::input_output;
 }
 

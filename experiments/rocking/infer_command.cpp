@@ -30,7 +30,6 @@ struct InferCommand {
   std::string candidates;  ///< empty: none
   InferRequest infer;
   StudyFile file{"infer.json"};
-  bool resume = false;
   Overrides overrides;
   ExecutionOptions execution{.threads = available_threads(), .max_time = {}, .loudness = {}};
 };
@@ -64,11 +63,10 @@ ExitCode infer(InferCommand& command) {
   request.tests = load_tests(command, experiment, source.folder);
   request.elapsed_seconds = seconds_from_now();
   request.keeps_when_stopped = true;
-  if (command.resume) {
-    request.earlier = earlier_design(command, infer_report(experiment, request.tests, request.next_tests, {}));
-    command.file.permit_replacing();
-  }
   command.file.prepare();
+  if (command.file.resumes()) {
+    request.earlier = earlier_design(command, infer_report(experiment, request.tests, request.next_tests, {}));
+  }
   Inference found;
   {
     Progress progress(suitable_progress_style(command.execution.loudness), "realisations and made-up data sets");
@@ -76,7 +74,8 @@ ExitCode infer(InferCommand& command) {
   }
   const InferReport report = infer_report(experiment, request.tests, request.next_tests, found);
   const std::string text = infer_document().text(report);
-  print_study(command.execution.loudness, text, heading(experiment) + infer_table(report) + command.file.write(text));
+  deliver_study(command.execution.loudness, text, heading(experiment) + infer_table(report),
+                [&] { return command.file.write(text); });
   return end_of(found, command.file);
 }
 
@@ -110,7 +109,7 @@ void add_infer(CLI::App& app, Action& action) {
   add_duration(*command, "--max-time", request->infer.seconds,
                "Add no points to the design after this time, e.g. 10min, and answer from those that are finished");
   request->file.add_to(*command, true);
-  command->add_flag("--resume", request->resume, "Go on from the points in DIR/infer.json, if it is there");
+  request->file.add_resume(*command, "points");
   add_threads(*command, request->execution);
   add_seed(*command, request->overrides);
   add_loudness(*command, request->execution.loudness);

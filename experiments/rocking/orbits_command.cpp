@@ -44,7 +44,7 @@ OrbitsRequest checked(const Experiment& experiment, const ExperimentText& source
   return request;
 }
 
-ExitCode orbits(const OrbitsCommand& command) {
+ExitCode orbits(OrbitsCommand& command) {
   const ExperimentText source = load_experiment_text(command.experiment);
   const Experiment experiment = load_experiment(source);
   const OrbitsRequest request = checked(experiment, source, command.orbits);
@@ -55,8 +55,8 @@ ExitCode orbits(const OrbitsCommand& command) {
   Progress progress(suitable_progress_style(command.execution.loudness), "conditions");
   const OrbitStudy study = rocking::orbits(experiment, request, watched(command.execution, progress));
   const std::string text = orbits_text(experiment, study);
-  print_study(command.execution.loudness, text,
-              heading(experiment) + table_of(study, command.execution.extent) + command.file.write(text));
+  deliver_study(command.execution.loudness, text, heading(experiment) + table_of(study, command.execution.extent),
+                [&] { return command.file.write(text); });
   return ExitCode::done;
 }
 

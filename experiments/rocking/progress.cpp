@@ -27,7 +27,8 @@ std::size_t columns() { return terminal_columns(STDERR_FILENO).value_or(80); }
 bool wants_colour() { return environment("NO_COLOR").empty(); }
 
 std::string bar(const Pace& pace, std::size_t length) {
-  const double part = pace.all == 0 ? 1.0 : static_cast<double>(pace.done) / static_cast<double>(pace.all);
+  const double part =
+      pace.all == 0 ? (pace.done > 0 ? 0.0 : 1.0) : static_cast<double>(pace.done) / static_cast<double>(pace.all);
   const auto filled = std::min(length, static_cast<std::size_t>(part * static_cast<double>(length)));
   std::string text(length, ' ');
   std::fill_n(text.begin(), filled, '=');
@@ -69,14 +70,19 @@ ProgressStyle suitable_progress_style(const Loudness& loudness) {
 std::string progress_line(const Pace& pace, std::string_view noun) {
   const auto part = static_cast<double>(pace.done);
   const auto whole = static_cast<double>(pace.all);
+  const bool is_open = pace.all == 0 && pace.done > 0;
   std::string line = fmt::format("{}/{}", pace.done, pace.all);
-  if (!noun.empty()) {
+  if (is_open) {
+    line = fmt::format("{} {} so far", pace.done, noun);
+  } else if (!noun.empty()) {
     line =
         fmt::format("{} of {} {} ({:.1f} %)", pace.done, pace.all, noun, pace.all == 0 ? 100.0 : 100.0 * part / whole);
   }
   if (!pace.rate || *pace.rate <= 0.0) return line;
   const std::string rate = *pace.rate < 100.0 ? fmt::format("{:.3g}", *pace.rate) : fmt::format("{:.0f}", *pace.rate);
-  return line + fmt::format(", {}/s, {} remaining", rate, duration_in_words((whole - part) / *pace.rate));
+  line += fmt::format(", {}/s", rate);
+  if (!is_open) line += fmt::format(", {} remaining", duration_in_words((whole - part) / *pace.rate));
+  return line;
 }
 
 Progress::Progress(ProgressStyle style, std::string noun)
@@ -96,7 +102,8 @@ void Progress::show(std::uint64_t done, std::uint64_t all, const std::function<s
   if (style_ == ProgressStyle::none || Clock::now() < next_) return;
   next_ = Clock::now() + interval_of(style_);
   const Pace reached = pace(done, all);
-  std::string words = progress_line(reached, style_ == ProgressStyle::rewritten_line ? "" : noun_);
+  const bool is_short = style_ == ProgressStyle::rewritten_line && all > 0;
+  std::string words = progress_line(reached, is_short ? "" : noun_);
   if (const std::string also = more ? more() : ""; !also.empty()) words += "; " + also;
   if (style_ == ProgressStyle::rewritten_line) {
     rewrite_line(reached, words);

@@ -23,7 +23,7 @@ enum class ProgressStyle : std::uint8_t {
 /// State of a computation.
 struct Pace {
   std::uint64_t done = 0;
-  std::uint64_t all = 0;
+  std::uint64_t all = 0;       ///< 0 beside a number done: not known yet
   std::optional<double> rate;  ///< [1/s]; absent before there is one
 };
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -31,18 +32,14 @@ struct RareCommand {
   std::string experiment;
   StudyFile file{"rare.json"};
   RareRequest rare;
-  bool resume = false;
   Overrides overrides;
   ExecutionOptions execution{.threads = available_threads(), .max_time = {}, .loudness = {}};
 };
 
-/// The repetitions that the file of the command has; none without a file.
-std::vector<std::vector<rare::Repetition>> earlier_repetitions(const RareCommand& command,
-                                                               const Experiment& experiment) {
-  if (!std::filesystem::exists(command.file.path())) return {};
-  const RareMeans means{.question = command.rare.question, .particles = command.rare.particles};
-  return repetitions_for(rare_report(experiment, means, {}),
-                         rare_document().read(parse_json(read_file(command.file.path()))));
+/// The estimates in the file of the command; none without a file.
+std::vector<RareEstimate> earlier_estimates(const StudyFile& file, const RareReport& asked) {
+  if (!std::filesystem::exists(file.path())) return {};
+  return estimates_for(asked, rare_document().read(parse_json(read_file(file.path()))));
 }
 
 ExitCode end_of(const std::vector<ReportedRare>& conditions, const StudyFile& file) {
@@ -60,17 +57,22 @@ ExitCode rare(RareCommand& command) {
   RareRequest request = command.rare;
   request.elapsed_seconds = seconds_from_now();
   check_source(source, [&] { check_request(experiment, request); });
-  if (command.resume) {
-    check_source(source, [&] { request.earlier = earlier_repetitions(command, experiment); });
-    command.file.permit_replacing();
+  command.file.prepare();
+  const auto report_on = [&](const std::vector<RareEstimate>& found) {
+    return rare_report(experiment, {.question = request.question, .particles = request.particles}, found);
+  };
+  if (command.file.resumes()) {
+    check_source(source, [&] { request.earlier = earlier_estimates(command.file, report_on({})); });
   }
   request.keeps_when_stopped = true;
-  command.file.prepare();
-  Progress progress(suitable_progress_style(command.execution.loudness), "repetitions");
-  const RareReport report = rare_report(experiment, {.question = request.question, .particles = request.particles},
-                                        rare_probabilities(experiment, request, watched(command.execution, progress)));
+  request.keep = [&](const std::function<std::vector<RareEstimate>()>& so_far) {
+    command.file.keep([&] { return rare_document().text(report_on(so_far())); });
+  };
+  Progress progress(suitable_progress_style(command.execution.loudness), "realisations");
+  const RareReport report = report_on(rare_probabilities(experiment, request, watched(command.execution, progress)));
   const std::string text = rare_document().text(report);
-  print_study(command.execution.loudness, text, heading(experiment) + rare_table(report) + command.file.write(text));
+  deliver_study(command.execution.loudness, text, heading(experiment) + rare_table(report),
+                [&] { return command.file.write(text); });
   return end_of(report.conditions, command.file);
 }
 
@@ -107,7 +109,7 @@ void add_rare(CLI::App& app, Action& action) {
       "probability of each condition with its interval to out/rare.json and prints it. Something must be random.");
   add_experiment(*command, request->experiment);
   request->file.add_to(*command, true);
-  command->add_flag("--resume", request->resume, "Go on from the repetitions in DIR/rare.json, if it is there");
+  request->file.add_resume(*command, "repetitions");
   add_question(*command, *request);
   add_threads(*command, request->execution);
   add_seed(*command, request->overrides);

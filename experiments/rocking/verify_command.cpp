@@ -43,7 +43,7 @@ struct StudyCheck {
   Verify* verify;
 };
 constexpr std::array study_checks{
-    StudyCheck{"rare.json", "repetitions", "repetition", "repetitions_run_again", " and the pilot runs", verify_rare},
+    StudyCheck{"rare.json", "realisations", "repetition", "repetitions_run_again", " and the pilot runs", verify_rare},
     StudyCheck{"infer.json", "realisations", "point", "points_run_again", "", verify_infer},
 };
 

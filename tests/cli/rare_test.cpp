@@ -99,6 +99,61 @@ TEST_F(Rare, GoesOnFromWhatAnEarlierCallHasFinished) {
   EXPECT_THAT(other.errors, HasSubstr("/input: is not that of the earlier estimate"));
 }
 
+// Each is killed when it has written its first repetitions; a file with fewer is never put in place of one with more.
+TEST_F(Rare, LosesToAKillOnlyItsLastSeconds) {
+  const std::string options = " -q -j 1 --particles 40 --peak-tilt 0.5 --relative-error ";
+  ASSERT_EQ(rocking("rare quick.json -o all" + options + "0.05").exit_code, 0);
+  const auto repetitions = [&] {
+    std::size_t count = 0;
+    const Json file = Json::parse(read("out/rare.json"));
+    for (const Json& condition : file["conditions"]) {
+      count += condition["repetitions"].size();
+    }
+    return count;
+  };
+  const std::string endless = "'" ROCKING_PROGRAM "' rare quick.json -o out" + options + "0.001";
+  std::size_t before = 0;
+  for (const char* resume : {"", " --resume", " --resume"}) {
+    const auto killed = shell(endless + resume +
+                              " & child=$!; until test out/rare.json -nt script || ! kill -0 $child; do sleep 0.01; "
+                              "done; kill -9 $child; wait $child");
+    EXPECT_EQ(killed.exit_code, 137) << killed.errors;
+    EXPECT_EQ(objections("rare", read("out/rare.json")), "");
+    EXPECT_GT(repetitions(), before);
+    before = repetitions();
+  }
+  EXPECT_EQ(rocking("rare quick.json -o out" + options + "0.05").exit_code, 74) << "without --resume";
+  EXPECT_EQ(rocking("rare quick.json -o out" + options + "0.05 --resume").exit_code, 0);
+  EXPECT_EQ(read("out/rare.json"), read("all/rare.json"));
+}
+
+// A stop before a condition is reached again keeps what it had.
+TEST_F(Rare, KeepsEarlierRepetitionsOfConditionsThatItDoesNotReach) {
+  const std::string options = "rare quick.json -o out -q -j 1 --particles 200 --peak-tilt 0.6 --relative-error ";
+  ASSERT_EQ(rocking(options + "0.5").exit_code, 0);
+  const Json first = Json::parse(read("out/rare.json"))["conditions"];
+  ASSERT_EQ(rocking(options + "0.001 --resume --max-time 0.001s").exit_code, 0);
+  const Json second = Json::parse(read("out/rare.json"))["conditions"];
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(second[i]["repetitions"], first[i]["repetitions"]);
+    EXPECT_EQ(second[i]["probability"], first[i]["probability"]);
+    EXPECT_EQ(second[i]["ended"], "out_of_time");
+  }
+  EXPECT_EQ(rocking("verify out").exit_code, 0);
+}
+
+// All is drawn once, and the block never overturns: there are hundreds of stages of the search.
+TEST_F(Rare, TellsItsProgressAlsoInPilotRuns) {
+  Json experiment = Json::parse(read("quick.json"));
+  experiment.erase("fluctuation");
+  experiment["block"]["width_m"] = {{"normal", {{"mean", 1.0}, {"sigma", 0.01}}}};
+  experiment["sweep"][0]["values"] = {2.0};
+  write("once.json", experiment.dump());
+  const auto outcome = shell("script -qec \"timeout 2 '" ROCKING_PROGRAM "' rare once.json -o out -j 1\" /dev/null");
+  EXPECT_THAT(outcome.output, ::testing::ContainsRegex("[0-9]+ realisations so far, [0-9]+/s"));
+  EXPECT_THAT(outcome.output, ::testing::Not(HasSubstr("0/0")));
+}
+
 TEST_F(Rare, HasOneProbabilityForASuiteOfRecords) {
   write("suite.json", suite_experiment().dump());
   const auto outcome = rocking("rare suite.json -o out --particles 100 --relative-error 1 --peak-tilt 0.3");

@@ -164,7 +164,8 @@ TEST(RareProbabilities, GoOnFromEarlierRepetitions) {
     const rocking::RareQuestion question{.event = {.peak_tilt = 0.6}, .relative_error = 0.05};
     const RareEstimate all = rare_probabilities(experiment, question, {.particles = 20}).front();
     rocking::RareSettings settings{.particles = 20};
-    settings.earlier = {{all.repetitions.begin(), all.repetitions.begin() + 5}};
+    settings.earlier = {all};
+    settings.earlier.front().repetitions.resize(5);
     const RareEstimate resumed = rare_probabilities(experiment, question, settings).front();
     EXPECT_EQ(resumed.probability, all.probability);
     EXPECT_EQ(resumed.repetitions.size(), all.repetitions.size());

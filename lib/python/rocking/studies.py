@@ -137,7 +137,8 @@ def rare(
     relative_error: standard error over the probability that is aimed at. peak_tilt: ask for abs(Theta) above this
     instead of overturning. particles: trajectories of a repetition, 20 to 100000. seconds: stop after this time for all
     conditions together, with what is finished then; without it the same is estimated again. progress: called with
-    (finished repetitions, planned so far). Raises InputError if nothing in a condition is random or a number is out of range.
+    (realisations simulated, expected in all) once the latter is known. Raises InputError if nothing in a condition is
+    random or a number is out of range.
 
     >>> import rocking
     >>> slab = {"format": "rocking.experiment/1", "block": {"width_m": 1, "height_m": 4},

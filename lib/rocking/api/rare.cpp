@@ -1,8 +1,8 @@
 #include "rocking/api/studies.hpp"
 
 #include <algorithm>
-#include <cstdint>
 
+#include "rocking/api/rare_progress.hpp"
 #include "rocking/api/refuse.hpp"
 #include "rocking/api/run_options.hpp"
 #include "rocking/base/number_text.hpp"
@@ -25,41 +25,19 @@ void check_request(const Experiment& experiment, const RareRequest& request) {
   check_rare(experiment);
 }
 
-namespace {
-
-/// Progress by condition as progress of all.
-class TotalProgress {
- public:
-  explicit TotalProgress(const RunOptions& options) : options_(&options) {}
-
-  void tell(std::size_t condition, std::size_t done, std::size_t planned) {
-    if (condition != condition_) earlier_ += last_;
-    condition_ = condition;
-    last_ = done;
-    if (options_->on_progress) options_->on_progress(earlier_ + done, earlier_ + planned);
-  }
-
- private:
-  const RunOptions* options_;
-  std::size_t condition_ = 0;
-  std::uint64_t last_ = 0;
-  std::uint64_t earlier_ = 0;
-};
-
-}  // namespace
-
 std::vector<RareEstimate> rare_probabilities(const Experiment& experiment, const RareRequest& request,
                                              const Execution& execution) {
   check_request(experiment, request);
   const OptionsOfExecution asked(execution);
-  TotalProgress progress(asked.options());
+  TotalProgress progress(asked.options(), experiment.conditions.size());
   RareSettings settings{.particles = request.particles, .threads = asked.options().threads, .stop = asked.stop()};
   settings.seconds = request.seconds;
   settings.elapsed_seconds = request.elapsed_seconds;
-  settings.on_progress = [&progress](std::size_t condition, std::size_t done, std::size_t planned) {
-    progress.tell(condition, done, planned);
+  settings.on_progress = [&progress](std::size_t condition, double done, double expected) {
+    progress.tell(condition, done, expected);
   };
   settings.earlier = request.earlier;
+  settings.keep = request.keep;
   std::vector<RareEstimate> found = rare_probabilities(experiment, request.question, settings);
   const bool is_stopped = std::ranges::any_of(found, [](const auto& one) { return one.end == RareEnd::stopped; });
   if (is_stopped && !request.keeps_when_stopped) throw base::Stopped();

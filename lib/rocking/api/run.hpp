@@ -29,7 +29,8 @@ enum class Decision : std::uint8_t { proceed, stop };
 /// How an experiment is run. No field changes a realisation.
 struct Execution {
   unsigned threads = 1;  ///< at least 1
-  /// Called from time to time, by one thread at a time, with the numbers of finished realisations and of all.
+  /// Called from time to time, by one thread at a time, with the numbers of finished realisations and of all. Studies may
+  /// not know the second one at first; it is 0 then.
   std::function<Decision(std::uint64_t done, std::uint64_t all)> on_progress = {};
   /// A flag that stops the run when it is set, by any thread or a signal handler; looked at within realisations too. It
   /// must outlive the run, which sets it where on_progress says stop. Null: none.

@@ -136,10 +136,13 @@ struct RareRequest {
   /// finished then is left out. Absent: no limit, so that the same is estimated again.
   std::optional<double> seconds = {};
   std::function<double()> elapsed_seconds = {};
-  /// Of an earlier study with the same experiment, question and particles, by condition: they are not made again.
-  std::vector<std::vector<rare::Repetition>> earlier = {};
+  /// Of an earlier study with the same experiment, event and particles, by condition: their repetitions are not made again.
+  std::vector<RareEstimate> earlier = {};
   /// When it is asked to stop, it returns what is finished. Else it throws.
   bool keeps_when_stopped = false;
+  /// Called by one thread at a time after each repetition; `so_far` gives what would be returned if it had been asked to
+  /// stop after it.
+  std::function<void(const std::function<std::vector<RareEstimate>()>& so_far)> keep = {};
 };
 
 /// Throws base::InputError if nothing in a condition is random or a number is out of range.
@@ -147,8 +150,9 @@ ROCKING_API void check_request(const Experiment& experiment, const RareRequest& 
 
 /// Estimates the probability of overturning, or of a large tilt, one entry for each condition, by a particle run that
 /// the committor steers or by importance sampling. Uses `threads`, `on_progress` and `stop` of the execution; progress
-/// counts repetitions, and their number grows while the precision is not reached. Throws as check_request, and
-/// base::Stopped if it is asked to stop. Source: lib/docs/rare.md.
+/// counts simulated time in realisations to the horizon. Their number is estimated; it is 0, not known, up to the end of
+/// the pilot runs of the first condition. Throws as check_request, and base::Stopped if it is asked to stop. Source:
+/// lib/docs/rare.md.
 [[nodiscard]] ROCKING_API std::vector<RareEstimate> rare_probabilities(const Experiment& experiment,
                                                                        const RareRequest& request,
                                                                        const Execution& execution = {});

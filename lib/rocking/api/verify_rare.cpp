@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "rocking/api/checks.hpp"
+#include "rocking/api/rare_progress.hpp"
 #include "rocking/api/refuse.hpp"
 #include "rocking/api/run_options.hpp"
 #include "rocking/api/study_check.hpp"
@@ -67,8 +68,9 @@ RunCheck verify_rare(const std::filesystem::path& folder, std::optional<std::uin
   const std::vector<RareEstimate> earlier = estimates_in(claimed);
   const OptionsOfExecution asked(execution);
   RareSettings settings{.particles = claimed.particles, .threads = asked.options().threads, .stop = asked.stop()};
-  settings.on_progress = [&asked](std::size_t, std::size_t done, std::size_t planned) {
-    if (asked.options().on_progress) asked.options().on_progress(done, planned);
+  TotalProgress progress(asked.options(), conditions);
+  settings.on_progress = [&progress](std::size_t condition, double done, double expected) {
+    progress.tell(condition, done, expected);
   };
   const RareRerun again =
       rare_probabilities_again(*experiment, claimed.question, settings, earlier, sample.value_or(of_each * conditions));

@@ -283,7 +283,7 @@ base::Sha256 RareReport::digest() const {
   return builder.finish();
 }
 
-std::vector<std::vector<rare::Repetition>> repetitions_for(const RareReport& asked, const RareReport& earlier) {
+std::vector<RareEstimate> estimates_for(const RareReport& asked, const RareReport& earlier) {
   const auto differ = [](const char* place) {
     throw base::InputError({place, "", "is not that of the earlier estimate, whose repetitions are therefore of no use",
                             "use the same experiment and options, or `--overwrite` without `--resume`"});
@@ -292,8 +292,8 @@ std::vector<std::vector<rare::Repetition>> repetitions_for(const RareReport& ask
   if (asked.seed != earlier.seed) differ("/settings/seed");
   if (asked.particles != earlier.particles) differ("/settings/particles");
   if (asked.question.event.peak_tilt != earlier.question.event.peak_tilt) differ("/question/peak_tilt");
-  std::vector<std::vector<rare::Repetition>> all;
-  for (const ReportedRare& condition : earlier.conditions) all.push_back(condition.estimate.repetitions);
+  std::vector<RareEstimate> all;
+  for (const ReportedRare& condition : earlier.conditions) all.push_back(condition.estimate);
   return all;
 }
 

@@ -43,10 +43,9 @@ struct RareMeans {
 [[nodiscard]] RareReport rare_report(const Experiment& experiment, const RareMeans& means,
                                      const std::vector<RareEstimate>& found);
 
-/// The repetitions of an earlier report by condition, of which `asked` wants more. Throws base::InputError if it is not of
-/// the same experiment, event or number of particles.
-[[nodiscard]] std::vector<std::vector<rare::Repetition>> repetitions_for(const RareReport& asked,
-                                                                         const RareReport& earlier);
+/// The estimates of an earlier report by condition, of whose repetitions `asked` wants more. Throws base::InputError if it
+/// is not of the same experiment, event or number of particles.
+[[nodiscard]] std::vector<RareEstimate> estimates_for(const RareReport& asked, const RareReport& earlier);
 
 [[nodiscard]] const StructType& fields_of(const RareReport*);
 

@@ -36,9 +36,9 @@ bool is_empty_file_at(int descriptor, const std::filesystem::path& path) {
 // A separate file, open for writing, because some network file systems can lock no other. The former holder of the lock
 // may have removed the file after it was opened here. A lock on it is then useless, and the next attempt creates a new
 // file.
-std::optional<FolderLock> FolderLock::of(const std::filesystem::path& folder) {
+std::optional<FolderLock> FolderLock::at(const std::filesystem::path& path) {
   for (;;) {
-    FolderLock lock(lock_file_in(folder));
+    FolderLock lock(path);
     lock.descriptor_ = ::open(lock.path_.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0666);
     if (lock.descriptor_ < 0) {
       throw std::system_error(errno, std::generic_category(), lock.path_.string() + ": cannot be opened");
@@ -49,6 +49,12 @@ std::optional<FolderLock> FolderLock::of(const std::filesystem::path& folder) {
     }
     if (is_file_at(lock.descriptor_, lock.path_)) return lock;
   }
+}
+
+std::optional<FolderLock> FolderLock::of(const std::filesystem::path& folder) { return at(lock_file_in(folder)); }
+
+std::optional<FolderLock> FolderLock::of_file(const std::filesystem::path& file) {
+  return at(file.parent_path() / ("." + file.filename().string() + ".lock"));
 }
 
 bool FolderLock::lock() {

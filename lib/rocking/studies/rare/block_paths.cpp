@@ -81,6 +81,7 @@ class NodeRuns {
       pointers.push_back(motions.back().get());
     }
     lanes_.run(pointers, [this] { paths_->halt.check(); });
+    paths_->note_work(static_cast<double>(motions.size()) / static_cast<double>(paths_->periods()));
     for (std::size_t i = from * count; i < to * count; ++i) {
       const StrobedMotion& motion = *motions[i - from * count];
       images[i] = {.fate = fate_of(motion.motion(), paths_->event), .point = point_of(motion)};
@@ -171,6 +172,7 @@ std::vector<double> BlockPoints::scores(const std::vector<Point>& points) const 
       pointers.push_back(motions.back().get());
     }
     lanes.run(pointers, [this] { paths_->halt.check(); });
+    paths_->note_work(static_cast<double>(pointers.size()));
     for (const StrobedMotion* motion : pointers) {
       const bool has_event = fate_of(motion->motion(), paths_->event) == Image::Fate::event;
       const Motion& ended = motion->motion();
@@ -268,7 +270,9 @@ void BlockPopulation::run(const std::vector<StrobedMotion*>& motions) {
   };
   const double before = time();
   lanes_.run(motions, [this] { paths_->halt.check(); });
-  work_ += (time() - before) / static_cast<double>(paths_->periods());
+  const double work = (time() - before) / static_cast<double>(paths_->periods());
+  work_ += work;
+  paths_->note_work(work);
 }
 
 }  // namespace rocking::rare

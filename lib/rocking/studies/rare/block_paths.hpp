@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -34,9 +35,14 @@ struct BlockPaths {
   Event event;
   Halt halt;
   DrawnNumbers numbers = drawn_numbers(condition->scene);
+  /// Called by any thread with the simulated time since it called last, in realisations to the horizon.
+  std::function<void(double work)> on_work = {};
 
   [[nodiscard]] std::int64_t periods() const {
     return condition->horizon.transient_periods + condition->horizon.sampled_periods;
+  }
+  void note_work(double work) const {
+    if (on_work) on_work(work);
   }
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -49,22 +50,44 @@ class ConditionStudy {
         paths_{.condition = condition_,
                .seed = seed_of(*condition_, experiment.seed),
                .event = question.event,
-               .halt = {settings.stop, settings.elapsed_seconds, settings.seconds}} {}
+               .halt = {settings.stop, settings.elapsed_seconds, settings.seconds}} {
+    if (settings.on_progress) paths_.on_work = [this](double work) { note_work(work); };
+  }
 
-  [[nodiscard]] RareEstimate estimate() {
+  /// Called as RareSettings::keep, with what is known of this condition.
+  using Keep = std::function<void(const std::function<RareEstimate()>& so_far)>;
+
+  [[nodiscard]] RareEstimate estimate(const Keep& keep) {
     try {
       begin();
-      if (place_ < settings_->earlier.size()) repetitions() = settings_->earlier[place_];
+      if (earlier() != nullptr) repetitions() = earlier()->repetitions;
+      expect_up_to(least_with_event());
       for (std::size_t planned = least_repetitions; planned > 0; planned = planned_after(planned)) {
-        if (planned > repetitions().size() && !repeat_up_to(planned)) break;
+        if (planned > repetitions().size() && !repeat_up_to(planned, keep)) break;
       }
     } catch (const rare::TimeIsUp&) {
       result_.end = RareEnd::out_of_time;
     } catch (const base::Stopped&) {
       result_.end = RareEnd::stopped;
     }
+    if (!estimator_) return not_begun(result_.end);
     find_paths();
-    summarise();
+    summarise(result_);
+    if (settings_->on_progress) settings_->on_progress(place_, work_done_, work_done_);
+    return std::move(result_);
+  }
+
+  /// What is known without the pilot runs: the earlier estimate, which may be as precise as is asked now.
+  [[nodiscard]] RareEstimate not_begun(RareEnd why) {
+    result_ = earlier() != nullptr ? *earlier() : RareEstimate();
+    if (repetitions().empty()) {
+      result_.interval = {0.0, 1.0};
+      result_.diagnosis = RareDiagnosis::few_repetitions;
+    }
+    result_.method = rare::method_of(condition_->scene);
+    end_with_present(why);
+    const bool is_complete = result_.end == RareEnd::precise || result_.end == RareEnd::most_repetitions;
+    if (!is_complete) result_.paths.clear();
     return std::move(result_);
   }
 
@@ -73,6 +96,7 @@ class ConditionStudy {
     begin();
     repetitions() = earlier.repetitions;
     const std::size_t count = std::min(sample, repetitions().size());
+    expect_up_to(repetitions().size() + count);
     std::atomic<std::size_t> next = 0;
     base::on_threads(
         settings_->threads,
@@ -83,16 +107,41 @@ class ConditionStudy {
           }
         },
         [&] { next = count; });
-    std::size_t planned = least_repetitions;
-    while (planned > 0 && planned <= repetitions().size()) planned = planned_after(planned);
-    if (planned > 0) result_.end = earlier.end == RareEnd::stopped ? RareEnd::stopped : RareEnd::out_of_time;
+    end_with_present(earlier.end == RareEnd::stopped ? RareEnd::stopped : RareEnd::out_of_time);
     if (!earlier.paths.empty()) find_paths();
-    summarise();
+    summarise(result_);
     return {std::move(result_), count};
   }
 
  private:
   [[nodiscard]] std::vector<Repetition>& repetitions() { return result_.repetitions; }
+  [[nodiscard]] const RareEstimate* earlier() const {
+    return place_ < settings_->earlier.size() ? &settings_->earlier[place_] : nullptr;
+  }
+
+  /// Why no more repetitions were made than there are, `otherwise` if more are wanted.
+  void end_with_present(RareEnd otherwise) {
+    std::size_t planned = least_repetitions;
+    while (planned > 0 && planned <= repetitions().size()) planned = planned_after(planned);
+    if (planned > 0) result_.end = otherwise;
+  }
+
+  void note_work(double work) {
+    const std::lock_guard lock(work_mutex_);
+    work_done_ += work;
+    settings_->on_progress(place_, work_done_, work_expected_ > 0.0 ? std::max(work_done_, work_expected_) : 0.0);
+  }
+
+  /// That the repetitions go on up to this number.
+  void expect_up_to(std::size_t count) {
+    double of_one = static_cast<double>(settings_->particles);
+    if (!repetitions().empty()) {
+      of_one = 0.0;
+      for (const Repetition& each : repetitions()) of_one += each.work / static_cast<double>(repetitions().size());
+    }
+    const std::lock_guard lock(work_mutex_);
+    work_expected_ = work_done_ + of_one * static_cast<double>(count - std::min(count, repetitions().size()));
+  }
 
   void begin() {
     result_.method = rare::method_of(condition_->scene);
@@ -125,8 +174,10 @@ class ConditionStudy {
                                          : RareEnd::most_repetitions;
     if (!is_precise) {
       if (planned == most_repetitions - 1) return 0;
-      const std::size_t wanted = more_than(planned, error / question_->relative_error);
-      return std::max(wanted, least_with_event());
+      constexpr double at_most_times = 4.0;  // the spread is known roughly at first
+      const double times = 1.05 * (error / question_->relative_error) * (error / question_->relative_error);
+      expect_up_to(std::max(more_than(planned, times), least_with_event()));
+      return std::max(more_than(planned, std::min(at_most_times, times)), least_with_event());
     }
     return error > 0.0 && planned < least_with_event() ? least_with_event() : 0;
   }
@@ -135,22 +186,27 @@ class ConditionStudy {
     return result_.method == RareMethod::importance_sampling ? least_with_weights : least_repetitions;
   }
 
-  /// The spread is known roughly at first: at most four times as many at once. The numbers do not depend on how many
-  /// were made earlier.
-  [[nodiscard]] static std::size_t more_than(std::size_t planned, double ratio) {
-    const double wanted = static_cast<double>(planned) * std::min(4.0, 1.05 * ratio * ratio);
-    return std::min<std::size_t>(most_repetitions - 1,
-                                 std::max(planned + 1, static_cast<std::size_t>(std::ceil(wanted))));
+  /// The numbers do not depend on how many were made earlier.
+  [[nodiscard]] static std::size_t more_than(std::size_t planned, double times) {
+    constexpr double most = most_repetitions - 1;
+    const double wanted = std::min(most, std::ceil(static_cast<double>(planned) * times));
+    return std::min<std::size_t>(most_repetitions - 1, std::max(planned + 1, static_cast<std::size_t>(wanted)));
   }
 
   /// Makes repetitions until there are `count`; false if it had to end before. Those after one that was not finished
   /// are left out: long repetitions tend to have large estimates, and without them the mean would be too small.
-  [[nodiscard]] bool repeat_up_to(std::size_t count) {
+  [[nodiscard]] bool repeat_up_to(std::size_t count, const Keep& keep) {
     const std::size_t from = repetitions().size();
     std::vector<std::optional<Repetition>> slots(count - from);
     std::atomic<std::size_t> next = 0;
-    std::size_t done = from;
     std::mutex mutex;
+    const std::function<RareEstimate()> so_far = [&] {
+      RareEstimate found = result_;
+      found.end = RareEnd::stopped;
+      for (auto slot = slots.begin(); slot != slots.end() && *slot; ++slot) found.repetitions.push_back(**slot);
+      summarise(found);
+      return found;
+    };
     result_.end = RareEnd::out_of_time;
     const rare::Halt& halt = paths_.halt;
     try {
@@ -160,10 +216,11 @@ class ConditionStudy {
             for (std::size_t i = next++; i < slots.size(); i = next++) {
               if (from + i >= repetitions_at_any_rate && halt.ends_within(longest_, share_)) return;
               const double start = halt.elapsed();
-              slots[i] = estimator_->repeat(from + i + 1);
+              const Repetition found = estimator_->repeat(from + i + 1);
               const std::lock_guard lock(mutex);
+              slots[i] = found;
               longest_ = std::max<double>(longest_, halt.elapsed() - start);
-              if (settings_->on_progress) settings_->on_progress(place_, ++done, count);
+              if (keep) keep(so_far);
             }
           },
           [&] { next = slots.size(); });
@@ -179,46 +236,47 @@ class ConditionStudy {
     return true;
   }
 
-  void summarise() {
-    result_.work = result_.pilot_work;
-    for (const Repetition& repetition : repetitions()) result_.work += repetition.work;
-    const bool is_few = repetitions().size() < repetitions_at_any_rate;
-    result_.interval = {0.0, 1.0};
-    if (is_few) result_.diagnosis = RareDiagnosis::few_repetitions;
-    if (repetitions().empty()) return;
+  /// Everything that follows from the repetitions.
+  void summarise(RareEstimate& result) const {
+    const std::vector<Repetition>& repetitions = result.repetitions;
+    result.work = result.pilot_work;
+    for (const Repetition& repetition : repetitions) result.work += repetition.work;
+    const bool is_few = repetitions.size() < repetitions_at_any_rate;
+    result.interval = {0.0, 1.0};
+    if (is_few) result.diagnosis = RareDiagnosis::few_repetitions;
+    if (repetitions.empty()) return;
     const auto estimate =
-        stats::mean_of_repetitions(estimates_of(repetitions(), repetitions().size()), condition_->confidence);
-    result_.probability = estimate.mean;
+        stats::mean_of_repetitions(estimates_of(repetitions, repetitions.size()), condition_->confidence);
+    result.probability = estimate.mean;
     if (is_few) return;
-    result_.relative_error = estimate.relative_error;
-    result_.interval = estimate.interval ? *estimate.interval : interval_of_none();
-    result_.interval.high = std::min(1.0, result_.interval.high);
+    result.relative_error = estimate.relative_error;
+    result.interval = estimate.interval ? *estimate.interval : interval_of_none(repetitions.size());
+    result.interval.high = std::min(1.0, result.interval.high);
     if (estimate.relative_error && *estimate.relative_error > 0.0) {
-      result_.crude_work =
-          (1.0 - estimate.mean) / (estimate.mean * *estimate.relative_error * *estimate.relative_error);
+      result.crude_work = (1.0 - estimate.mean) / (estimate.mean * *estimate.relative_error * *estimate.relative_error);
     }
-    diagnose();
+    diagnose(result);
   }
 
   /// As if each particle were a realisation. It is one where the pilot runs have not seen the event.
-  [[nodiscard]] stats::Interval interval_of_none() const {
-    const std::uint64_t trials = result_.repetitions.size() * settings_->particles;
+  [[nodiscard]] stats::Interval interval_of_none(std::size_t repetitions) const {
+    const std::uint64_t trials = repetitions * settings_->particles;
     return stats::clopper_pearson({.successes = 0, .trials = trials}, condition_->confidence);
   }
 
-  void diagnose() {
+  void diagnose(RareEstimate& result) const {
     std::size_t seen = 0;  // repetitions with the event
     double largest = 0.0;
     double sum = 0.0;
-    for (const Repetition& repetition : repetitions()) {
+    for (const Repetition& repetition : result.repetitions) {
       seen += repetition.ancestors > 0 ? 1 : 0;
       largest = std::max(largest, repetition.estimate);
       sum += repetition.estimate;
     }
     if (!estimator_->pilot().found_event) {
-      result_.diagnosis = RareDiagnosis::not_found;
-    } else if (10 * seen <= 9 * repetitions().size() || 3.0 * largest > sum) {
-      result_.diagnosis = RareDiagnosis::uneven;
+      result.diagnosis = RareDiagnosis::not_found;
+    } else if (10 * seen <= 9 * result.repetitions.size() || 3.0 * largest > sum) {
+      result.diagnosis = RareDiagnosis::uneven;
     }
   }
 
@@ -230,6 +288,9 @@ class ConditionStudy {
   rare::BlockPaths paths_;
   std::unique_ptr<rare::Estimator> estimator_;
   std::atomic<double> longest_ = 0.0;  ///< time of a repetition so far [s]
+  std::mutex work_mutex_;
+  double work_done_ = 0.0;      ///< simulated time, in realisations
+  double work_expected_ = 0.0;  ///< in all; 0: not known yet
   RareEstimate result_;
 };
 
@@ -280,7 +341,20 @@ std::vector<RareEstimate> rare_probabilities(const Experiment& experiment, const
   check_rare(experiment);
   std::vector<RareEstimate> estimates;
   for (std::size_t i = 0; i < experiment.conditions.size(); ++i) {
-    estimates.push_back(ConditionStudy(experiment, i, question, settings).estimate());
+    ConditionStudy::Keep keep;
+    if (settings.keep) {
+      keep = [&](const std::function<RareEstimate()>& present) {
+        settings.keep([&] {
+          std::vector<RareEstimate> all = estimates;
+          all.push_back(present());
+          while (all.size() < experiment.conditions.size()) {
+            all.push_back(ConditionStudy(experiment, all.size(), question, settings).not_begun(RareEnd::stopped));
+          }
+          return all;
+        });
+      };
+    }
+    estimates.push_back(ConditionStudy(experiment, i, question, settings).estimate(keep));
   }
   return estimates;
 }
@@ -300,7 +374,6 @@ RareRerun rare_probabilities_again(const Experiment& experiment, const RareQuest
     auto [estimate, count] = ConditionStudy(experiment, i, question, settings).again(earlier[i], of_each);
     all.estimates.push_back(std::move(estimate));
     all.repetitions += count;
-    if (settings.on_progress) settings.on_progress(i, all.repetitions, of_each * earlier.size());
   }
   return all;
 }

@@ -20,10 +20,14 @@ struct RareSettings {
   /// limit.
   std::optional<double> seconds = {};
   std::function<double()> elapsed_seconds = {};
-  /// Of an earlier call with the same experiment, question and particles, by condition: they are not made again.
-  std::vector<std::vector<rare::Repetition>> earlier = {};
-  /// Called by one thread at a time with the number of finished repetitions and that of those planned so far.
-  std::function<void(std::size_t condition, std::size_t done, std::size_t planned)> on_progress = {};
+  /// Of an earlier call with the same experiment, event and particles, by condition: their repetitions are not made again.
+  std::vector<RareEstimate> earlier = {};
+  /// Called by one thread at a time with the simulated time of a condition so far, pilot runs with it, and the time that
+  /// is expected in all, in realisations to the horizon; 0: not known yet.
+  std::function<void(std::size_t condition, double done, double expected)> on_progress = {};
+  /// Called by one thread at a time after each repetition; `so_far` gives what would be returned if it had been asked to
+  /// stop after it.
+  std::function<void(const std::function<std::vector<RareEstimate>()>& so_far)> keep = {};
 };
 
 /// Throws base::InputError if a condition is not valid or nothing in it is random.

@@ -265,6 +265,23 @@ TEST_F(Rare, IsTheLowerTailOfAnAnnualRate) {
   EXPECT_THAT(rocking(ask + "other --peak-tilt 0.5").errors, HasSubstr("same block"));
 }
 
+// A curve through both would be as steep as it likes there.
+TEST_F(Rare, IsNotTheTailOfARateWhereAProbabilityIsEstimatedTwice) {
+  write("hazard.csv", "amplitude, annual_rate\n1, 1e-2\n6, 1e-4\n12, 1e-6\n");
+  ASSERT_EQ(rocking("run quick.json -o run -q --no-page").exit_code, 0);
+  for (const auto& [key, values] :
+       {std::pair{"/confidence", Json{0.9, 0.95}}, std::pair{"/realisations", Json{20, 30}}}) {
+    Json twice = Json::parse(read("quick.json"));
+    twice["sweep"].push_back({{"parameter", key}, {"values", values}});
+    write("twice.json", twice.dump());
+    ASSERT_EQ(rocking(std::string("rare twice.json -q -o twice --overwrite") + quickly).exit_code, 0);
+    const auto outcome = rocking("fragility run --hazard hazard.csv --peak-tilt 0.5 --json --rare twice");
+    EXPECT_EQ(outcome.exit_code, 65);
+    EXPECT_THAT(outcome.errors, AllOf(HasSubstr("twice/rare.json"), HasSubstr("two estimates of one probability"),
+                                      HasSubstr("/excitation/amplitude 4.2"), HasSubstr(key)));
+  }
+}
+
 // The probabilities of the records differ: the mean with other weights is another number.
 TEST_F(Rare, OfASuiteIsTheLowerTailOfItsAnnualRate) {
   Json experiment = suite_experiment();

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "rocking/api/question_check.hpp"
 #include "rocking/api/refuse.hpp"
 #include "rocking/api/run_folder.hpp"
 #include "rocking/api/run_options.hpp"
@@ -136,20 +137,7 @@ Trajectory replay(const StoredRun& stored, const TrajectoryRequest& request, con
 }
 
 stats::NormalCheck check_normal(const SamplerQuestion& question) {
-  constexpr std::uint64_t least = 20;
-  constexpr std::uint64_t most = 100'000'000;
-  if (question.n < least || question.n > most) {
-    refuse("n", std::to_string(question.n), "must be a whole number from 20 to 100000000");
-  }
-  if (!(question.law.mean >= -1e6 && question.law.mean <= 1e6)) {
-    refuse("mean", base::shortest(question.law.mean), "must be from -1e6 to 1e6");
-  }
-  if (!(question.law.sigma > 0.0 && question.law.sigma <= 1e6)) {
-    refuse("sigma", base::shortest(question.law.sigma), "must be positive, and at most 1e6");
-  }
-  if (!is_sampler(question.sampler)) {
-    refuse("sampler", question.sampler, "is no sampler: they are box-muller, ziggurat, inverse-cdf");
-  }
+  check_fields(question);
   if (question.distribution == FluctuationLaw::lognormal &&
       !(question.law.mean > 0.0 && question.law.sigma <= 100.0 * question.law.mean)) {
     refuse("mean", base::shortest(question.law.mean),

@@ -5,35 +5,23 @@
 #include <utility>
 #include <vector>
 
+#include "rocking/api/question_check.hpp"
 #include "rocking/api/refuse.hpp"
 #include "rocking/api/run_options.hpp"
 #include "rocking/api/system_facts.hpp"
-#include "rocking/base/number_text.hpp"
 #include "rocking/base/stop_request.hpp"
 #include "rocking/output/cost_report.hpp"
+#include "rocking/scene/check_condition.hpp"
 #include "rocking/studies/cost/budget.hpp"
 
 namespace rocking {
-namespace {
-
-constexpr double tightest_tolerance = 1e-16;
-constexpr double coarsest_tolerance = 1e-2;
-
-}  // namespace
 
 void check_request(const Experiment& experiment, const CostRequest& request) {
   if (!request.elapsed_seconds || !request.processor_seconds) {
     throw std::invalid_argument("a measurement of cost needs both clocks: elapsed_seconds and processor_seconds");
   }
-  if (!(request.seconds > 0.0)) refuse("seconds", base::shortest(request.seconds), "must be a positive number");
-  if (request.sample && (*request.sample < 1 || *request.sample > largest_cost_sample)) {
-    refuse("sample", std::to_string(*request.sample),
-           "must be a whole number from 1 to " + std::to_string(largest_cost_sample));
-  }
-  for (const double tolerance : request.tolerances) {
-    if (tightest_tolerance <= tolerance && tolerance <= coarsest_tolerance) continue;
-    refuse("tolerances", base::shortest(tolerance), "must be from 1e-16 to 1e-2");
-  }
+  check_has_conditions(experiment);
+  check_fields(request);
   if (cost_tolerances(experiment, request.tolerances).size() < 3) {
     refuse("tolerances", "",
            "are fewer than three with the experiment's own; the tightest is the reference and the second tightest the "

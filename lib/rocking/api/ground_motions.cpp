@@ -6,8 +6,10 @@
 #include <string_view>
 #include <utility>
 
+#include "rocking/api/question_check.hpp"
 #include "rocking/api/refuse.hpp"
 #include "rocking/base/error.hpp"
+#include "rocking/base/number_text.hpp"
 #include "rocking/input/ground_motion_files.hpp"
 #include "rocking/input/record_formats.hpp"
 #include "rocking/output/motion_report.hpp"
@@ -18,15 +20,14 @@
 namespace rocking {
 namespace {
 
-/// The one of this name.
+/// The one of this name, which check_fields has found.
 template <class Enumeration, std::size_t count>
-Enumeration named(std::string_view place, const std::array<std::string_view, count>& names, const std::string& name) {
-  const auto found = std::find(names.begin(), names.end(), name);
-  if (found == names.end()) refuse(place, name, "is unknown");
-  return static_cast<Enumeration>(found - names.begin());
+Enumeration named(const std::array<std::string_view, count>& names, const std::string& name) {
+  return static_cast<Enumeration>(std::find(names.begin(), names.end(), name) - names.begin());
 }
 
 void check(const GroundMotionRequest& request) {
+  check_fields(request);
   if (request.format == "columns" && !request.units) {
     refuse("units", "",
            "is missing: columns do not state the unit of the accelerations; give " + record_units_in_words());
@@ -34,20 +35,9 @@ void check(const GroundMotionRequest& request) {
   if (request.vertical && request.files.size() > 1) {
     refuse("vertical", *request.vertical, "belongs to one file, of which there are more");
   }
-  if (request.time_step && !(*request.time_step > 0.0)) {
-    refuse("time_step", std::to_string(*request.time_step), "must be positive");
-  }
-  const MotionQuestion& question = request.question;
-  if (!(question.damping >= 0.0 && question.damping < 1.0)) {
-    refuse("damping", std::to_string(question.damping), "must be at least 0 and below 1");
-  }
-  if (!(question.gravity > 0.0)) refuse("gravity", std::to_string(question.gravity), "must be positive");
-  for (const double period : question.periods) {
-    if (!(period > 0.0)) refuse("periods", std::to_string(period), "must be positive");
-  }
-  if (!question.block) return;
-  for (const double length : {question.block->width, question.block->height}) {
-    if (!rules::length.allows(length)) refuse("block", std::to_string(length), std::string(rules::length.demand));
+  if (!request.question.block) return;
+  for (const double length : {request.question.block->width, request.question.block->height}) {
+    if (!rules::length.allows(length)) refuse("block", base::shortest(length), std::string(rules::length.demand));
   }
 }
 
@@ -58,16 +48,16 @@ std::vector<MeasuredMotion> motion(const GroundMotionRequest& request) {
   GroundMotionReading how{.time_step = request.time_step,
                           .gravity = request.question.gravity,
                           .vertical_name = request.vertical.value_or("")};
-  if (request.format != "auto") how.format = named<RecordFormat>("format", record_format_choices, request.format);
+  if (request.format != "auto") how.format = named<RecordFormat>(record_format_choices, request.format);
   for (const std::string& column : request.columns) {
-    how.columns.push_back(named<RecordColumn>("columns", record_column_names, column));
+    how.columns.push_back(named<RecordColumn>(record_column_names, column));
   }
   if (!how.columns.empty()) {
     if (const auto refusal = refuse_columns(how.columns, how.time_step.has_value())) {
       refuse("columns", "", refusal->reason + "; " + refusal->remedy);
     }
   }
-  if (request.units) how.unit = named<RecordUnit>("units", record_unit_names, *request.units);
+  if (request.units) how.unit = named<RecordUnit>(record_unit_names, *request.units);
   GroundMotionFiles files(files_seen_from(""));
   Problems problems;
   std::vector<MeasuredMotion> motions;

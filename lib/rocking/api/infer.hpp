@@ -36,13 +36,17 @@ struct InferRequest {
                                                      const std::optional<std::filesystem::path>& candidates = {},
                                                      const std::filesystem::path& folder = ".");
 
-/// Throws base::InputError if the experiment has no unknowns, no fixed number of realisations, a suite, or a prior
+/// Throws base::InputError if the experiment has no text, no unknowns, no fixed number of realisations, a suite, or a prior
 /// without weight in the range of its unknown.
 ROCKING_API void check_infer(const Experiment& experiment);
 
+/// Throws as check_infer, and base::InputError with every number of the request that is out of range, every list of
+/// another length, and every parameter that is not in the experiment.
+ROCKING_API void check_request(const Experiment& experiment, const InferRequest& request);
+
 /// Estimates the unknowns of an experiment from counted tests, with intervals and a joint region. Uses `threads`,
 /// `on_progress` and `stop` of the execution; progress counts realisations, whose number grows until the intervals
-/// settle, and the data sets that are made up for the answer. Throws as check_infer, base::InputError for a number out of range, and base::Stopped if it is asked to stop.
+/// settle, and the data sets that are made up for the answer. Throws as check_request, and base::Stopped if it is asked to stop.
 /// Source: lib/docs/infer.md.
 [[nodiscard]] ROCKING_API Inference infer_unknowns(const Experiment& experiment, const InferRequest& request,
                                                    const Execution& execution = {});

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <utility>
 
+#include "rocking/api/question_check.hpp"
 #include "rocking/api/refuse.hpp"
 #include "rocking/api/run_options.hpp"
 #include "rocking/api/written_experiment.hpp"
@@ -13,7 +14,6 @@
 #include "rocking/output/orbits_report.hpp"
 #include "rocking/output/orbits_table.hpp"
 #include "rocking/scene/check_condition.hpp"
-#include "rocking/section/classification.hpp"
 #include "rocking/studies/orbits/bifurcation_curves.hpp"
 #include "rocking/studies/orbits/branches.hpp"
 #include "rocking/studies/orbits/orbits.hpp"
@@ -100,10 +100,7 @@ bool has_branches(const Experiment& experiment) {
 
 void check_request(const Experiment& experiment, const OrbitsRequest& request) {
   check_has_conditions(experiment);
-  expect("longest", request.longest, 1, static_cast<int>(section::longest_period));
-  expect("most_points", request.most_points, std::uint64_t{2}, std::uint64_t{1'000'000});
-  expect("most_branches", request.most_branches, std::uint64_t{1}, std::uint64_t{100'000});
-  expect("most_curve_points", request.most_curve_points, std::uint64_t{1}, std::uint64_t{1'000'000});
+  check_fields(request);
   check_orbits(experiment);
   if (request.branches) static_cast<void>(branch_question(experiment, request));
   if (!request.second.empty()) static_cast<void>(curve_request(experiment, request));

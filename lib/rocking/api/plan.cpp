@@ -1,7 +1,5 @@
 #include "rocking/api/run.hpp"
 
-#include <algorithm>
-
 #include "rocking/api/run_options.hpp"
 #include "rocking/api/shard.hpp"
 #include "rocking/base/stop_request.hpp"
@@ -14,10 +12,10 @@ namespace rocking {
 Plan plan(const Experiment& experiment, const std::function<double()>& elapsed_seconds, const Execution& execution) {
   check_experiment(experiment);
   if (execution.shard) check_shard(experiment, *execution.shard);
-  const Means means{.threads = std::max(1U, execution.threads), .shard = execution.shard};
+  const OptionsOfExecution asked(execution);
+  const Means means{.threads = asked.options().threads, .shard = execution.shard};
   Plan found = plan_of(experiment, means);
   if (!elapsed_seconds) return found;
-  const OptionsOfExecution asked(execution);
   found.time = estimate_time(experiment, means, {.elapsed_seconds = elapsed_seconds, .stop = asked.stop()});
   asked.stop().check();
   return found;

@@ -2,26 +2,29 @@
 
 #include <algorithm>
 
+#include "rocking/api/question_check.hpp"
 #include "rocking/api/rare_progress.hpp"
 #include "rocking/api/refuse.hpp"
 #include "rocking/api/run_options.hpp"
-#include "rocking/base/number_text.hpp"
 #include "rocking/base/stop_request.hpp"
 #include "rocking/output/rare_report.hpp"
+#include "rocking/scene/check_condition.hpp"
+#include "rocking/studies/rare/estimator.hpp"
 #include "rocking/studies/rare/rare.hpp"
 
 namespace rocking {
 void check_request(const Experiment& experiment, const RareRequest& request) {
-  if (request.particles < 20 || request.particles > 100'000) {
-    refuse("particles", std::to_string(request.particles), "must be a whole number from 20 to 100000");
+  check_has_conditions(experiment);
+  QuestionCheck check(request);
+  check.expect(!request.seconds || request.elapsed_seconds, "seconds", "", "needs a clock: `elapsed_seconds`");
+  check.expect(request.earlier.size() <= experiment.conditions.size(), "earlier",
+               std::to_string(request.earlier.size()) + " entries", "must be at most one for each condition");
+  for (std::size_t i = 0; i < request.earlier.size(); ++i) {
+    const std::size_t size = request.earlier[i].size();
+    check.expect(size < rare::most_repetitions, "earlier/" + std::to_string(i), std::to_string(size) + " repetitions",
+                 "must be fewer than " + std::to_string(rare::most_repetitions));
   }
-  const double error = request.question.relative_error;
-  if (!(error >= 1e-3 && error <= 1.0)) refuse("relative_error", base::shortest(error), "must be from 1e-3 to 1");
-  if (request.seconds && !(*request.seconds > 0.0 && request.elapsed_seconds)) {
-    refuse("seconds", base::shortest(*request.seconds), "must be positive, and needs a clock");
-  }
-  const auto tilt = request.question.event.peak_tilt;
-  if (tilt && !(*tilt >= 0.0 && *tilt <= 100.0)) refuse("peak_tilt", base::shortest(*tilt), "must be from 0 to 100");
+  check.finish();
   check_rare(experiment);
 }
 
@@ -46,6 +49,9 @@ std::vector<RareEstimate> rare_probabilities(const Experiment& experiment, const
 
 std::string rare_probabilities_text(const Experiment& experiment, const RareRequest& request,
                                     const std::vector<RareEstimate>& found) {
+  if (found.size() > experiment.conditions.size()) {
+    refuse("found", std::to_string(found.size()) + " estimates", "are those of an experiment with more conditions");
+  }
   return rare_document().text(
       rare_report(experiment, {.question = request.question, .particles = request.particles}, found));
 }

@@ -8,9 +8,11 @@
 #include <variant>
 #include <vector>
 
+#include "rocking/api/rare_of_curves.hpp"
 #include "rocking/api/refuse.hpp"
 #include "rocking/api/studies.hpp"
 #include "rocking/base/error.hpp"
+#include "rocking/base/number_text.hpp"
 #include "rocking/output/rare_report.hpp"
 #include "rocking/stats/repetitions.hpp"
 #include "rocking/studies/suite/stripes.hpp"
@@ -175,6 +177,16 @@ std::optional<RareOfCurve> mean_over_records(const Estimates& estimates, const R
 
 }  // namespace
 
+std::optional<std::size_t> second_estimate(const std::vector<RareOfCurve>& rare) {
+  for (std::size_t i = 0; i < rare.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const bool is_same = rare[i].level.intensity == rare[j].level.intensity && rare[i].event == rare[j].event;
+      if (is_same && are_equal(rare[i].others, rare[j].others)) return i;
+    }
+  }
+  return std::nullopt;
+}
+
 std::vector<RareOfCurve> rare_levels(const std::filesystem::path& file, const Experiment& experiment) {
   const RareReport report = report_in(file);
   const std::string intensity(intensity_of(experiment));
@@ -189,6 +201,12 @@ std::vector<RareOfCurve> rare_levels(const std::filesystem::path& file, const Ex
                         .event = {.peak_tilt = report.question.event.peak_tilt},
                         .level = level_of(estimates.intensity, found)});
     }
+  }
+  if (const auto second = second_estimate(levels)) {
+    refuse("rare", file.string(),
+           "has two estimates of one probability, at " + intensity + ' ' +
+               base::shortest(levels[*second].level.intensity) +
+               "; sweep no key that changes nothing of the block and its motion, such as /confidence or /realisations");
   }
   if (levels.empty()) {
     refuse("rare", file.string(),

@@ -1,20 +1,22 @@
 #pragma once
 
-#include <algorithm>
 #include <atomic>
 #include <cstdint>
 
+#include "rocking/api/question_check.hpp"
 #include "rocking/api/run.hpp"
 #include "rocking/ensemble/run.hpp"
 
 namespace rocking {
 
-/// What an execution asks for, as options of a run. Must outlive the run, which looks at its flag.
+/// What an execution asks for, as options of a run. Must outlive the run, which looks at its flag. Throws base::InputError
+/// for a number out of range.
 class OptionsOfExecution {
  public:
   explicit OptionsOfExecution(const Execution& execution)
       : stop_(execution.stop != nullptr ? execution.stop : &own_flag_) {
-    options_.threads = std::max(1U, execution.threads);
+    check_fields(execution);
+    options_.threads = execution.threads;
     options_.stop_requested = stop_;
     if (!execution.on_progress) return;
     options_.on_progress = [stop = stop_, &execution](std::uint64_t done, std::uint64_t all) {

@@ -4,6 +4,8 @@
 #include <string_view>
 #include <utility>
 
+#include "rocking/api/question_check.hpp"
+#include "rocking/api/rare_of_curves.hpp"
 #include "rocking/api/refuse.hpp"
 #include "rocking/api/run_options.hpp"
 #include "rocking/api/run_store.hpp"
@@ -19,6 +21,7 @@
 #include "rocking/output/fragility_report.hpp"
 #include "rocking/output/trajectory_report.hpp"
 #include "rocking/scene/check_condition.hpp"
+#include "rocking/scene/check_hazard.hpp"
 #include "rocking/store/store.hpp"
 #include "rocking/studies/bifurcation.hpp"
 #include "rocking/studies/comparison.hpp"
@@ -28,17 +31,13 @@ namespace rocking {
 namespace {
 
 constexpr std::uint64_t largest_realisation = 999'999'999;
-constexpr std::int64_t most_periods = 100'000'000;
-constexpr int most_samples = 100'000;
 
 }  // namespace
 
 void check_request(const Experiment& experiment, const TrajectoryRequest& request) {
   check_has_conditions(experiment);
   expect("condition", request.condition, std::uint64_t{0}, std::uint64_t{experiment.conditions.size() - 1});
-  expect("realisation", request.realisation, std::uint64_t{0}, largest_realisation);
-  if (request.periods) expect("periods", *request.periods, std::int64_t{1}, most_periods);
-  expect("samples_per_period", request.samples_per_period, 0, most_samples);
+  check_fields(request);
 }
 
 std::int64_t periods_of(const Experiment& experiment, const TrajectoryRequest& request) {
@@ -96,8 +95,28 @@ std::vector<Diagram> bifurcation(const Experiment& experiment, std::uint64_t rea
 
 std::string bifurcation_text(const Experiment& experiment, std::uint64_t realisation,
                              const std::vector<Diagram>& found) {
+  for (const Diagram& diagram : found) {
+    for (const std::size_t condition : diagram.conditions) {
+      if (condition < experiment.conditions.size()) continue;
+      refuse("found", "condition " + std::to_string(condition), "is one of an experiment with more conditions");
+    }
+  }
   return bifurcation_document().text(bifurcation_report(experiment, realisation, found));
 }
+
+namespace {
+
+void check(const FragilityQuestion& question) {
+  QuestionCheck check(question);
+  if (question.hazard) check.add(problems_of(*question.hazard));
+  check.finish();
+  if (const auto second = second_estimate(question.rare)) {
+    const std::string intensity = base::shortest(question.rare[*second].level.intensity);
+    refuse("rare/" + std::to_string(*second), "intensity " + intensity, "is a second estimate of the same probability");
+  }
+}
+
+}  // namespace
 
 RunFragility fragility(const Experiment& experiment, const RunResult& run, const FragilityQuestion& question,
                        const Execution& execution) {
@@ -110,9 +129,7 @@ RunFragility fragility(const Experiment& experiment, const RunResult& run, const
   if (experiment.conditions.front().until) {
     refuse("/realisations", "until", "a fragility function needs a fixed number of realisations");
   }
-  for (const double tilt : question.peak_tilts) {
-    if (!(tilt >= 1e-9 && tilt <= 1e9)) refuse("peak_tilts", base::shortest(tilt), "must be from 1e-9 to 1e9");
-  }
+  check(question);
   return run_fragility(with_text(experiment), stripes_of(experiment, store_of(run)), question,
                        OptionsOfExecution(execution).options());
 }

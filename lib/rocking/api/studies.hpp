@@ -62,8 +62,8 @@ struct TrajectoryRequest {
 
 /// The probabilities of a `rare.json` that belong to curves of a run of this experiment, for `FragilityQuestion::rare`:
 /// those > 0 with the same block, motion, horizon and accuracy, at any intensity; of a suite the means over its records.
-/// Throws base::InputError if there are none, if estimates under some of the records are missing, if the experiment has
-/// no text, or if the file is none, and std::system_error where it cannot be read.
+/// Throws base::InputError if there are none, if one probability is estimated twice, if estimates under some of the records
+/// are missing, if the experiment has no text, or if the file is none, and std::system_error where it cannot be read.
 [[nodiscard]] ROCKING_API std::vector<RareOfCurve> rare_levels(const std::filesystem::path& file,
                                                                const Experiment& experiment);
 

@@ -30,6 +30,10 @@ struct TypeOf<std::optional<T>> {
       if (json.is_null()) return held.reset();
       type_of<T>().read(json, place, &held.emplace());
     }
+    void check(const void* value, const ReadingPlace& place) const override {
+      const auto& held = *static_cast<const std::optional<T>*>(value);
+      if (held) type_of<T>().check(&*held, place);
+    }
     [[nodiscard]] Json schema(const Rule& rule) const override { return or_null(type_of<T>().schema(rule)); }
     void describe(const std::string& prefix, std::vector<KeyRow>& rows) const override {
       type_of<T>().describe(prefix, rows);
@@ -49,6 +53,10 @@ struct TypeOf<std::optional<std::optional<T>>> {
     }
     void read(const Json& json, const ReadingPlace& place, void* value) const override {
       inner().read(json, place, &static_cast<std::optional<std::optional<T>>*>(value)->emplace());
+    }
+    void check(const void* value, const ReadingPlace& place) const override {
+      const auto& held = *static_cast<const std::optional<std::optional<T>>*>(value);
+      if (held) inner().check(&*held, place);
     }
     [[nodiscard]] Json schema(const Rule& rule) const override { return inner().schema(rule); }
     void describe(const std::string& prefix, std::vector<KeyRow>& rows) const override {
@@ -90,6 +98,10 @@ class ListType : public ValueType {
       list.assign(json.size(), Item{});
     }
     for (std::size_t i = 0; i < list.size(); ++i) item_type().read(json[i], place.at(std::to_string(i)), &list[i]);
+  }
+  void check(const void* value, const ReadingPlace& place) const override {
+    std::size_t i = 0;
+    for (const Item& item : *static_cast<const List*>(value)) item_type().check(&item, place.at(std::to_string(i++)));
   }
   [[nodiscard]] Json schema(const Rule& rule) const override {
     Json schema = {{"type", "array"}, {"items", item_type().schema(rule)}};
@@ -146,6 +158,11 @@ struct TypeOf<std::map<Key, T>> {
         type_of<Key>().read(Json(text), place.at(text), &key);
         type_of<T>().read(item, place.at(text), &read);
         map.emplace(std::move(key), std::move(read));
+      }
+    }
+    void check(const void* value, const ReadingPlace& place) const override {
+      for (const auto& [key, item] : *static_cast<const std::map<Key, T>*>(value)) {
+        type_of<T>().check(&item, place.at(type_of<Key>().json(&key).template get<std::string>()));
       }
     }
     [[nodiscard]] Json schema(const Rule& rule) const override {

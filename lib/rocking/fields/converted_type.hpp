@@ -20,6 +20,10 @@ class ConvertedType : public ValueType {
     type_of<Written>().read(json, place, &written);
     if (place.problems->size() == before) from_written(written, place, *static_cast<T*>(value));
   }
+  void check(const void* value, const ReadingPlace& place) const override {
+    const Written written = to_written(*static_cast<const T*>(value));
+    type_of<Written>().check(&written, place);
+  }
   [[nodiscard]] Json schema(const Rule& rule) const override { return type_of<Written>().schema(rule); }
   void describe(const std::string& prefix, std::vector<KeyRow>& rows) const override {
     type_of<Written>().describe(prefix, rows);

@@ -43,6 +43,11 @@ void Field::read(const Json& json, const ReadingPlace& place, void* outermost) c
   if (member != nullptr) type->read(json, place, member(owner_of(*this, outermost)));
 }
 
+void Field::check(const ReadingPlace& place, const void* outermost) const {
+  void* owner = owner_of(*this, outermost);
+  if (owner != nullptr && member != nullptr) type->check(member(owner), place);
+}
+
 void Field::make_owner(void* outermost) const {
   for (const InlinedMember& inlined : inlined_by) outermost = inlined.make(outermost);
 }
@@ -100,8 +105,7 @@ void StructType::read(const Json& json, const ReadingPlace& place, void* value) 
     if (json.contains(std::string(field.key))) field.make_owner(value);
   }
   for (const Field& field : fields_) {
-    ReadingPlace inner = place.at(field.key);
-    inner.rule = field.rule;
+    const ReadingPlace inner = place.at(field.key, field.rule);
     const auto found = json.find(std::string(field.key));
     if (found != json.end()) {
       field.read(*found, inner, value);
@@ -109,6 +113,10 @@ void StructType::read(const Json& json, const ReadingPlace& place, void* value) 
       place.at(field.key).reject(Json(), "is missing");
     }
   }
+}
+
+void StructType::check(const void* value, const ReadingPlace& place) const {
+  for (const Field& field : fields_) field.check(place.at(field.key, field.rule), value);
 }
 
 void StructType::reject_unknown(const std::string& key, const Json& value, const ReadingPlace& place) const {

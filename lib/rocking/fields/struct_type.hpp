@@ -47,6 +47,7 @@ struct Field {
   void make_owner(void* outermost) const;
   /// Precondition: make_owner was called.
   void read(const Json& json, const ReadingPlace& place, void* outermost) const;
+  void check(const ReadingPlace& place, const void* outermost) const;
 };
 
 /// The name of a struct and the list of its fields, in the order in which they are written.
@@ -62,6 +63,7 @@ class StructType final : public ValueType {
   /// Writes the fields into the innermost object.
   void write_members(const void* value, JsonWriter& out) const;
   void read(const Json& json, const ReadingPlace& place, void* value) const override;
+  void check(const void* value, const ReadingPlace& place) const override;
   [[nodiscard]] Json schema(const Rule& rule) const override;
   void describe(const std::string& prefix, std::vector<KeyRow>& rows) const override;
 

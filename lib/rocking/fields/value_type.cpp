@@ -22,10 +22,17 @@ void add_rule(const Rule& rule, Json& schema) {
   for (const std::string_view choice : rule.choices) schema["enum"].push_back(choice);
 }
 
+/// Whole numbers without an exponent.
+std::string plain(double number) {
+  constexpr double largest = 1e15;  // below 2^53
+  const bool is_whole = std::abs(number) <= largest && number == std::floor(number);
+  return is_whole ? std::to_string(static_cast<std::int64_t>(number)) : base::shortest(number);
+}
+
 std::string in_words(const Rule& rule) {
   std::string words;
   const auto add = [&words](std::string_view word, const std::optional<double>& bound) {
-    if (bound) words += (words.empty() ? "" : " and ") + std::string(word) + ' ' + base::shortest(*bound);
+    if (bound) words += (words.empty() ? "" : " and ") + std::string(word) + ' ' + plain(*bound);
   };
   add("at least", rule.least);
   add("above", rule.above);
@@ -59,6 +66,22 @@ class SimpleType final : public ValueType {
       }
     }
     *static_cast<T*>(value) = json.get<T>();
+  }
+
+  void check(const void* value, const ReadingPlace& place) const override {
+    const T& held = *static_cast<const T*>(value);
+    if constexpr (is_number) {
+      const auto number = static_cast<double>(held);
+      if (!place.rule.allows(number)) {
+        place.problems->push_back({place.pointer, plain(number), in_words(place.rule), ""});
+      } else if (!std::isfinite(number)) {
+        place.problems->push_back({place.pointer, base::shortest(number), "must be a finite number", ""});
+      }
+    } else if constexpr (std::is_same_v<T, std::string>) {
+      const auto& choices = place.rule.choices;
+      if (choices.empty() || std::ranges::find(choices, held) != choices.end()) return;
+      place.problems->push_back({place.pointer, held, in_words(place.rule), ""});
+    }
   }
 
   [[nodiscard]] Json schema(const Rule& rule) const override {
@@ -111,6 +134,12 @@ ReadingPlace ReadingPlace::at(std::string_view key) const {
   return {.pointer = child_pointer(pointer, key), .rule = rule, .problems = problems};
 }
 
+ReadingPlace ReadingPlace::at(std::string_view key, const Rule& of_field) const {
+  ReadingPlace place = at(key);
+  place.rule = of_field;
+  return place;
+}
+
 Json or_null(Json schema) {
   if (schema.contains("enum") || !schema.contains("type")) {
     return {{"anyOf", Json::array({std::move(schema), {{"type", "null"}}})}};
@@ -119,6 +148,8 @@ Json or_null(Json schema) {
   schema["type"] = Json::array({schema["type"], "null"});
   return schema;
 }
+
+void ValueType::check(const void*, const ReadingPlace&) const {}
 
 void ValueType::describe(const std::string&, std::vector<KeyRow>&) const {}
 

@@ -21,6 +21,8 @@ struct ReadingPlace {
 
   void reject(const Json& value, std::string reason, std::string remedy = "") const;
   [[nodiscard]] ReadingPlace at(std::string_view key) const;
+  /// The same for a field, with its rule.
+  [[nodiscard]] ReadingPlace at(std::string_view key, const Rule& of_field) const;
 };
 
 /// A row of a table of keys.
@@ -46,6 +48,8 @@ class ValueType {
   virtual void write_element(const void* value, JsonWriter& out) const { out.element(json(value)); }
   /// Sets the value, or reports every fault and leaves the value valid.
   virtual void read(const Json& json, const ReadingPlace& place, void* value) const = 0;
+  /// Reports every fault of a value that was set in C++: what its rule does not allow, a number that is not finite.
+  virtual void check(const void* value, const ReadingPlace& place) const;
   /// JSON Schema, draft 7.
   [[nodiscard]] virtual Json schema(const Rule& rule) const = 0;
   /// Appends a row for each key within a value at `prefix`; none for a type without keys.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "rocking/base/error.hpp"
+#include "rocking/scene/check_hazard.hpp"
 
 namespace rocking {
 namespace {
@@ -112,19 +113,12 @@ class HazardReader {
     }
     if (!intensity) return reject(fields[0], "is not a number", "give the intensity as a number, 0.25");
     if (!rate) return reject(fields[1], "is not a number", "give the annual rate of exceedance as a number, 2.1e-3");
-    if (!(*intensity > 0.0)) return reject(fields[0], "must be positive", "give an intensity above 0");
-    if (!(*rate > 0.0)) return reject(fields[1], "must be positive", "give a rate above 0, or omit the line");
-    if (!curve_.points.empty()) {
-      const HazardPoint& last = curve_.points.back();
-      if (!(*intensity > last.intensity)) {
-        return reject(fields[0], "is not above the intensity before it", "sort the lines by growing intensity");
-      }
-      if (!(*rate < last.rate)) {
-        return reject(fields[1], "is not below the rate before it: a stronger intensity is exceeded less often",
-                      "give rates of exceedance per year, which fall with the intensity");
-      }
+    const HazardPoint point{.intensity = *intensity, .rate = *rate};
+    if (const auto fault = fault_of(point, curve_.points.empty() ? nullptr : &curve_.points.back())) {
+      const bool is_rate = fault->number == &HazardPoint::rate;
+      return reject(fields[is_rate ? 1 : 0], fault->reason, fault->remedy);
     }
-    curve_.points.push_back({.intensity = *intensity, .rate = *rate});
+    curve_.points.push_back(point);
   }
 
   HazardCurve curve_;

@@ -18,9 +18,6 @@
 namespace rocking {
 namespace {
 
-/// Of one condition: more would take the memory of numbers, not of a laboratory.
-constexpr std::uint64_t most_tests = 1'000'000;
-
 /// Of the value in a problem, which is JSON, what stands in the file.
 std::string as_written(const std::string& value) {
   const Json json = Json::parse(value, nullptr, false);

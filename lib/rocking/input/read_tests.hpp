@@ -11,8 +11,6 @@ namespace rocking {
 
 /// Largest size of a file of counted tests.
 inline constexpr std::size_t most_tests_bytes = 1'000'000;
-/// Largest number of conditions in it.
-inline constexpr std::size_t most_tested_conditions = 1000;
 
 /// Reads counted tests: a line for each tested condition, of which the first names the columns. A column is a parameter
 /// (a JSON pointer into the experiment, or its last key where only one has it), or else response modes with their

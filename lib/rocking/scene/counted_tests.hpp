@@ -24,6 +24,10 @@ struct ModeGroup {
 /// The group that has a mode: its own, or the last one.
 [[nodiscard]] std::size_t group_of(const std::vector<ModeGroup>& groups, const section::ResponseMode& mode);
 
+/// Of one condition: more would take the memory of numbers, not of a laboratory.
+inline constexpr std::uint64_t most_tests = 1'000'000;
+inline constexpr std::size_t most_tested_conditions = 1000;
+
 /// Tests under one condition.
 struct TestedCondition {
   std::vector<Parameter> parameters;  ///< in which it differs from the experiment

@@ -122,7 +122,9 @@ void add_rare(const std::vector<RareOfCurve>& all, SuiteCurve& curve) {
     curve.rare.push_back(one.level);
     for (const RareOfCurve::OfRecord& of_record : one.records) {
       const auto record = std::ranges::find(curve.records, of_record.name, &RecordCurve::name);
-      ROCKING_EXPECT(record != curve.records.end());
+      if (record == curve.records.end()) {
+        throw base::InputError({"rare", of_record.name, "is no ground motion of the run", "omit it"});
+      }
       record->curve.rare.push_back(of_record.level);
     }
   }

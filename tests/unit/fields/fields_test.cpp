@@ -1,6 +1,7 @@
 // One list of fields a struct: what is written, read, refused and described.
 
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -223,6 +224,32 @@ TEST(Fields, ReportEveryFaultWithItsPlaceAndRemedy) {
                   "/list/1/share = 1.5: must be at least 0 and at most 1", "/by_name/a = \"x\": must be a number",
                   "/pair = [1.0]: must be a list of 2 entries", "/word = \"three\": must be one of one, two",
                   "/is_on = 1: must be true or false", "/number = 3000000000.0: must be a whole number"));
+}
+
+TEST(Fields, AreCheckedWhereTheyWereSetInCpp) {
+  const auto problems_of = [](const Everything& all) {
+    std::vector<base::Problem> problems;
+    fields_of(&all).check(&all, {.pointer = "", .problems = &problems});
+    std::vector<std::string> texts;
+    for (const base::Problem& problem : problems) texts.push_back(base::to_string(problem));
+    return texts;
+  };
+  Everything all = example();
+  EXPECT_THAT(problems_of(all), ::testing::IsEmpty());
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  all.inner.share = 1.5;
+  all.list.push_back({.share = 0.5, .mean = nan});
+  all.by_name["b"] = -1.0;
+  all.pair[1] = std::numeric_limits<double>::infinity();
+  all.word = "three";
+  all.scale = std::optional(0.0);
+  all.extent = Extent{.low = nan};
+  const std::string last = "/list/" + std::to_string(all.list.size() - 1);
+  EXPECT_THAT(problems_of(all),
+              ::testing::ElementsAre("/share = 1.5: must be at least 0 and at most 1",
+                                     last + "/mean = nan: must be above 0", "/by_name/b = -1: must be at least 0",
+                                     "/pair/1 = inf: must be a finite number", "/word = three: must be one of one, two",
+                                     "/scale = 0: must be above 0", "/low = nan: must be a finite number"));
 }
 
 TEST(Fields, RefuseAnotherFormatAndNumbersThatNoFileHas) {

@@ -31,7 +31,7 @@ struct SpectrumPanel {
   const char* unit;
 };
 constexpr std::array<SpectrumPanel, 2> spectrum_panels{
-    {{&SpectrumEntry::sa_g, "sa_g", "spectral acceleration", "g"},
+    {{&SpectrumEntry::sa_g, "sa_g", "spectral pseudo-acceleration", "g"},
      {&SpectrumEntry::sv_m_s, "sv_m_s", "spectral velocity", "m/s"}}};
 
 Table series_table(const ReportedMotion& motion) {
@@ -98,9 +98,10 @@ Figure spectra_figure(const MotionReport& report) {
   const std::string damping = significant(100.0 * report.damping, 3) + " % damping";
   figure.subtitle = damping;
   figure.caption =
-      "Largest absolute acceleration and largest velocity relative to the base of a linear oscillator with " + damping +
-      ", wherever they are reached.";
-  figure.description = "Spectral acceleration and velocity against the period of the oscillator.";
+      "Pseudo-acceleration (omega^2 times the largest displacement relative to the base) and largest velocity relative to "
+      "the base of a linear oscillator with " +
+      damping + ", wherever they are reached.";
+  figure.description = "Spectral pseudo-acceleration and velocity against the period of the oscillator.";
   for (const SpectrumPanel& panel : spectrum_panels) {
     figure.panels.push_back({.title = "",
                              .x = {.quantity = "period", .symbol = "T", .unit = "s", .logarithmic = true},

@@ -1,5 +1,6 @@
 // `rocking motion`: what is read, the measures, and faults.
 
+#include <numbers>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -45,6 +46,10 @@ TEST_F(MotionCommand, SaysWhatWasReadInEachFormat) {
   EXPECT_DOUBLE_EQ(found[0]["uplift_scale"], 0.35 / 1.6 / 0.25);
   ASSERT_EQ(found[0]["spectrum"].size(), 2U);
   EXPECT_EQ(found[0]["spectrum"][1]["period_s"], 1.0);
+  const Json& spectrum = found[0]["spectrum"][1];
+  const double omega = 2.0 * std::numbers::pi;
+  EXPECT_DOUBLE_EQ(spectrum["sa_g"], omega * omega * spectrum["sd_m"].get<double>() / 9.81) << "not the absolute one";
+  EXPECT_GT(spectrum["sa_absolute_g"], 1.001 * spectrum["sa_g"].get<double>());
   EXPECT_EQ(found[1]["format"], "esm_asc");
   EXPECT_EQ(found[1]["unit"], "cm/s2");
   EXPECT_DOUBLE_EQ(found[1]["pga_g"], 0.2);
@@ -59,7 +64,8 @@ TEST_F(MotionCommand, SaysWhatWasReadInEachFormat) {
 TEST_F(MotionCommand, PrintsTables) {
   const auto found = rocking("motion a.AT2 --periods 0.5 --damping 0.02");
   EXPECT_EQ(found.exit_code, 0);
-  EXPECT_THAT(found.output, AllOf(HasSubstr("PGA [g]"), HasSubstr("0.25"), HasSubstr("2 % damping")));
+  EXPECT_THAT(found.output, AllOf(HasSubstr("PGA [g]"), HasSubstr("0.25"), HasSubstr("2 % damping"),
+                                  HasSubstr("PSa [g]"), HasSubstr("absolute Sa [g]")));
   EXPECT_EQ(found.errors, "");
   EXPECT_THAT(rocking("motion c.txt").errors, HasSubstr("m/s2 is assumed"));
 }

@@ -9,10 +9,14 @@ static const StructType& fields_of(const SpectrumEntry*) {
   static const StructType fields{
       "SpectrumEntry",
       field<&Entry::period_s>("period_s", "of the undamped oscillator [s]", rule::positive),
-      field<&Entry::sa_g>("sa_g", "largest absolute acceleration over gravity", rule::not_negative),
+      field<&Entry::sa_g>("sa_g",
+                          "spectral acceleration of hazard and ground-motion models: the pseudo-acceleration omega^2 "
+                          "sd_m, over gravity",
+                          rule::not_negative),
+      field<&Entry::sa_absolute_g>("sa_absolute_g", "largest absolute acceleration of the oscillator, over gravity",
+                                   rule::not_negative),
       field<&Entry::sv_m_s>("sv_m_s", "largest velocity relative to the base [m/s]", rule::not_negative),
       field<&Entry::sd_m>("sd_m", "largest displacement relative to the base [m]", rule::not_negative),
-      field<&Entry::psa_g>("psa_g", "pseudo-acceleration, omega^2 sd_m, over gravity", rule::not_negative),
       field<&Entry::psv_m_s>("psv_m_s", "pseudo-velocity, omega sd_m [m/s]", rule::not_negative),
   };
   return fields;
@@ -122,10 +126,10 @@ constexpr double two_pi = 0x1.921fb54442d18p+2;
 SpectrumEntry entry_of(const SpectralPoint& point, double gravity) {
   const double omega = two_pi / point.period_s;
   return {.period_s = point.period_s,
-          .sa_g = point.sa_m_s2 / gravity,
+          .sa_g = omega * omega * point.sd_m / gravity,
+          .sa_absolute_g = point.sa_m_s2 / gravity,
           .sv_m_s = point.sv_m_s,
           .sd_m = point.sd_m,
-          .psa_g = omega * omega * point.sd_m / gravity,
           .psv_m_s = omega * point.sd_m};
 }
 

@@ -15,10 +15,10 @@ namespace rocking {
 /// Largest responses of a linear oscillator on a moving base.
 struct SpectrumEntry {
   double period_s = 0.0;
-  double sa_g = 0.0;
+  double sa_g = 0.0;           ///< omega^2 sd, over gravity: the pseudo-acceleration
+  double sa_absolute_g = 0.0;  ///< largest absolute acceleration
   double sv_m_s = 0.0;
   double sd_m = 0.0;
-  double psa_g = 0.0;    ///< omega^2 sd, over gravity
   double psv_m_s = 0.0;  ///< omega sd
 };
 

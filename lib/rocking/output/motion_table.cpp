@@ -67,12 +67,12 @@ std::string measures_table(const MotionReport& report, Extent extent) {
 }
 
 std::string spectrum_table(const std::vector<ReportedMotion>& motions) {
-  std::vector<TextRow> rows{{"file", "T [s]", "Sa [g]", "Sv [m/s]", "Sd [m]", "PSa [g]", "PSv [m/s]"}};
+  std::vector<TextRow> rows{{"file", "T [s]", "PSa [g]", "Sv [m/s]", "Sd [m]", "PSv [m/s]", "absolute Sa [g]"}};
   for (const ReportedMotion& motion : motions) {
     for (const SpectrumEntry& entry : motion.spectrum) {
       rows.push_back({motion.facts.file, significant(entry.period_s, 4), significant(entry.sa_g, 4),
-                      significant(entry.sv_m_s, 4), significant(entry.sd_m, 4), significant(entry.psa_g, 4),
-                      significant(entry.psv_m_s, 4)});
+                      significant(entry.sv_m_s, 4), significant(entry.sd_m, 4), significant(entry.psv_m_s, 4),
+                      significant(entry.sa_absolute_g, 4)});
     }
   }
   return aligned(rows);
@@ -80,7 +80,7 @@ std::string spectrum_table(const std::vector<ReportedMotion>& motions) {
 
 /// Smallest, median and largest value over the motions at each period; the motions have the same periods.
 std::string spectra_summary(const std::vector<ReportedMotion>& motions) {
-  std::vector<TextRow> rows{{"T [s]", "Sa [g] least", "median", "largest"}};
+  std::vector<TextRow> rows{{"T [s]", "PSa [g] least", "median", "largest"}};
   for (std::size_t i = 0; i < motions.front().spectrum.size(); ++i) {
     std::vector<double> values;
     for (const ReportedMotion& motion : motions) values.push_back(motion.spectrum[i].sa_g);

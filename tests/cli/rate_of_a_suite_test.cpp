@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <string>
 
@@ -161,6 +162,25 @@ TEST_F(RateOfASuite, SweepsASpectralAccelerationAndTakesItsHazard) {
     if (measure["measure"] != "sa_g") continue;
     EXPECT_NEAR(measure["median"].get<double>(), curve["pooled"]["median"]["value"].get<double>(), 1e-6);
   }
+}
+
+TEST_F(RateOfASuite, RanksTheAbsoluteAccelerationOnlyWhereItIsSwept) {
+  Json absolute = experiment();
+  absolute["excitation"]["period_s"] = 0.5;
+  absolute["sweep"][0] = {{"parameter", "/excitation/sa_absolute_g"}, {"values", {0.4, 0.7, 1.0, 1.5}}};
+  write("e.json", absolute.dump());
+  run();
+  const Json curve = fragility()["curves"][0];
+  std::map<std::string, double> medians;
+  for (const Json& measure : curve["measures"])
+    medians[measure["measure"].get<std::string>()] = measure["median"].get<double>();
+  ASSERT_TRUE(medians.contains("sa_g") && medians.contains("sa_absolute_g"));
+  EXPECT_NEAR(medians["sa_absolute_g"], curve["pooled"]["median"]["value"].get<double>(), 1e-6);
+  EXPECT_GT(medians["sa_absolute_g"], medians["sa_g"]);
+  write("hazard.csv", "sa_g, annual_rate\n0.1, 1e-2\n0.5, 1e-3\n5, 1e-5\n");
+  const auto other = rocking("fragility out --hazard hazard.csv");
+  EXPECT_EQ(other.exit_code, 65) << "a hazard in pseudo-accelerations does not fit";
+  EXPECT_THAT(other.errors, HasSubstr("which is sa_absolute_g[0.5]"));
 }
 
 TEST_F(RateOfASuite, WritesItsAnswerOnASheet) {

@@ -63,10 +63,10 @@ std::optional<GroundMotion> GroundMotionFiles::component(const std::string& name
 }
 
 double GroundMotionFiles::spectral_acceleration(const std::shared_ptr<const GroundMotion>& motion,
-                                                const std::vector<double>& periods) {
-  const auto [found, is_new] = spectral_.try_emplace({motion, periods}, 0.0);
+                                                const std::vector<double>& periods, OscillatorAcceleration which) {
+  const auto [found, is_new] = spectral_.try_emplace({motion, periods, which}, 0.0);
   if (is_new) {
-    found->second = periods.size() == 1 ? rocking::spectral_acceleration(motion->samples, periods.front())
+    found->second = periods.size() == 1 ? rocking::spectral_acceleration(motion->samples, periods.front(), which)
                                         : average_spectral_acceleration(motion->samples, periods.at(0), periods.at(1));
   }
   return found->second;

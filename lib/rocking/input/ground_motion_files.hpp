@@ -4,8 +4,11 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <tuple>
+#include <vector>
 
 #include "rocking/input/read_ground_motion.hpp"
+#include "rocking/scene/response_spectrum.hpp"
 #include "rocking/text/files.hpp"
 
 namespace rocking {
@@ -20,10 +23,10 @@ class GroundMotionFiles {
   /// Throws std::system_error where the file cannot be read.
   [[nodiscard]] std::shared_ptr<const GroundMotion> motion(const GroundMotionReading& how, Problems& problems);
 
-  /// The spectral acceleration of a motion at a period, or its average over a range of periods (response_spectrum.hpp),
-  /// over g; computed once.
+  /// The spectral acceleration of a motion at a period, or the average of its pseudo-acceleration over a range of periods
+  /// (response_spectrum.hpp), over g; computed once.
   [[nodiscard]] double spectral_acceleration(const std::shared_ptr<const GroundMotion>& motion,
-                                             const std::vector<double>& periods);
+                                             const std::vector<double>& periods, OscillatorAcceleration which);
 
   /// SHA-256 of the file's bytes, in lower-case hexadecimal. Throws as above.
   [[nodiscard]] std::string digest(const std::string& name) { return file(name).digest; }
@@ -45,7 +48,8 @@ class GroundMotionFiles {
   FileSource source_;
   std::map<std::string, File> files_;
   std::map<GroundMotionReading, Reading> readings_;
-  std::map<std::pair<std::shared_ptr<const GroundMotion>, std::vector<double>>, double> spectral_;
+  std::map<std::tuple<std::shared_ptr<const GroundMotion>, std::vector<double>, OscillatorAcceleration>, double>
+      spectral_;
   std::size_t samples_ = 0;  ///< held by all readings
 };
 

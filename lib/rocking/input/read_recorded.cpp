@@ -61,9 +61,12 @@ Quantity scale_for(ObjectReader& keys, const Strength& strength, GroundMotionFil
                    const std::shared_ptr<const GroundMotion>& motion, double gravity) {
   const std::string_view key = strength.unit.key.name;
   if (key == "scale") return strength.value;
-  const double own = key == "pga_g"     ? peak_acceleration(motion->samples)
-                     : key == "pgv_m_s" ? peak_velocity(motion->samples, gravity)
-                                        : files.spectral_acceleration(motion, strength.periods);
+  const double own = key == "pga_g" ? peak_acceleration(motion->samples)
+                     : key == "pgv_m_s"
+                         ? peak_velocity(motion->samples, gravity)
+                         : files.spectral_acceleration(motion, strength.periods,
+                                                       key == "sa_absolute_g" ? OscillatorAcceleration::absolute
+                                                                              : OscillatorAcceleration::pseudo);
   Quantity scale = divided(strength.value, own);
   if (rules::scale.allows(reach_of(scale).largest)) return scale;
   keys.reject(key,

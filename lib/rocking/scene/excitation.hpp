@@ -105,8 +105,8 @@ struct Harmonic {
 };
 
 /// Keys that give how strong a ground motion is made; all but the first are measures of its intensity.
-inline constexpr std::array<std::string_view, 6> all_strengths{"scale", "pga_g",  "pgv_m_s",
-                                                               "sa_g",  "sa_p_g", "avgsa_g"};
+inline constexpr std::array<std::string_view, 7> all_strengths{"scale",  "pga_g",   "pgv_m_s",      "sa_g",
+                                                               "sa_p_g", "avgsa_g", "sa_absolute_g"};
 
 /// Recorded excitation as asked for: a ground motion times a scale.
 struct Recorded {

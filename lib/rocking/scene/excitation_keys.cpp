@@ -32,10 +32,17 @@ constexpr std::array<UnitKey, all_strengths.size()> strength_units{
     {{{"scale", "factor on the recorded accelerations"}, rules::scale},
      {{"pga_g", "in place of scale: the peak horizontal acceleration over gravity_m_s2"}, rules::pga_g},
      {{"pgv_m_s", "in place of scale: the peak horizontal velocity [m/s]"}, rules::pgv_m_s},
-     {{"sa_g", "in place of scale: the spectral acceleration at period_s with 5 % damping, over gravity_m_s2"},
+     {{"sa_g",
+       "in place of scale: the spectral acceleration of hazard models, which is the pseudo-acceleration at period_s "
+       "with 5 % "
+       "damping, over gravity_m_s2"},
       rules::pga_g},
      {{"sa_p_g", "in place of scale: the same at the period 2 pi/p of the mean block"}, rules::pga_g},
      {{"avgsa_g", "in place of scale: the geometric mean of the same over periods_s, at ten periods with equal ratios"},
+      rules::pga_g},
+     {{"sa_absolute_g",
+       "in place of scale: the largest absolute acceleration of the oscillator of period_s with 5 % damping, over "
+       "gravity_m_s2; hazard and ground-motion models are not given in it"},
       rules::pga_g}}};
 
 /// The number as it is given: `normalised`, or in the physical unit.
@@ -112,15 +119,15 @@ void keys_of_columns(Keys& in, GroundMotionReading& how) {
 /// The periods of the spectral accelerations by which a file gives the strength of a motion; empty: none.
 std::vector<double> keys_of_periods(Keys& in, std::string_view strength, const dynamics::Block* block) {
   std::vector<double> periods;
-  const bool is_sa = strength == "sa_g";
+  const bool is_sa = strength == "sa_g" || strength == "sa_absolute_g";
   if (is_sa || in.stands("period_s", false)) {
     double period = 1.0;
     if (in.is_reading() && !is_sa) {
-      in.refuse("period_s", "is for \"sa_g\", and for harmonic excitation and pulses",
+      in.refuse("period_s", "is for \"sa_g\" and \"sa_absolute_g\", and for harmonic excitation and pulses",
                 strength == "avgsa_g" ? "write \"periods_s\": [shortest, longest]" : "omit it");
     } else {
-      in.number({"period_s", "with sa_g: period of the oscillator [s]"}, period, rules::oscillator_period_s,
-                is_sa ? Absent::error : Absent::omitted);
+      in.number({"period_s", "with sa_g or sa_absolute_g: period of the oscillator [s]"}, period,
+                rules::oscillator_period_s, is_sa ? Absent::error : Absent::omitted);
       if (is_sa) periods = {period};
     }
   }

@@ -239,9 +239,9 @@ struct Overrides {
 };
 
 /// JSON pointers to numbers that are intensities of the excitation.
-inline constexpr std::array<std::string_view, 9> all_intensity_pointers{
-    "/excitation/amplitude", "/excitation/amplitude_g", "/excitation/amplitude_m_s2",
-    "/excitation/scale",     "/excitation/pga_g",       "/excitation/pgv_m_s",
-    "/excitation/sa_g",      "/excitation/sa_p_g",      "/excitation/avgsa_g"};
+inline constexpr std::array<std::string_view, 10> all_intensity_pointers{
+    "/excitation/amplitude", "/excitation/amplitude_g",  "/excitation/amplitude_m_s2", "/excitation/scale",
+    "/excitation/pga_g",     "/excitation/pgv_m_s",      "/excitation/sa_g",           "/excitation/sa_p_g",
+    "/excitation/avgsa_g",   "/excitation/sa_absolute_g"};
 
 }  // namespace rocking

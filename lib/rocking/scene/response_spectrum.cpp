@@ -143,8 +143,12 @@ OscillatorPeaks oscillator_peaks(const std::vector<dynamics::GroundMotionSample>
       .displacement = displacement.largest(), .velocity = velocity.largest(), .acceleration = acceleration.largest()};
 }
 
-double spectral_acceleration(const std::vector<dynamics::GroundMotionSample>& samples, double period_s) {
-  return oscillator_peaks(samples, period_s, standard_damping).acceleration;
+double spectral_acceleration(const std::vector<dynamics::GroundMotionSample>& samples, double period_s,
+                             OscillatorAcceleration which) {
+  const OscillatorPeaks peaks = oscillator_peaks(samples, period_s, standard_damping);
+  if (which == OscillatorAcceleration::absolute) return peaks.acceleration;
+  const double omega = Oscillator(period_s, standard_damping).omega;
+  return omega * omega * peaks.displacement;
 }
 
 double average_spectral_acceleration(const std::vector<dynamics::GroundMotionSample>& samples, double first_s,
@@ -154,7 +158,7 @@ double average_spectral_acceleration(const std::vector<dynamics::GroundMotionSam
   double sum = 0.0;
   for (int i = 0; i < periods; ++i) {
     const double period = i + 1 == periods ? last_s : first_s * base::exponential(width * i / (periods - 1));
-    const double found = spectral_acceleration(samples, period);
+    const double found = spectral_acceleration(samples, period, OscillatorAcceleration::pseudo);
     if (!(found > 0.0)) return 0.0;
     sum += base::natural_logarithm(found);
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "rocking/dynamics/excitation/shape.hpp"
@@ -20,10 +21,15 @@ struct OscillatorPeaks {
 [[nodiscard]] OscillatorPeaks oscillator_peaks(const std::vector<dynamics::GroundMotionSample>& samples,
                                                double period_s, double damping);
 
-/// Spectral acceleration over g with 5 % damping.
-[[nodiscard]] double spectral_acceleration(const std::vector<dynamics::GroundMotionSample>& samples, double period_s);
+/// Which acceleration of an oscillator: `pseudo`, omega^2 times its largest displacement relative to the base, as hazard
+/// and ground-motion models have it; or `absolute`, the largest of its mass. They are equal without damping.
+enum class OscillatorAcceleration : std::uint8_t { pseudo, absolute };
 
-/// Geometric mean of the spectral accelerations at ten periods with equal ratios from `first_s` to `last_s`.
+/// Spectral acceleration over g with 5 % damping.
+[[nodiscard]] double spectral_acceleration(const std::vector<dynamics::GroundMotionSample>& samples, double period_s,
+                                           OscillatorAcceleration which);
+
+/// Geometric mean of the pseudo-accelerations at ten periods with equal ratios from `first_s` to `last_s`.
 [[nodiscard]] double average_spectral_acceleration(const std::vector<dynamics::GroundMotionSample>& samples,
                                                    double first_s, double last_s);
 

@@ -162,11 +162,18 @@ TEST_F(Suite, IsScaledToASpectralAcceleration) {
     EXPECT_EQ(read_experiment(once.canonical_text, {}, surroundings()).canonical_text, once.canonical_text);
     return recorded(once.conditions[3]);
   };
-  const auto spectral = [](const Recorded& motion, double period) {
-    return spectral_point(motion.ground_motion->samples, 1.0, period, 0.05).sa_m_s2 * mean_of(motion.scale);
+  const auto point = [](const Recorded& motion, double period) {
+    return spectral_point(motion.ground_motion->samples, 1.0, period, 0.05);
+  };
+  const auto spectral = [&point](const Recorded& motion, double period) {  // of hazard models: omega^2 max abs(u)
+    const double omega = 2.0 * std::numbers::pi / period;
+    return omega * omega * point(motion, period).sd_m * mean_of(motion.scale);
   };
   EXPECT_NEAR(spectral(strongest("sa_g", "period_s", 0.7), 0.7), 0.6, 1e-14);
   EXPECT_THAT(strongest("sa_g", "period_s", 0.7).measure_periods, ElementsAre(0.7));
+  const Recorded absolute = strongest("sa_absolute_g", "period_s", 0.7);
+  EXPECT_NEAR(point(absolute, 0.7).sa_m_s2 * mean_of(absolute.scale), 0.6, 1e-14);
+  EXPECT_LT(mean_of(absolute.scale), mean_of(strongest("sa_g", "period_s", 0.7).scale));
   const Recorded own = strongest("sa_p_g", "", {});
   const dynamics::Block block = mean_block(read(experiment(R"("records/*.at2")")).conditions.front().scene);
   EXPECT_NEAR(spectral(own, 2.0 * std::numbers::pi / dynamics::geometry_of(block).frequency_parameter), 0.6, 1e-14);
@@ -182,6 +189,7 @@ TEST_F(Suite, RefusesPeriodsThatDoNotBelongToItsMeasure) {
     json["excitation"].update(keys);
     return refusal_of(json);
   };
+  EXPECT_THAT(refusal({{"sa_absolute_g", 0.4}}), HasSubstr("/excitation/period_s: is missing"));
   EXPECT_THAT(refusal({{"sa_g", 0.4}}), HasSubstr("/excitation/period_s: is missing"));
   EXPECT_THAT(refusal({{"sa_g", 0.4}, {"period_s", 0.0}}), HasSubstr("must be a period in seconds"));
   EXPECT_THAT(refusal({{"pga_g", 0.4}, {"period_s", 1.0}}), HasSubstr("/excitation/period_s = 1.0: is for \"sa_g\""));

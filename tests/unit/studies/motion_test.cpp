@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "rocking/scene/response_spectrum.hpp"
 #include "rocking/studies/motion/motion.hpp"
 #include "support/split_mix.hpp"
 
@@ -143,6 +144,23 @@ TEST(ResponseSpectrum, OfALongPushIsThatOfAStep) {
   }
 }
 
+TEST(SpectralAcceleration, IsThePseudoAccelerationUnlessTheAbsoluteOneIsAskedFor) {
+  // A long push on an oscillator with 5 % damping: the displacement overshoots by exp(-pi z/sqrt(1 - z^2)), the absolute
+  // acceleration by the exponential of the later time at which it turns.
+  const double a = 0.3;
+  const double damping = 0.05;
+  const double root = std::sqrt(1.0 - damping * damping);
+  const double pseudo = a * (1.0 + std::exp(-pi * damping / root));
+  const double absolute = a * (1.0 + std::exp(-2.0 * std::atan2(root, damping) * damping / root));
+  EXPECT_GT(absolute - pseudo, 1e-3);
+  for (const double period : {0.05, 0.5, 3.0}) {
+    const auto push = rectangle(a, 200.0 * period);
+    expect_close(spectral_acceleration(push, period, OscillatorAcceleration::pseudo), pseudo, 1e-10);
+    expect_close(spectral_acceleration(push, period, OscillatorAcceleration::absolute), absolute, 1e-10);
+    expect_close(average_spectral_acceleration(push, 0.5 * period, period), pseudo, 1e-10);
+  }
+}
+
 TEST(ResponseSpectrum, OfAShortPushIsThatOfFreeVibrationAfterIt) {
   const double a = 2.0;
   const double length = 0.1;
@@ -229,6 +247,10 @@ TEST(ResponseSpectrum, AgreesWithASeparateIntegrationOfAnIrregularMotion) {
       expect_close(expected.sd_m, found.sd_m, 1e-6);
       expect_close(expected.sv_m_s, found.sv_m_s, 1e-6);
       expect_close(expected.sa_m_s2, found.sa_m_s2, 1e-6);
+      if (damping != 0.05) continue;
+      const double omega = 2.0 * pi / period;
+      expect_close(spectral_acceleration(samples, period, OscillatorAcceleration::pseudo),
+                   omega * omega * expected.sd_m, 1e-6);
     }
   }
 }

@@ -73,7 +73,7 @@ class Spectra {
  public:
   double at(const GroundMotion& motion, double period) {
     const auto [found, is_new] = known_.try_emplace({&motion, period, 0.0}, 0.0);
-    if (is_new) found->second = spectral_acceleration(motion.samples, period);
+    if (is_new) found->second = spectral_acceleration(motion.samples, period, OscillatorAcceleration::pseudo);
     return found->second;
   }
   double average(const GroundMotion& motion, double first, double last) {
@@ -87,7 +87,7 @@ class Spectra {
 };
 
 /// Measures of a motion that does not change with the realisation.
-void set_measures(const Scene& scene, Spectra& spectra, Stripe& stripe) {
+void set_measures(const Scene& scene, std::string_view intensity, Spectra& spectra, Stripe& stripe) {
   const auto* recorded = std::get_if<Recorded>(&scene.excitation);
   if (recorded == nullptr || !recorded->ground_motion || is_drawn(recorded->scale)) return;
   const double scale = mean_of(recorded->scale);
@@ -107,7 +107,8 @@ void set_measures(const Scene& scene, Spectra& spectra, Stripe& stripe) {
                      periods.size() == 1 && periods.front() != own
                          ? std::optional(scale * spectra.at(motion, periods.front()))
                          : std::nullopt,
-                     scale * spectra.average(motion, has_range ? periods[0] : 0.1 * own, has_range ? periods[1] : own)};
+                     scale * spectra.average(motion, has_range ? periods[0] : 0.1 * own, has_range ? periods[1] : own),
+                     intensity == "/excitation/sa_absolute_g" ? std::optional(stripe.intensity) : std::nullopt};
 }
 
 /// The outcomes of all conditions. Throws InputError if the store lacks a realisation.
@@ -146,9 +147,10 @@ std::string_view to_string(IntensityMeasure measure) {
     case IntensityMeasure::pgv_ratio: return "p_pgv_over_g_tan_psi";
     case IntensityMeasure::sa_p: return "sa_p_g";
     case IntensityMeasure::sa: return "sa_g";
-    case IntensityMeasure::avgsa: break;
+    case IntensityMeasure::avgsa: return "avgsa_g";
+    case IntensityMeasure::sa_absolute: break;
   }
-  return "avgsa_g";
+  return "sa_absolute_g";
 }
 
 std::vector<std::span<const Stripe>> StripeGroup::by_record() const {
@@ -218,7 +220,7 @@ std::vector<StripeGroup> stripes_of(const Experiment& experiment, const Store& s
     stripes[i].intensity = place.intensity;
     stripes[i].shaking = shaking_of(experiment.conditions[i].scene);
     stripes[i].uplift = least_uplift(experiment.conditions[i].scene, place.intensity);
-    set_measures(experiment.conditions[i].scene, spectra, stripes[i]);
+    set_measures(experiment.conditions[i].scene, intensity, spectra, stripes[i]);
     group->stripes.push_back(std::move(stripes[i]));
   }
   for (StripeGroup& group : groups) sort(group.stripes);

@@ -34,19 +34,21 @@ struct CurveSubject {
 
 /// Measures of the intensity of a recorded motion.
 enum class IntensityMeasure : std::uint8_t {
-  pga,        ///< peak ground acceleration over g [-]
-  pgv,        ///< peak ground velocity [m/s]
-  pga_ratio,  ///< PGA/(g tan psi), of the mean block [-]
-  pgv_ratio,  ///< p PGV/(g tan psi), of the mean block [-]
-  sa_p,       ///< spectral acceleration over g with 5 % damping at the period 2 pi/p of the mean block [-]
-  sa,         ///< the same at the period by which the experiment gives the strength of its motions
-  avgsa,      ///< geometric mean of the same over the periods by which it does, or else over 0.1 to 1 times 2 pi/p
+  pga,          ///< peak ground acceleration over g [-]
+  pgv,          ///< peak ground velocity [m/s]
+  pga_ratio,    ///< PGA/(g tan psi), of the mean block [-]
+  pgv_ratio,    ///< p PGV/(g tan psi), of the mean block [-]
+  sa_p,         ///< pseudo-acceleration over g with 5 % damping at the period 2 pi/p of the mean block [-]
+  sa,           ///< the same at the period by which the experiment gives the strength of its motions
+  avgsa,        ///< geometric mean of the same over the periods by which it does, or else over 0.1 to 1 times 2 pi/p
+  sa_absolute,  ///< largest absolute acceleration of the oscillator over g, where it is swept [-]
 };
 inline constexpr std::array all_intensity_measures{
     IntensityMeasure::pga,  IntensityMeasure::pgv, IntensityMeasure::pga_ratio, IntensityMeasure::pgv_ratio,
-    IntensityMeasure::sa_p, IntensityMeasure::sa,  IntensityMeasure::avgsa};
+    IntensityMeasure::sa_p, IntensityMeasure::sa,  IntensityMeasure::avgsa,     IntensityMeasure::sa_absolute};
 
-/// In files: `pga_g`, `pgv_m_s`, `pga_over_g_tan_psi`, `p_pgv_over_g_tan_psi`, `sa_p_g`, `sa_g`, `avgsa_g`.
+/// In files: `pga_g`, `pgv_m_s`, `pga_over_g_tan_psi`, `p_pgv_over_g_tan_psi`, `sa_p_g`, `sa_g`, `avgsa_g`,
+/// `sa_absolute_g`.
 [[nodiscard]] std::string_view to_string(IntensityMeasure measure);
 
 /// What a stripe of a multiple-stripe analysis holds: all realisations of one block under one motion at one level.

@@ -16,4 +16,9 @@ namespace rocking::base {
 /// relative to max(1, abs(x)). Source: Abramowitz & Stegun (1964) 26.2.23, improved by two steps of Halley's method.
 [[nodiscard]] double normal_quantile_of_tail(double tail);
 
+/// E[Z - low] of a standard normal number Z that lies between `low` and low + width, for low + width/2 >= 0 and width > 0;
+/// the mirror image has the others. Relative error below 1e-14 for every `low` and `width`, since the integrals have positive
+/// terms: a Gauss-Legendre rule over that part of the interval whose density is above exp(-40) of the largest.
+[[nodiscard]] double normal_mean_above(double low, double width);
+
 }  // namespace rocking::base

@@ -6,11 +6,15 @@
 #include <functional>
 #include <limits>
 #include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
+#include <boost/math/constants/constants.hpp>
 #include <boost/math/distributions/lognormal.hpp>
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/triangular.hpp>
+#include <boost/math/special_functions/erf.hpp>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -101,6 +105,55 @@ TEST(TruncatedNormal, HasTheQuantilesOfItsPartAlsoFarOut) {
     const auto tail = [&](double score) { return cdf(complement(standard_law, mirrored ? -score : score)); };
     const double at_low = tail(between.least), at_high = tail(between.largest);
     expect_quantiles(law, [&](double x) { return (tail((x - 1.0) / 0.25) - at_low) / (at_high - at_low); });
+  }
+}
+
+/// Mean of a truncated normal law: from densities and tails, whose differences lose up to 40 of 100 digits.
+Exact exact_mean(const Normal& law) {
+  using Digits = boost::multiprecision::cpp_bin_float_100;
+  const Digits mean(law.mean), sigma(law.sigma);
+  Digits low = (Digits(law.between->least) - mean) / sigma;
+  Digits high = (Digits(law.between->largest) - mean) / sigma;
+  const bool is_mirrored = low + high < 0;
+  if (is_mirrored) std::tie(low, high) = std::pair<Digits, Digits>(-high, -low);
+  const auto density = [](const Digits& x) -> Digits {
+    return exp(-x * x / 2) / sqrt(2 * boost::math::constants::pi<Digits>());
+  };
+  const auto tail = [](const Digits& x) -> Digits { return boost::math::erfc(x / sqrt(Digits(2))) / 2; };
+  const Digits score = (density(low) - density(high)) / (tail(low) - tail(high));
+  return Exact(mean + sigma * (is_mirrored ? -score : score));
+}
+
+TEST(TruncatedNormal, HasItsMeanWhateverItsBounds) {
+  for (const double sigma : {1e-6, 0.01, 0.3, 1.0, 1e3, 1e6}) {
+    for (const double low : {-30.0, -9.0, -2.0, -1.0, -1e-7, 0.0, 0.5, 3.0, 11.0, 25.0}) {
+      for (const double width : {1e-13, 1e-9, 1e-6, 1e-3, 0.1, 1.0, 2.0, 10.0, 18.0, 60.0}) {
+        for (const double mean : {0.0, 1.0, -2.5 * sigma, 1e6}) {
+          const Reach between{mean + sigma * low, mean + sigma * (low + width)};
+          if (!(between.least < between.largest)) continue;
+          const Normal law{.mean = mean, .sigma = sigma, .between = between};
+          const double wide = between.largest - between.least;
+          const double rounding = 0x1p-52 * std::max(std::abs(between.least), std::abs(between.largest));
+          EXPECT_NEAR(static_cast<double>(Exact(law.expected()) - exact_mean(law)), 0.0, 1e-14 * wide + rounding)
+              << mean << ' ' << sigma << ' ' << low << ' ' << width;
+        }
+      }
+    }
+  }
+  const Normal wide{.mean = 1e6, .sigma = 1e6, .between = Reach{0.30, 0.3001}};
+  EXPECT_NEAR(wide.expected(), 0.30005, 1e-14) << "the density changes by 1e-10 over the interval";
+}
+
+TEST(TruncatedNormal, IsDrawnFromATinyIntervalAsWell) {
+  // Nearly uniform; by tails each value was one of its ends.
+  const Normal law{.mean = 1e6, .sigma = 1e6, .between = Reach{0.3, 0.3 + 1e-9}};
+  for (const double u : {0.0, 0.1, 0.5, 0.9}) EXPECT_NEAR(law.at(u), 0.3 + 1e-9 * u, 2e-16) << u;
+  // Where the density falls by exp(-8e-6) over the interval.
+  const Normal tail{.mean = 0.0, .sigma = 1.0, .between = Reach{8.0, 8.000001 - 1e-9}};
+  const double width = tail.between->largest - tail.between->least;
+  for (const double u : {0.1, 0.5, 0.9}) {
+    const double slope = (8.0 + 0.5 * width) * width;
+    EXPECT_NEAR(tail.at(u), 8.0 - width * std::log1p(u * std::expm1(-slope)) / slope, 2e-15) << u;
   }
 }
 

@@ -52,7 +52,8 @@ ExitCode orbits(OrbitsCommand& command) {
   if (request.branches && !command.execution.loudness.quiet) {
     print_notice("following branches, too; --no-branches omits them");
   }
-  Progress progress(suitable_progress_style(command.execution.loudness), "conditions");
+  Progress progress(suitable_progress_style(command.execution.loudness), "conditions",
+                    request.branches ? "points of branches" : "");
   const OrbitStudy study = rocking::orbits(experiment, request, watched(command.execution, progress));
   const std::string text = orbits_text(experiment, study);
   deliver_study(command.execution.loudness, text, heading(experiment) + table_of(study, command.execution.extent),

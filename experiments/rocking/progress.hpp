@@ -1,11 +1,14 @@
 #pragma once
 
 #include <chrono>
+#include <condition_variable>
 #include <cstdint>
 #include <functional>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <thread>
 
 #include "output.hpp"
 
@@ -20,22 +23,31 @@ enum class ProgressStyle : std::uint8_t {
 /// The style that the options request and standard error can show.
 [[nodiscard]] ProgressStyle suitable_progress_style(const Loudness& loudness);
 
+/// What is counted, in the plural.
+struct Counted {
+  std::string noun;
+  std::string then = {};  ///< counted after it, up to a number that is not known; empty: nothing
+};
+
 /// State of a computation.
 struct Pace {
   std::uint64_t done = 0;
-  std::uint64_t all = 0;       ///< 0 beside a number done: not known yet
+  std::uint64_t all = 0;       ///< 0 beside a number done: how many there will be is not known
   std::optional<double> rate;  ///< [1/s]; absent before there is one
+  double elapsed = 0.0;        ///< [s]
 };
 
-/// `1200 of 7600 realisations (15.8 %), 410/s, 15 s to go`; without a noun `1200/7600, 410/s, 15 s to go`.
-[[nodiscard]] std::string progress_line(const Pace& pace, std::string_view noun);
+/// `1200 of 7600 realisations (15.8 %), 410/s, 15 s remaining`, or `1200/7600, ...` where `is_short`; before there is a
+/// rate the time since the start; `1200 realisations so far, 410/s` where their number is not known. Where something is counted `then`, neither a share nor a time remaining is known:
+/// `3 of 6 conditions, 0.1/s; then points of branches`, and later `240 points of branches, 12/s`.
+[[nodiscard]] std::string progress_line(const Pace& pace, const Counted& counted, bool is_short);
 
 /// Progress on standard error: amount done, rate, estimated time to go, and text of the caller. On a terminal a bar
-/// precedes it, and the line is cut to the width of the terminal.
+/// precedes it, and the line is cut to the width of the terminal. A thread prints it also while nothing is finished.
 class Progress {
  public:
-  /// `noun`: what is counted, in the plural.
-  Progress(ProgressStyle style, std::string noun);
+  /// As Counted.
+  Progress(ProgressStyle style, std::string noun, std::string then = {});
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
   ~Progress();
@@ -50,15 +62,24 @@ class Progress {
   using Clock = std::chrono::steady_clock;
 
   /// Rate of this session; work of an earlier session does not count.
-  [[nodiscard]] Pace pace(std::uint64_t done, std::uint64_t all);
+  [[nodiscard]] Pace pace() const;
+  [[nodiscard]] bool is_due() const { return style_ != ProgressStyle::none && Clock::now() >= next_; }
+  void print();
+  void keep_printing();
 
   ProgressStyle style_;
-  std::string noun_;
+  Counted counted_;
   Clock::time_point start_;
+  std::mutex mutex_;  ///< of what follows
   Clock::time_point next_;
+  std::uint64_t done_ = 0, all_ = 0;
+  std::string more_;
   std::optional<std::uint64_t> done_at_first_;
-  double first_ = 0.0;  ///< when `show` was first called [s]
+  double first_ = 0.0;  ///< when `show` was first called for what is counted now [s]
   bool line_open_ = false;
+  bool has_ended_ = false;
+  std::condition_variable ended_;
+  std::thread printer_;  ///< none without a style
 };
 
 }  // namespace rocking::program

@@ -167,6 +167,24 @@ TEST_F(PseudoTerminal, ShowsNoColourWhereNoneIsWanted) {
   EXPECT_THAT(seen(120, "run quick.json -o other", "NO_COLOR="), HasSubstr("\x1b[32m")) << "empty is not set";
 }
 
+TEST_F(PseudoTerminal, ShowsNoShareOfASearchWhoseEndIsNotKnown) {
+  auto calm = quick_experiment();
+  calm["fluctuation"] = rocking::Json::object();
+  calm.erase("friction");
+  calm["realisations"] = 1;
+  calm["sweep"] = rocking::Json::parse(R"([{ "parameter": "/excitation/amplitude", "values": [1.5, 2.0] }])");
+  write("calm.json", calm.dump());
+  EXPECT_THAT(seen(120, "orbits calm.json --periods 1 --branches 2 -o out", "NO_COLOR=1"),
+              AllOf(HasSubstr("1/2, "), HasSubstr("; then points of branches"), Not(HasSubstr("remaining")),
+                    Not(HasSubstr("["))));
+  EXPECT_THAT(seen(120, "orbits calm.json --periods 1 --no-branches -o without", "NO_COLOR=1"),
+              HasSubstr(" remaining"));
+}
+
+TEST_F(PseudoTerminal, ShowsARunBeforeItsFirstRealisation) {
+  EXPECT_THAT(seen(120, "run quick.json -o out", "NO_COLOR=1"), HasSubstr("0/12, "));
+}
+
 TEST_F(PseudoTerminal, IsNeverWrappedByProgress) {
   for (const int columns : {2, 12, 40, 80}) {
     const std::string shown =

@@ -32,7 +32,7 @@ def orbits(
     only swept parameter, in branch_range or the range of the sweep. second_parameter: JSON pointer of a second number over
     which, in second_range, the folds, doublings and losses of symmetry of the branches are followed too, as ``curves``; of
     several pointers, the numbers at the others keep their ratio to the first. progress: called with (finished conditions,
-    all). Raises InputError if a condition is random or its excitation is not harmonic.
+    all); not while branches are followed, whose number of points is not known. Raises InputError if a condition is random or its excitation is not harmonic.
 
     >>> import rocking
     >>> found = rocking.orbits({"format": "rocking.experiment/1", "block": {"width_m": 1, "height_m": 4},

@@ -1,6 +1,8 @@
 #include "rocking/api/studies.hpp"
 
 #include <algorithm>
+#include <cstdint>
+#include <functional>
 #include <string_view>
 #include <utility>
 
@@ -49,8 +51,9 @@ BranchQuestion branch_question(const Experiment& experiment, const OrbitsRequest
 
 /// Adds the orbits on branches at the conditions to those that are known.
 FoundBranches followed(const Experiment& experiment, const OrbitsRequest& request, base::StopRequest stop,
-                       std::vector<OrbitsOfCondition>& conditions) {
-  const BranchQuestion question = branch_question(experiment, request);
+                       const std::function<void()>& on_point, std::vector<OrbitsOfCondition>& conditions) {
+  BranchQuestion question = branch_question(experiment, request);
+  question.on_point = on_point;
   return {.pointer = followed_number(experiment)->pointer,
           .range = question.range,
           .most_points = request.most_points,
@@ -82,12 +85,14 @@ FoundCurves curve_request(const Experiment& experiment, const OrbitsRequest& req
 }
 
 std::vector<BifurcationCurve> followed_curves(const Experiment& experiment, const FoundBranches& branches,
-                                              const FoundCurves& asked, base::StopRequest stop) {
+                                              const FoundCurves& asked, base::StopRequest stop,
+                                              const std::function<void()>& on_point) {
   const SecondParameter second{.pointers = asked.pointers, .value = asked.value};
   const CurveQuestion question{.conditions = condition_plane(experiment, branches.pointer, second),
                                .ranges = {branches.range, asked.range},
                                .second = asked.value,
-                               .most_points = asked.most_points};
+                               .most_points = asked.most_points,
+                               .on_point = on_point};
   return bifurcation_curves(question, branches.study, stop);
 }
 
@@ -112,10 +117,14 @@ OrbitStudy orbits(const Experiment& experiment, const OrbitsRequest& request, co
   auto conditions = orbits(experiment, request.longest, asked.options());
   if (!conditions) throw base::Stopped();
   OrbitStudy study{.longest = request.longest, .conditions = std::move(*conditions)};
-  if (request.branches) study.branches = followed(experiment, request, asked.stop(), study.conditions);
+  std::uint64_t points = 0;
+  const auto on_point = [&points, &asked] {
+    if (asked.options().on_progress) asked.options().on_progress(++points, 0);
+  };
+  if (request.branches) study.branches = followed(experiment, request, asked.stop(), on_point, study.conditions);
   if (request.second.empty()) return study;
   study.curves = curve_request(experiment, request);
-  study.curves->curves = followed_curves(experiment, *study.branches, *study.curves, asked.stop());
+  study.curves->curves = followed_curves(experiment, *study.branches, *study.curves, asked.stop(), on_point);
   return study;
 }
 

@@ -118,7 +118,8 @@ struct OrbitsRequest {
 ROCKING_API void check_request(const Experiment& experiment, const OrbitsRequest& request);
 
 /// Periodic orbits, their branches and the curves of their bifurcations. Throws as check_request, and base::Stopped if
-/// it is asked to stop. Uses `threads`, `on_progress` and `stop` of the execution; progress counts conditions.
+/// it is asked to stop. Uses `threads`, `on_progress` and `stop` of the execution; progress counts conditions, then points
+/// of branches and curves, of which `all` is 0: how many there will be is not known.
 [[nodiscard]] ROCKING_API OrbitStudy orbits(const Experiment& experiment, const OrbitsRequest& request = {},
                                             const Execution& execution = {});
 

@@ -85,6 +85,7 @@ RunEnd run(const Experiment& experiment, Store& store, const RunOptions& options
   check_experiment(experiment);
   WorkList work = work_left(experiment, store);
   Journal journal(experiment, store, options);
+  if (options.on_progress && !work.is_complete()) options.on_progress(work.done(), work.all());
   const PairFlow flow{.next = [&] { return work.take(); },
                       .accept =
                           [&](const Pair& pair, const std::vector<Summary>& summaries) {

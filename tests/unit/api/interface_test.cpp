@@ -140,6 +140,18 @@ TEST_F(Interface, RunsInOneFolderExcludeEachOther) {
   EXPECT_FALSE(fs::exists(in("one") / ".lock"));
 }
 
+TEST_F(Interface, TellsOfProgressBeforeTheFirstRealisation) {
+  std::vector<std::uint64_t> told;
+  const auto look = [&told](std::uint64_t done, std::uint64_t) {
+    told.push_back(done);
+    return Decision::proceed;
+  };
+  const auto found = run(small_experiment(), {.on_progress = look});
+  ASSERT_GT(told.size(), 1U);
+  EXPECT_EQ(told.front(), 0U);
+  EXPECT_EQ(told.back(), found.all);
+}
+
 TEST_F(Interface, StopsATrajectoryAtARequest) {
   std::atomic<bool> stop{true};
   const Experiment experiment = small_experiment();

@@ -4,6 +4,8 @@
 #include <atomic>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -75,6 +77,32 @@ TEST(OrbitStudies, HaveTheBranchesOfTheirTextAsValues) {
   EXPECT_THAT(orbits_table(study), HasSubstr("branch"));
   // Read again, the text gives the same bytes.
   EXPECT_EQ(orbits_document().text(orbits_document().read(text)), orbits_text(experiment, study));
+}
+
+TEST(OrbitStudies, TellOfThePointsOfBranchesWhoseNumberIsNotKnown) {
+  const Experiment experiment = swept_experiment();
+  std::vector<std::pair<std::uint64_t, std::uint64_t>> told;
+  const Execution execution{.on_progress = [&told](std::uint64_t done, std::uint64_t all) {
+    told.emplace_back(done, all);
+    return Decision::proceed;
+  }};
+  const OrbitStudy study = orbits(experiment, {.longest = 1, .branches = true, .most_branches = 2}, execution);
+  std::size_t points = 0;
+  for (const OrbitBranch& branch : study.branches->study.branches) points += branch.points.size();
+  ASSERT_GE(told.size(), 3U);
+  EXPECT_EQ(told[1], std::pair(experiment.conditions.size(), experiment.conditions.size()));
+  for (std::size_t i = 2; i < told.size(); ++i) EXPECT_EQ(told[i], std::pair(i - 1, std::size_t{0}));
+  EXPECT_GT(told.size() - 2, points / 2);
+  // A caller may stop there.
+  std::size_t calls = 0;
+  EXPECT_THROW(static_cast<void>(orbits(experiment, {.longest = 1, .branches = true},
+                                        {.on_progress =
+                                             [&calls](std::uint64_t, std::uint64_t all) {
+                                               ++calls;
+                                               return all == 0 ? Decision::stop : Decision::proceed;
+                                             }})),
+               base::Stopped);
+  EXPECT_EQ(calls, 3U);
 }
 
 // The state of an orbit returns after its period: the motion is that of trajectory(), which knows nothing of orbits.

@@ -32,14 +32,14 @@ struct TracedCriticalCurve {
 /// Follows one curve in one direction.
 class CriticalTrace {
  public:
-  CriticalTrace(const CriticalFamily& family, std::size_t most_points, base::StopRequest stop)
-      : family_(&family), most_points_(most_points), stop_(stop) {}
+  CriticalTrace(const CriticalFamily& family, const CurveQuestion& question, base::StopRequest stop)
+      : family_(&family), question_(&question), stop_(stop) {}
 
   [[nodiscard]] TracedCriticalCurve from(const CriticalPoint& start) const {
     TracedCriticalCurve curve;
     CriticalPoint at = start;
     double step = first_curve_step;
-    while (curve.points.size() < most_points_) {
+    while (curve.points.size() < question_->most_points) {
       auto next = step_from(at, step);
       if (!next) {
         step *= 0.5;
@@ -53,6 +53,7 @@ class CriticalTrace {
         return curve;
       }
       curve.points.push_back(next->point);
+      if (question_->on_point) question_->on_point();
       if (next->is_at_end) return curve;
       if (next->point.steps <= few_curve_corrections) step = std::min(1.5 * step, largest_curve_step);
       at = std::move(next->point);
@@ -115,7 +116,7 @@ class CriticalTrace {
   }
 
   const CriticalFamily* family_;
-  std::size_t most_points_;
+  const CurveQuestion* question_;
   base::StopRequest stop_;
 };
 
@@ -149,7 +150,7 @@ class CurveSearch {
       const auto start = critical_near(family, unknowns_at(one), stop_);
       if (!start) continue;
       if (is_on_a_curve(one)) return;
-      const CriticalTrace trace(family, question_->most_points, stop_);
+      const CriticalTrace trace(family, *question_, stop_);
       TracedCriticalCurve up = trace.from(*start);
       TracedCriticalCurve down{.points = {}, .end = BranchEnd::closed};
       if (up.end != BranchEnd::closed) {

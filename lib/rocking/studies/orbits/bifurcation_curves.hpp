@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 #include "rocking/studies/orbits/branch.hpp"
@@ -14,8 +15,9 @@ namespace rocking {
 struct CurveQuestion {
   ConditionPlane conditions;
   std::array<ParameterRange, 2> ranges{};
-  double second = 0.0;          ///< value of the second parameter at which the branches were followed
-  std::size_t most_points = 0;  ///< of a curve in each direction
+  double second = 0.0;                  ///< value of the second parameter at which the branches were followed
+  std::size_t most_points = 0;          ///< of a curve in each direction
+  std::function<void()> on_point = {};  ///< called at each point that is found; empty: nothing
 };
 
 inline constexpr std::size_t default_curve_points = 400;

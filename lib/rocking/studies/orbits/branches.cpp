@@ -80,12 +80,15 @@ class BranchSearch {
   }
 
   [[nodiscard]] TraceLimits limits(const MapFamily& family) {
-    return {
-        .wanted = wanted_, .most_points = question_->most_points, .is_known = [this, &family](const CurvePoint& point) {
-          const std::size_t c = condition_at(point.at[3]);
-          const auto place = orbit_at(c, family, point);
-          return place && branch_of_[c][*place] && *branch_of_[c][*place] != study_.branches.size();
-        }};
+    const auto is_known = [this, &family](const CurvePoint& point) {
+      const std::size_t c = condition_at(point.at[3]);
+      const auto place = orbit_at(c, family, point);
+      return place && branch_of_[c][*place] && *branch_of_[c][*place] != study_.branches.size();
+    };
+    return {.wanted = wanted_,
+            .most_points = question_->most_points,
+            .is_known = is_known,
+            .on_point = question_->on_point};
   }
 
   [[nodiscard]] std::size_t condition_at(double q) const {

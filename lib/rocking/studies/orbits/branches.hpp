@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string_view>
 #include <vector>
 
@@ -16,8 +17,9 @@ struct BranchQuestion {
   ConditionFamily conditions;
   std::vector<double> values;  ///< of the parameter at the conditions whose orbits are known
   ParameterRange range;
-  std::size_t most_points = 0;    ///< of a branch
-  std::size_t most_branches = 0;  ///< in all
+  std::size_t most_points = 0;          ///< of a branch
+  std::size_t most_branches = 0;        ///< in all
+  std::function<void()> on_point = {};  ///< called at each point that is found; empty: nothing
 };
 
 inline constexpr std::size_t default_branch_points = 1000;

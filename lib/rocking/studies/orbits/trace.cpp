@@ -113,6 +113,7 @@ class CurveTrace {
       const bool is_wanted = std::ranges::find(limits_->wanted, point.at[3]) != limits_->wanted.end();
       if (is_wanted && limits_->is_known && limits_->is_known(point)) return BranchEnd::known;
       curve_.points.push_back(point);
+      if (limits_->on_point) limits_->on_point();
     }
     return passage.is_joined ? std::optional(BranchEnd::joins) : std::nullopt;
   }

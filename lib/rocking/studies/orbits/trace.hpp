@@ -22,6 +22,7 @@ struct TraceLimits {
   std::size_t most_points = 0;
   /// Whether an orbit at a wanted value is on a branch that is listed: the curve ends there. Empty: never.
   std::function<bool(const CurvePoint&)> is_known = {};
+  std::function<void()> on_point = {};  ///< called at each point of the curve; empty: nothing
 };
 
 /// Follows a curve of orbits by pseudo-arclength, from `start` in the direction of its tangent, within 0 <= q <= 1.

@@ -39,6 +39,11 @@ std::string list_of(const std::vector<std::string>& parts) {
   return text;
 }
 
+/// `at A_h = 4.2`, or `in 89 of them, first at A_h = 4.2` where so many conditions have the largest share.
+std::string place_of_largest(std::size_t equal, const std::string& first) {
+  return equal == 1 ? "at " + first : fmt::format("in {} of them, first at {}", equal, first);
+}
+
 /// The stretches in which the block overturns.
 std::string where_it_overturns(const Along& along) {
   std::vector<std::string> stretches;
@@ -66,11 +71,14 @@ std::string never_overturns(const Along& along) {
 std::string overturning_along(const Along& along) {
   std::size_t first = 0;
   std::size_t most = 0;
+  std::size_t equal = 0;
   while (first < along.size() && !overturns(along.at(first))) ++first;
   if (first == along.size()) return never_overturns(along);
+  const auto share_at = [&along](std::size_t i) { return share_of(along.at(i), overturned).estimate; };
   for (std::size_t i = 0; i < along.size(); ++i) {
-    if (share_of(along.at(i), overturned).estimate > share_of(along.at(most), overturned).estimate) most = i;
+    if (share_at(i) > share_at(most)) most = i;
   }
+  for (std::size_t i = 0; i < along.size(); ++i) equal += share_at(i) == share_at(most) ? 1 : 0;
   if (!along.at(most).result.is_random()) {
     return (first > 0 ? "Does not overturn up to " + along.name(first - 1) + "; overturns " : "Overturns ") +
            where_it_overturns(along);
@@ -78,7 +86,7 @@ std::string overturning_along(const Along& along) {
   std::string text;
   if (first > 0) text = "No overturning seen up to " + along.name(first - 1) + bound_at(along.at(first - 1)) + "; ";
   text += (first > 0 ? "seen " : "Overturning seen ") + where_it_overturns(along);
-  return text + fmt::format("; most likely at {}: <strong>{}</strong>{}", along.name(most),
+  return text + fmt::format("; most likely {}: <strong>{}</strong>{}", place_of_largest(equal, along.name(most)),
                             probability_at(along.at(most), overturned), count_at(along.at(most), overturned));
 }
 
@@ -119,8 +127,12 @@ std::string overturning_anywhere(const Report& report) {
   const std::string where =
       fmt::format("in {} of {} conditions{}", number, report.conditions.size(), least_place(report));
   if (!condition.result.is_random()) return "The block overturns " + where;
-  return fmt::format("Seen {}; most likely at {}: <strong>{}</strong>{}", where, place,
-                     probability_at(condition, overturned), count_at(condition, overturned));
+  const auto equal = std::ranges::count_if(report.conditions, [&condition](const ReportedCondition& other) {
+    return share_of(other, overturned).estimate == share_of(condition, overturned).estimate;
+  });
+  return fmt::format("Seen {}; most likely {}: <strong>{}</strong>{}", where,
+                     place_of_largest(static_cast<std::size_t>(equal), place), probability_at(condition, overturned),
+                     count_at(condition, overturned));
 }
 
 }  // namespace

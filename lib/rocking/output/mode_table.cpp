@@ -274,6 +274,7 @@ std::string overturning_line(std::span<const TableRow> conditions) {
   const TableRow* where = nullptr;
   TableEntry most{.mode = {.kind = section::ResponseKind::overturned}, .count = 0, .estimate = 0.0, .interval = {}};
   std::size_t overturning = 0;
+  std::size_t equal = 0;  // conditions with the largest share
   std::uint64_t realisations = 0;
   double bound = 0.0;
   for (const TableRow& condition : conditions) {
@@ -282,9 +283,11 @@ std::string overturning_line(std::span<const TableRow> conditions) {
     if (found == condition.modes.end()) continue;
     if (found->interval) bound = std::max(bound, found->interval->high);
     if (found->count > 0) ++overturning;
+    if (where != nullptr && found->estimate == most.estimate) ++equal;
     if (found->estimate > most.estimate) {
       most = *found;
       where = &condition;
+      equal = 1;
     }
   }
   if (where == nullptr) {
@@ -294,7 +297,8 @@ std::string overturning_line(std::span<const TableRow> conditions) {
   const std::string among =
       "in " + std::to_string(overturning) + " of " + counted(conditions.size(), "condition") + "; ";
   if (!most.interval) return "overturning: " + among + "first at " + name_of(*where) + '\n';
-  return "overturning: " + among + "most likely at " + name_of(*where) + ": " + per_cent(most.estimate) + ' ' +
+  const std::string place = equal == 1 ? "at " : "in " + std::to_string(equal) + " of them, first at ";
+  return "overturning: " + among + "most likely " + place + name_of(*where) + ": " + per_cent(most.estimate) + ' ' +
          per_cent(*most.interval) + " %, " + std::to_string(most.count) + " of " + std::to_string(where->realisations) +
          '\n';
 }

@@ -301,6 +301,23 @@ TEST(Page, TellsWhereOverturningIsMostLikely) {
                     HasSubstr("most likely at <i>A<sub>h</sub></i> = 4.2: <strong>75.0 % [")));
 }
 
+TEST(Page, CountsTheConditionsThatShareTheLargestProbability) {
+  Json report = rocking::support::sample_report();
+  const Json probability = report["result"]["conditions"][1]["probabilities"]["overturned"];
+  for (Json& condition : report["result"]["conditions"]) {
+    condition["counts"]["overturned"] = 1;
+    condition["probabilities"]["overturned"] = probability;
+  }
+  EXPECT_THAT(overturning_in_brief(report_in(report)),
+              HasSubstr("; most likely in 3 of them, first at <i>A<sub>h</sub></i> = 3"));
+  Json& conditions = report["result"]["conditions"];
+  for (int i = 0; i < 8; ++i) {
+    conditions.push_back(conditions[1]);
+    conditions.back()["parameters"]["/friction"] = {{"static", 0.5 + 0.01 * i}, {"kinetic", 0.4}};
+  }
+  EXPECT_THAT(overturning_in_brief(report_in(report)), HasSubstr("; most likely in 14 of them, first at friction"));
+}
+
 TEST(Page, SummarisesOverturningWhereTheSweepHasManyCombinations) {
   Json report = rocking::support::sample_report();
   Json& conditions = report["result"]["conditions"];

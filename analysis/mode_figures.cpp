@@ -164,6 +164,8 @@ void add_mode_bars(const Report& report, const SweepView& view, std::size_t slic
 /// The bands of all slices in one panel: each slice has a strip of this height, one above the other.
 constexpr double strip = 0.9;
 constexpr double gap_below = 0.5 * (1.0 - strip);
+/// Ten times the height of a panel.
+constexpr std::size_t most_strips = 200;
 
 Table strip_table(const std::vector<Table>& bands) {
   Table strips{.name = "strips of all combinations", .columns = bands.front().columns, .rows = {}, .only_drawn = true};
@@ -246,7 +248,7 @@ std::string realisations_in_words(const Report& report) {
 }
 
 Figure mode_bands(const Report& report) {
-  const SweepView view = view_of(report);
+  const SweepView view = view_of(report, most_strips);
   Figure figure = figure_of(report, view, "mode_bands");
   figure.title = "Probability of each response mode";
   for (std::size_t i = 0; i < view.slices.size(); ++i) {
@@ -258,13 +260,10 @@ Figure mode_bands(const Report& report) {
   for (std::size_t i = 0; i < figure.panels.size(); ++i) {
     add_bands(report, in_strips ? view.slices.size() : i, figure.panels[i]);
   }
-  figure.caption =
-      "Estimated probability of each response mode" + in_the_end(report) + ", stacked to 1; " +
-      realisations_in_words(report) + ". Each condition extends halfway to its neighbours." +
-      (in_strips ? " One strip for each combination of the other parameters" +
-                       (view.slices.size() == most_slices ? ", the first " + std::to_string(most_slices) + " of them."
-                                                          : std::string("."))
-                 : "");
+  figure.caption = "Estimated probability of each response mode" + in_the_end(report) + ", stacked to 1; " +
+                   realisations_in_words(report) + ". Each condition extends halfway to its neighbours." +
+                   (in_strips ? " One strip for each combination of the other parameters." : "") +
+                   slices_left_out(view);
   return figure;
 }
 
@@ -285,7 +284,7 @@ Figure mode_probabilities(const Report& report) {
   const std::string interval = view.is_line ? "ribbon, also where a mode did not occur" : "bars with caps";
   figure.caption = "Estimated probability of each response mode" + in_the_end(report) + joined + " with its " +
                    report.level() + " simultaneous interval for all modes of a condition (" + interval + "); " +
-                   realisations_in_words(report) + '.';
+                   realisations_in_words(report) + '.' + slices_left_out(view);
   return figure;
 }
 

@@ -113,7 +113,7 @@ std::optional<Figure> non_recurrence(const Report& report) {
   figure.caption =
       "Probability that two runs of one condition, with independent random numbers, differ in response mode, with "
       "its " +
-      report.level() + " interval; " + realisations_in_words(report) + '.';
+      report.level() + " interval; " + realisations_in_words(report) + '.' + slices_left_out(view);
   return figure;
 }
 
@@ -140,7 +140,8 @@ std::optional<Figure> divergence_quartiles(const Report& report) {
       "(markers) and quartiles over pairs (" +
       std::string(view.is_line ? "ribbon" : "bars") + ", cut at the horizon). Where no marker or no " +
       (view.is_line ? "ribbon is" : "bars are") +
-      " shown, more than half, or three quarters, of the pairs had not diverged by the horizon.";
+      " shown, more than half, or three quarters, of the pairs had not diverged by the horizon." +
+      slices_left_out(view);
   return figure;
 }
 

@@ -179,6 +179,7 @@ Figure quantile_figure(const Report& report, const Drawn& drawn) {
   figure.caption += drawn.is_signed ? "Only realisations that reached the horizon are counted."
                                     : "A realisation that overturned counts as above every value; where too many did, "
                                       "a quantile or the end of an interval is not drawn.";
+  figure.caption += slices_left_out(view);
   return figure;
 }
 

@@ -311,7 +311,7 @@ void add_bars(const Table& table, const CategoryBars& bars, Figure& figure) {
       {.kind = LayerKind::points, .table = number, .columns = {0, 1}, .style = bars.style, .legend = bars.legend});
 }
 
-SweepView view_of(const Report& report) {
+SweepView view_of(const Report& report, std::size_t most) {
   if (report.swept.empty()) return view_without_sweep(report);
   SweepView view;
   const std::size_t shown = shown_entry(report);
@@ -332,7 +332,8 @@ SweepView view_of(const Report& report) {
     if (is_new) view.slices.push_back({.name = {}, .conditions = {}});
     view.slices[found->second].conditions.push_back(i);
   }
-  if (view.slices.size() > most_slices) view.slices.resize(most_slices);
+  view.all_slices = view.slices.size();
+  if (view.slices.size() > most) view.slices.resize(most);
   for (Slice& slice : view.slices) {
     slice.name = name_of_slice(report, slice, shown);
     slice.axis = axis_of_slice(report, slice, shown, view.axis);
@@ -341,6 +342,12 @@ SweepView view_of(const Report& report) {
   }
   tell_apart(view.slices);
   return view;
+}
+
+std::string slices_left_out(const SweepView& view) {
+  if (view.slices.size() >= view.all_slices) return "";
+  return " Of " + std::to_string(view.all_slices) + " combinations of the other parameters the first " +
+         std::to_string(view.slices.size()) + " are drawn; tables have all.";
 }
 
 }  // namespace rocking::analysis

@@ -20,21 +20,25 @@ struct Slice {
   Axis axis = {};                       ///< of the shown parameter, with the other form of the shaking in this slice
 };
 
-/// Largest number of slices in figures (the first ones); tables have all conditions.
+/// Largest number of slices in figures (the first ones), but for strips; tables have all conditions.
 inline constexpr std::size_t most_slices = 48;
 
 struct SweepView {
-  std::size_t entry = 0;      ///< the shown entry of the sweep; 0 without a sweep
-  Axis axis;                  ///< of the shown parameter
-  Column column;              ///< the same as a column of a table
-  std::vector<double> x;      ///< of each condition
-  std::vector<Slice> slices;  ///< in the order of the report, at most most_slices
-  bool is_line = false;       ///< the parameter takes several numbers, so that curves can be drawn between them
+  std::size_t entry = 0;       ///< the shown entry of the sweep; 0 without a sweep
+  Axis axis;                   ///< of the shown parameter
+  Column column;               ///< the same as a column of a table
+  std::vector<double> x;       ///< of each condition
+  std::vector<Slice> slices;   ///< in the order of the report, the first of them
+  std::size_t all_slices = 0;  ///< of the report
+  bool is_line = false;        ///< the parameter takes several numbers, so that curves can be drawn between them
 };
 
 /// Shows the entry of the sweep with the most numeric values; among equals the last one. If no entry has numbers, the
 /// last one is shown with positions.
-[[nodiscard]] SweepView view_of(const Report& report);
+[[nodiscard]] SweepView view_of(const Report& report, std::size_t most = most_slices);
+
+/// ` Of 60 combinations of the other parameters the first 48 are drawn; tables have all.`; empty if all are drawn.
+[[nodiscard]] std::string slices_left_out(const SweepView& view);
 
 /// Sets the range of the axis of a panel to that of the shown parameter, with a margin.
 void set_range(const SweepView& view, Panel& panel);

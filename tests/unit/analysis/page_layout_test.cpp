@@ -154,6 +154,18 @@ TEST(ModeBands, OfManySlicesAreStripsOfOnePanel) {
   }
 }
 
+TEST(FiguresOfManySlices, DrawThemAllOrSayHowManyAreLeftOut) {
+  const Figure all = mode_bands(many_slices(60));
+  EXPECT_EQ(all.panels.front().y.ticks.size(), 60U);
+  EXPECT_THAT(all.caption, Not(HasSubstr("are drawn")));
+  EXPECT_THAT(mode_bands(many_slices(48)).caption, Not(HasSubstr("are drawn")));
+  const Figure first = mode_bands(many_slices(230));
+  EXPECT_EQ(first.panels.front().y.ticks.size(), 200U);
+  EXPECT_THAT(first.caption, HasSubstr(" Of 230 combinations of the other parameters the first 200 are drawn"));
+  EXPECT_THAT(mode_probabilities(many_slices(60)).caption,
+              HasSubstr(" Of 60 combinations of the other parameters the first 48"));
+}
+
 TEST(FiguresOfManySlices, AreFolded) {
   const auto folded = [](const Report& report, const char* id) {
     const std::string page = page_of(report);

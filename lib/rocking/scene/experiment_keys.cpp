@@ -89,7 +89,8 @@ void keys_of_friction_fluctuation(Keys& in, Scene& scene) {
       keys.scatter({of_static, of_kinetic});
       key_of_law(keys, fluctuation.laws.static_friction);
       fluctuation.laws.kinetic_friction = fluctuation.laws.static_friction;
-      keys.number({"correlation", "of the deviations of static and kinetic friction in force (Gaussian copula)"},
+      keys.number({"correlation",
+                   "of the normal numbers from which static and kinetic friction in force follow (Gaussian copula)"},
                   fluctuation.friction_correlation, rules::correlation, Absent::omitted);
       refreshes(keys);
     });

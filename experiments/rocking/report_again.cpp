@@ -14,6 +14,7 @@
 #include "page.hpp"
 #include "pages/suite_figures.hpp"
 #include "rocking/api/studies.hpp"
+#include "rocking/output/exponent_table.hpp"
 #include "rocking/output/mode_table.hpp"
 #include "rocking/output/settling_table.hpp"
 #include "rocking/output/write_facts.hpp"
@@ -48,7 +49,8 @@ Report load_report(const RunFolder& folder) {
 /// The table of every condition, however many.
 std::string table_again(const Report& report) {
   const std::string settling = settling_text(settling_rows(report), table_look().width);
-  return mode_table(table_rows(report), table_look()) + (settling.empty() ? "" : '\n' + settling);
+  return mode_table(table_rows(report), table_look()) + exponent_table(report) +
+         (settling.empty() ? "" : '\n' + settling);
 }
 
 }  // namespace

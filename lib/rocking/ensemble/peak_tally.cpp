@@ -3,7 +3,6 @@
 #include <algorithm>
 
 namespace rocking {
-namespace {
 
 Quantiles quantiles_of(std::vector<double> values, std::uint64_t beyond, double confidence) {
   std::ranges::sort(values);
@@ -13,8 +12,6 @@ Quantiles quantiles_of(std::vector<double> values, std::uint64_t beyond, double 
   }
   return quantiles;
 }
-
-}  // namespace
 
 void PeakTally::add(const Summary& summary) {
   if (summary.termination != dynamics::Termination::reached_horizon) {

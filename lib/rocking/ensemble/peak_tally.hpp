@@ -9,6 +9,9 @@
 
 namespace rocking {
 
+/// Quantiles at quantile_levels of some values and of `beyond` others above all of them.
+[[nodiscard]] Quantiles quantiles_of(std::vector<double> values, std::uint64_t beyond, double confidence);
+
 /// Collects the peaks of the realisations of a condition: 48 bytes for each.
 class PeakTally {
  public:

@@ -32,7 +32,9 @@ void Reduction::add(const Summary& summary) {
   count(summary);
   if (!is_complete()) return;
   peak_quantiles_ = peaks_.quantiles(*condition_);
+  found_exponents_ = exponents_.exponents(condition_->confidence);
   peaks_ = {};  // the rows of the next condition follow
+  exponents_ = {};
 }
 
 void Reduction::count(const Summary& summary) {
@@ -41,6 +43,7 @@ void Reduction::count(const Summary& summary) {
   add_to_pairs(summary);
   if (summary.long_mode) ++checked_[{summary.mode, *summary.long_mode}];
   peaks_.add(summary);
+  exponents_.add(summary);
   if (condition_->horizon.until_classified) {
     settling_.add(summary);
     response_times_.add(summary);
@@ -136,6 +139,7 @@ ConditionResult Reduction::result() const {
   result.modes = estimate_modes(listed_modes(), condition_->confidence);
   if (realisations_ >= 2) result.non_recurrence = non_recurrence();
   result.peaks = peak_quantiles_ ? *peak_quantiles_ : peaks_.quantiles(*condition_);
+  result.exponents = peak_quantiles_ ? found_exponents_ : exponents_.exponents(condition_->confidence);
   if (!settling_.is_empty()) {
     const DivergenceTimes times = by_friction_.times();
     const std::uint64_t later = times.pairs - times.diverged;

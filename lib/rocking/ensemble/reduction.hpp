@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "rocking/base/digest.hpp"
+#include "rocking/ensemble/exponent_tally.hpp"
 #include "rocking/ensemble/mode_family.hpp"
 #include "rocking/ensemble/peak_tally.hpp"
 #include "rocking/ensemble/response_times.hpp"
@@ -33,7 +34,7 @@ class DivergenceTally {
 };
 
 /// Counts, probabilities, non-recurrence and validity of one condition, from its realisations in order. Memory is
-/// proportional to the horizon, plus 48 bytes for each realisation, until the condition is complete.
+/// proportional to the horizon, plus 64 bytes for each realisation, until the condition is complete.
 class Reduction {
  public:
   explicit Reduction(const Condition& condition) : condition_(&condition), target_(first_target(condition)) {}
@@ -60,10 +61,12 @@ class Reduction {
   const Condition* condition_;
   Target target_;
   std::optional<PeakQuantiles> peak_quantiles_;  ///< of a complete condition
+  std::optional<Exponents> found_exponents_;     ///< likewise
   std::uint64_t realisations_ = 0;
   ModeTally modes_;
   Validity validity_;
   PeakTally peaks_;
+  ExponentTally exponents_;
   SettlingTally settling_;
   ResponseTimesTally response_times_;
   OperationCounts operations_;

@@ -53,6 +53,15 @@ struct PeakQuantiles {
   std::optional<Slip> final_slip;  ///< absent without friction
 };
 
+/// Largest Lyapunov exponents of the realisations whose classification needed one [1/period]. The others are periodic by
+/// their strobe points, rest or overturned, so that these numbers are about what is left.
+struct Exponents {
+  double mean = 0.0;
+  std::optional<double> standard_error;  ///< of the mean, from the scatter of realisations; absent of one
+  double error_of_one = 0.0;             ///< root mean square of the standard errors of the single exponents
+  Quantiles quantiles;                   ///< `realisations`: those with an exponent; `beyond`: none
+};
+
 struct ConditionResult;
 
 /// Numerical error of the probabilities, compared with their sampling error.
@@ -161,6 +170,7 @@ struct ConditionResult {
   std::vector<ModeEstimate> modes;              ///< in order; (1,1), (1,3), chaotic and overturned are always present
   std::optional<NonRecurrence> non_recurrence;  ///< absent for fewer than two realisations
   PeakQuantiles peaks;
+  std::optional<Exponents> exponents = std::nullopt;      ///< absent where no classification needed one
   std::optional<SettlingResult> settling = std::nullopt;  ///< absent at a fixed horizon
   Validity validity;
   OperationCounts operations;

@@ -52,6 +52,7 @@ class CountChecker {
     const PeakQuantiles& peaks = result.peaks;
     check_quantiles(peaks.tilt, result.realisations, "/peak_tilt");
     check_quantiles(peaks.tilt_rate, result.realisations, "/peak_tilt_rate");
+    if (result.exponents) check_quantiles(result.exponents->quantiles, result.realisations, "/lyapunov_exponent");
     if (peaks.slip) check_quantiles(peaks.slip->over_half_diagonal, result.realisations, "/peak_slip");
     if (peaks.final_slip) check_quantiles(peaks.final_slip->over_half_diagonal, result.realisations, "/final_slip");
     check_validity(result);

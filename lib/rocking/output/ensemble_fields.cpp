@@ -124,6 +124,23 @@ static const StructType& fields_of(const PeakQuantiles*) {
   return fields;
 }
 
+static const StructType& fields_of(const Exponents*) {
+  static const StructType fields{
+      "LyapunovExponents",
+      field<&Exponents::mean>("mean", "over these realisations [1/period]"),
+      field<&Exponents::standard_error>("standard_error",
+                                        "of the mean, from the scatter of realisations [1/period]; null with one",
+                                        rule::not_negative),
+      field<&Exponents::error_of_one>(
+          "error_of_one",
+          "root mean square of the standard errors of the single exponents, each from eight "
+          "batches of periods [1/period]",
+          rule::not_negative),
+      inlined<&Exponents::quantiles>(),
+  };
+  return fields;
+}
+
 const StructType& fields_of(const ConditionResult*) {
   using Result = ConditionResult;
   static const StructType fields{
@@ -140,6 +157,11 @@ const StructType& fields_of(const ConditionResult*) {
       field<&Result::settling>("incidence", "which response, and by when: only with `until_classified`", {},
                                WithoutValue::omitted),
       inlined<&Result::peaks>(),
+      field<&Result::exponents>(
+          "lyapunov_exponent",
+          "largest one per excitation period, of the realisations whose classification needed it; "
+          "absent where none did (methods-classification.md)",
+          {}, WithoutValue::omitted),
       of_owner<Result>("validity", "realisations that left the model or whose classification is uncertain",
                        validity_fields()),
       field<&Result::stopped_because>("stopped_because",

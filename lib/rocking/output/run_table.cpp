@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "rocking/output/alarms.hpp"
+#include "rocking/output/exponent_table.hpp"
 #include "rocking/output/run_summary.hpp"
 #include "rocking/output/settling_table.hpp"
 #include "rocking/output/unreached_precision.hpp"
@@ -146,6 +147,7 @@ std::string run_table(const Experiment& experiment, const Report& report, const 
     const std::string table = mode_table(rows, look);
     text += table + legend_of(experiment, report, table);
   }
+  if (!look.most_rows) text += exponent_table(report);
   text += counted(report.conditions.size(), "condition") + ", " + counted(realisations, "realisation") + ", of which " +
           std::to_string(unresolved_realisations(report)) + " unresolved\n";
   text += settling_of(report, look, std::ranges::count(text, '\n'));

@@ -187,6 +187,8 @@ inline void HorizonRun::take_exponent() {
   const ExponentRun run = tangent_run_->result();
   tangent_run_.reset();
   result_.operations.exponent_periods += run.periods;
+  const bool is_of_long_run = settling_ && settling_->has_only_long_run();
+  if (run.exponent && !is_of_long_run) result_.exponent = run.exponent;
   take(pending_.with_exponent(run.exponent));
   if (settling_ && run.stayed_unclear) settling_->pause_exponents();
 }

@@ -11,6 +11,7 @@
 #include "rocking/realisation/peak_values.hpp"
 #include "rocking/scene/experiment.hpp"
 #include "rocking/section/classification.hpp"
+#include "rocking/section/classify.hpp"
 #include "rocking/section/mode_counts.hpp"
 
 namespace rocking {
@@ -34,6 +35,8 @@ struct Settling {
 struct RealisationResult {
   dynamics::Termination termination = dynamics::Termination::reached_horizon;
   section::Classification classification;
+  /// Of the newest window whose classification needed it; absent if none did. Not part of the digest.
+  std::optional<section::ExponentEstimate> exponent = std::nullopt;
   /// From the first period on, including the transient, to the fixed horizon.
   std::vector<section::StrobePoint> strobe;
   std::uint64_t losses_of_contact = 0;   ///< downward crossings of N = 0

@@ -21,6 +21,7 @@ const char* type_of(std::uint64_t) { return "INTEGER NOT NULL"; }
 const char* type_of(double) { return "REAL NOT NULL"; }
 const char* type_of(const base::Sha256&) { return "BLOB NOT NULL"; }
 const char* type_of(const std::optional<std::int64_t>&) { return "INTEGER"; }
+const char* type_of(const std::optional<double>&) { return "REAL"; }
 template <class Named>
 const char* type_of(const std::optional<Named>&) {
   return "TEXT";

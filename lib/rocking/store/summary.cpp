@@ -15,6 +15,8 @@ Summary summary_at_fixed_horizon(const RealisationResult& result, std::uint64_t 
           .termination = result.termination,
           .margin = result.classification.margin,
           .held = result.classification.held,
+          .exponent = result.exponent ? std::optional(result.exponent->exponent) : std::nullopt,
+          .exponent_error = result.exponent ? std::optional(result.exponent->standard_error) : std::nullopt,
           .in_transient = result.classification.in_transient,
           .left_ground = result.losses_of_contact > 0,
           .was_past_balance = result.was_past_balance,

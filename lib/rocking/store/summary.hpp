@@ -19,6 +19,9 @@ struct Summary {
   dynamics::Termination termination = dynamics::Termination::reached_horizon;
   double margin = 0.0;
   double held = 0.0;  ///< share of the sampled periods that support the mode
+  /// Largest Lyapunov exponent and its standard error [1/period]; absent if no classification needed it.
+  std::optional<double> exponent;
+  std::optional<double> exponent_error;
   bool in_transient = false;
   bool left_ground = false;
   bool was_past_balance = false;
@@ -50,7 +53,7 @@ struct Summary {
 [[nodiscard]] Summary summarise(const RealisationResult& result, std::uint64_t realisation);
 
 /// Number of the layout of a store. A new or renamed field of a row needs the next one.
-inline constexpr std::int64_t current_layout = 7;
+inline constexpr std::int64_t current_layout = 8;
 
 /// Calls visit(name, field) for every field of a summary, in a fixed order. These fields make up a stored row.
 template <class SomeSummary, class Visit>
@@ -60,6 +63,8 @@ void for_each_field(SomeSummary& summary, Visit&& visit) {
   visit("termination", summary.termination);
   visit("margin", summary.margin);
   visit("held", summary.held);
+  visit("exponent", summary.exponent);
+  visit("exponent_error", summary.exponent_error);
   visit("in_transient", summary.in_transient);
   visit("left_ground", summary.left_ground);
   visit("past_balance", summary.was_past_balance);

@@ -1,5 +1,6 @@
 #include "rocking/ensemble/reduction.hpp"
 
+#include <cmath>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -36,6 +37,29 @@ TEST(Reduction, ListsWhatSettledLateAndTheLeastShareThatANameRestsOn) {
   EXPECT_EQ(validity.settled_late.first, (std::vector<std::uint64_t>{1, 3}));
   EXPECT_EQ(validity.least_held, 0.625);
   EXPECT_EQ(validity.unresolved.at(section::Reason::phase_jump).count, 1U);
+}
+
+TEST(Reduction, SummarisesTheExponentsOfTheRealisationsThatHaveOne) {
+  const Condition condition = random_condition(6);
+  Reduction reduction(condition);
+  EXPECT_FALSE(reduction.result().exponents);
+  reduction.add(named(section::periodic(1, 1), 1.0));
+  EXPECT_FALSE(reduction.result().exponents);
+  for (const double exponent : {0.25, -0.5, 0.75, 0.5, 1.0}) {
+    Summary summary = named({section::ResponseKind::chaotic}, 1.0);
+    summary.exponent = exponent;
+    summary.exponent_error = exponent == 1.0 ? 0.4 : 0.2;
+    reduction.add(summary);
+    EXPECT_EQ(reduction.result().exponents.value().standard_error.has_value(), exponent != 0.25);
+  }
+  const Exponents found = reduction.result().exponents.value();
+  EXPECT_DOUBLE_EQ(found.mean, 0.4);
+  EXPECT_DOUBLE_EQ(found.standard_error.value(),
+                   std::sqrt(1.325 / 20.0));  // squares 0.0225 + 0.81 + 0.1225 + 0.01 + 0.36
+  EXPECT_DOUBLE_EQ(found.error_of_one, std::sqrt((4.0 * 0.04 + 0.16) / 5.0));
+  EXPECT_EQ(found.quantiles.realisations, 5U);
+  EXPECT_EQ(found.quantiles.levels.at(2).level, 0.5);
+  EXPECT_EQ(found.quantiles.levels.at(2).value, 0.5);
 }
 
 /// A realisation that reached its horizon with these peaks.

@@ -42,28 +42,6 @@ std::string CsvStart::of(const ReportedCondition& condition) const {
   return text + std::to_string(condition.result.realisations);
 }
 
-std::string latex_text(std::string text) {
-  std::ranges::replace_if(
-      text, [](char c) { return static_cast<unsigned char>(c) < ' '; }, ' ');
-  std::string result;
-  for (const char c : base::printable(text)) {
-    switch (c) {
-      case '\\': result += "\\textbackslash{}"; break;
-      case '~': result += "\\textasciitilde{}"; break;
-      case '^': result += "\\textasciicircum{}"; break;
-      case '&':
-      case '%':
-      case '$':
-      case '#':
-      case '_':
-      case '{':
-      case '}': result += std::string("\\") + c; break;
-      default: result += c;
-    }
-  }
-  return result;
-}
-
 std::string latex_symbol(const std::string& pointer) {
   static const std::map<std::string, std::string> symbols{{"/excitation/amplitude", "$A_h$"},
                                                           {"/excitation/frequency_ratio", "$\\Omega_h$"},

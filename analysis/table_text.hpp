@@ -30,7 +30,8 @@ class CsvStart {
   std::string head_;
 };
 
-/// Text for LaTeX.
+/// Text for LaTeX, for the fonts (OT1) and the encoding (UTF-8) that it has without packages: other characters than those
+/// of ASCII, accented Latin letters, Greek letters and common signs are written as `[U+1F30A]`.
 [[nodiscard]] std::string latex_text(std::string text);
 
 /// The symbol of a parameter in mathematics mode, or its name.

@@ -11,6 +11,7 @@
 #include "analysis/cost_figures.hpp"
 #include "analysis/histogram_figure.hpp"
 #include "analysis/output_figures.hpp"
+#include "analysis/table_text.hpp"
 #include "analysis/tables.hpp"
 #include "analysis/trajectory_figures.hpp"
 #include "rocking/base/error.hpp"
@@ -430,6 +431,19 @@ TEST(Tables, HaveEveryModeOfEveryConditionWithItsNumbers) {
   EXPECT_THAT(csv, HasSubstr(",10,3.0066857"));
   EXPECT_THAT(csv, HasSubstr(",30,\"(1,3)\",4,0.13333333333333333,"));
   EXPECT_THAT(non_recurrence_csv(report), HasSubstr("30,0.1,0.05,0.30000000000000004,0.2,15,2,12.5,80,\n"));
+}
+
+TEST(LatexText, HasTheSignsThatWereWrittenAndCompilesWithoutPackages) {
+  using rocking::analysis::latex_text;
+  EXPECT_EQ(latex_text("a < b > c | d"), "a \\textless{} b \\textgreater{} c \\textbar{} d");
+  EXPECT_EQ(latex_text("50 % \\ _{x}$#&~^"),
+            "50 \\% \\textbackslash{} \\_\\{x\\}\\$\\#\\&\\textasciitilde{}\\textasciicircum{}");
+  EXPECT_EQ(latex_text("α Ω π/p, µ ≥ 2 m²"), "$\\alpha$ $\\Omega$ $\\pi$/p, $\\mu$ $\\ge$ 2 m$^2$");
+  EXPECT_EQ(latex_text("ΑΒ ς"), "$A$$B$ $\\varsigma$");
+  EXPECT_EQ(latex_text("Zürich, Łódź, Ångström"), "Zürich, Łódź, Ångström");
+  EXPECT_EQ(latex_text("ą 🌊 ж 中"), "[U+0105] [U+1F30A] [U+0436] [U+4E2D]")
+      << "not in the fonts that LaTeX loads itself";
+  EXPECT_EQ(latex_text("a\nb"), "a b");
 }
 
 TEST(Tables, BoundWhatDidNotOccurAndShowNoIntervalWhereNothingIsRandom) {

@@ -12,6 +12,7 @@
 #include "analysis/page/question.hpp"
 #include "analysis/page/words.hpp"
 #include "analysis/sweep_view.hpp"
+#include "rocking/output/alarms.hpp"
 #include "rocking/output/annual_rate_table.hpp"
 #include "rocking/output/fragility_words.hpp"
 #include "rocking/output/shaking_text.hpp"
@@ -130,14 +131,17 @@ std::string motions(const Sheet& sheet) {
   }
   if (records.size() > most_records_named) names += fmt::format(", and {} more", records.size() - most_records_named);
   const std::string measure = last_key(sheet.suites.front().curve.subject.parameter);
+  const auto missing = left_out_records(sheet.run);
   return fmt::format(
-      "<h2>Hazard and records</h2>\n<p>Annual rates of exceedance of <code>{}</code> from {} ({} points, {} to "
-      "{}).{}</p>\n<p class=\"small\">{} records, each scaled to {} levels from {} to {}: {}.</p>\n",
-      escaped(measure), escaped(last_part(sheet.hazard.file)), sheet.hazard.points, significant(sheet.hazard.first, 3),
-      significant(sheet.hazard.last, 3),
-      sheet.hazard.is_measure_assumed ? " The file does not name the measure; it was assumed." : "", records.size(),
-      sheet.suites.front().curve.levels.size(), significant(sheet.suites.front().curve.levels.front().intensity, 3),
-      significant(sheet.suites.front().curve.levels.back().intensity, 3), names);
+             "<h2>Hazard and records</h2>\n<p>Annual rates of exceedance of <code>{}</code> from {} ({} points, {} to "
+             "{}).{}</p>\n<p class=\"small\">{} records, each scaled to {} levels from {} to {}: {}.</p>\n",
+             escaped(measure), escaped(last_part(sheet.hazard.file)), sheet.hazard.points,
+             significant(sheet.hazard.first, 3), significant(sheet.hazard.last, 3),
+             sheet.hazard.is_measure_assumed ? " The file does not name the measure; it was assumed." : "",
+             records.size(), sheet.suites.front().curve.levels.size(),
+             significant(sheet.suites.front().curve.levels.front().intensity, 3),
+             significant(sheet.suites.front().curve.levels.back().intensity, 3), names) +
+         (missing ? fmt::format("<p class=\"small\">{}.</p>\n", escaped(*missing)) : "");
 }
 
 std::string curve(const Sheet& sheet) {

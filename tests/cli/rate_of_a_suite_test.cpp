@@ -186,10 +186,15 @@ TEST_F(RateOfASuite, RanksTheAbsoluteAccelerationOnlyWhereItIsSwept) {
 TEST_F(RateOfASuite, WritesItsAnswerOnASheet) {
   Json wider = experiment();
   wider["sweep"].push_back({{"parameter", "/block/width_m"}, {"values", {0.35, 0.5}}});
+  wider["excitation"]["left_out"] = {"gone.at2"};
   write("e.json", wider.dump());
   run();
   const auto made = rocking("fragility out --hazard hazard.csv --sheet sheet.html");
   ASSERT_EQ(made.exit_code, 0) << made.errors;
+  const std::string missing = "1 record of the suite could not be read and was left out: gone.at2";
+  EXPECT_THAT(made.output, HasSubstr("warning: " + missing));
+  EXPECT_THAT(read("sheet.html"), HasSubstr(missing));
+  EXPECT_EQ(fragility()["curves"][0]["left_out"], Json({"gone.at2"}));
   EXPECT_THAT(made.output, AllOf(HasSubstr("sheet: sheet.html"), HasSubstr("rates compared")));
   const std::string sheet = read("sheet.html");
   const Json report = Json::parse(read("out/report.json"));

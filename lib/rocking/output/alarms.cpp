@@ -108,7 +108,10 @@ std::optional<WorstClamps> worst_clamps(const Report& report) {
 }
 
 std::optional<std::string> left_out_records(const Report& report) {
-  const std::vector<std::string> names = left_out_of(report.input.experiment);
+  return left_out_records(left_out_of(report.input.experiment));
+}
+
+std::optional<std::string> left_out_records(const std::vector<std::string>& names) {
   if (names.empty()) return std::nullopt;
   std::string text = counted(names.size(), "record") + " of the suite could not be read and " +
                      (names.size() == 1 ? "was" : "were") + " left out:";

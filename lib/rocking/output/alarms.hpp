@@ -42,6 +42,8 @@ struct WorstClamps {
 
 /// Names of the records of a suite that could not be read, in a sentence; absent if none was left out.
 [[nodiscard]] std::optional<std::string> left_out_records(const Report& report);
+/// The same of their names.
+[[nodiscard]] std::optional<std::string> left_out_records(const std::vector<std::string>& names);
 
 /// What to do if response modes change with the tolerance: the key and its value, or what is left if `tolerance` is at
 /// the limit of double precision.

@@ -8,6 +8,7 @@
 #include "rocking/fields/container_types.hpp"
 #include "rocking/fields/converted_type.hpp"
 #include "rocking/fields/named_type.hpp"
+#include "rocking/input/suite.hpp"
 #include "rocking/output/provenance_fields.hpp"
 #include "rocking/output/shaking_fields.hpp"
 #include "rocking/output/stats_fields.hpp"
@@ -66,6 +67,8 @@ const StructType& fields_of(const CurveRun*) {
       "CurveRun",
       field<&CurveRun::title>("title", "of the run's experiment"),
       field<&CurveRun::experiment>("sha256", "of the experiment's canonical text, as `input.sha256` of its report"),
+      field<&CurveRun::left_out>("left_out", "records of its suite that could not be read, if there are any", {},
+                                 WithoutValue::omitted),
   };
   return fields;
 }
@@ -357,7 +360,11 @@ const DocumentOf<FragilityReport>& fragility_document() {
 FragilityReport fragility_report(const std::vector<RunFragility>& runs) {
   FragilityReport report;
   for (const RunFragility& found : runs) {
-    const CurveRun run{.title = found.experiment.title, .experiment = base::sha256(found.experiment.canonical_text)};
+    const std::string& experiment = found.experiment.canonical_text;
+    const CurveRun run{
+        .title = found.experiment.title,
+        .experiment = base::sha256(experiment),
+        .left_out = experiment.empty() ? std::vector<std::string>{} : left_out_of(Json::parse(experiment))};
     for (const auto& [curve, rate] : found.curves) report.curves.emplace_back(ReportedCurve{run, curve, rate});
     for (const auto& [curve, rate] : found.suites) report.curves.emplace_back(ReportedSuite{run, curve, rate});
     for (const RateComparison& comparison : found.comparisons) report.comparisons.push_back({run, comparison});

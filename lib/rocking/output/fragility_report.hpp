@@ -14,7 +14,8 @@ namespace rocking {
 /// The run to which a curve belongs.
 struct CurveRun {
   std::string title;
-  base::Sha256 experiment = {};  ///< digest of its canonical text
+  base::Sha256 experiment = {};            ///< digest of its canonical text
+  std::vector<std::string> left_out = {};  ///< names of records of its suite that could not be read
 };
 
 /// The curve of one motion.

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "rocking/output/alarms.hpp"
 #include "rocking/output/annual_rate_table.hpp"
 #include "rocking/output/fragility_words.hpp"
 #include "rocking/output/mode_table.hpp"
@@ -264,15 +265,31 @@ std::string summary_of(const FragilityReport& report) {
   return "curves, median and dispersion in the units of the sweep\n" + aligned(rows) + reasons_in(report);
 }
 
-}  // namespace
+/// A warning for each run whose suite lacks records.
+std::string warnings_of(const FragilityReport& report) {
+  std::vector<std::string> warnings;
+  for (const auto& curve : report.curves) {
+    const auto missing = left_out_records(std::visit([](const auto& one) { return one.run.left_out; }, curve));
+    if (missing && std::ranges::find(warnings, *missing) == warnings.end()) warnings.push_back(*missing);
+  }
+  std::string text;
+  for (const std::string& warning : warnings) text += "warning: " + warning + '\n';
+  return text;
+}
 
-std::string fragility_table(const FragilityReport& report, RecordTable records, Extent extent) {
+std::string tables_of(const FragilityReport& report, RecordTable records, Extent extent) {
   const std::string whole = curve_tables(report, {.records = records, .extent = Extent::all});
   if (is_printed_whole(whole, extent)) return whole;
   const std::string more = "more rows: --all, and --json\n";
   const std::string shorter = curve_tables(report, {.records = records, .extent = Extent::one_screen});
   if (report.curves.size() < 2 || is_printed_whole(shorter, extent)) return shorter + more;
   return summary_of(report) + '\n' + comparisons_of(report) + more;
+}
+
+}  // namespace
+
+std::string fragility_table(const FragilityReport& report, RecordTable records, Extent extent) {
+  return tables_of(report, records, extent) + warnings_of(report);
 }
 
 }  // namespace rocking

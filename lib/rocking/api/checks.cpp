@@ -139,9 +139,9 @@ Trajectory replay(const StoredRun& stored, const TrajectoryRequest& request, con
 stats::NormalCheck check_normal(const SamplerQuestion& question) {
   check_fields(question);
   if (question.distribution == FluctuationLaw::lognormal &&
-      !(question.law.mean > 0.0 && question.law.sigma <= 100.0 * question.law.mean)) {
+      !(question.law.mean >= 1e-12 && question.law.sigma <= 100.0 * question.law.mean)) {
     refuse("mean", base::shortest(question.law.mean),
-           "must be positive for a lognormal law, and at least a hundredth of sigma");
+           "must be at least 1e-12 for a lognormal law, and at least a hundredth of sigma");
   }
   auto found = check_sampler(question);
   if (!found) {

@@ -223,7 +223,8 @@ const StructType& fields_of(const SamplerQuestion*) {
       "SamplerQuestion",
       field<&Type::n>("n", "how many numbers", Rule{.least = 20.0, .most = 1e8}),
       field<&Type::law, &stats::NormalLaw::mean>("mean", "of the distribution", Rule{.least = -1e6, .most = 1e6}),
-      field<&Type::law, &stats::NormalLaw::sigma>("sigma", "standard deviation", Rule{.above = 0.0, .most = 1e6}),
+      // The fourth power of a smaller one is no normal double.
+      field<&Type::law, &stats::NormalLaw::sigma>("sigma", "standard deviation", Rule{.least = 1e-70, .most = 1e6}),
       field<&Type::sampler>("sampler", "how normal numbers are made", Rule{.choices = sampler_names}),
   };
   return fields;

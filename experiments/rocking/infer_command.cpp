@@ -15,8 +15,6 @@
 #include "output.hpp"
 #include "rocking/api/infer.hpp"
 #include "rocking/output/infer_report.hpp"
-#include "rocking/text/files.hpp"
-#include "rocking/text/parse_json.hpp"
 #include "study_file.hpp"
 #include "usage.hpp"
 #include "watched.hpp"
@@ -44,7 +42,9 @@ CountedTests load_tests(const InferCommand& command, const Experiment& experimen
 /// The design that the file of the command has; none without a file.
 std::vector<infer::DesignPoint> earlier_design(const InferCommand& command, const InferReport& asked) {
   if (!std::filesystem::exists(command.file.path())) return {};
-  return design_for(asked, infer_document().read(parse_json(read_file(command.file.path()))));
+  std::vector<infer::DesignPoint> found;
+  command.file.read_earlier([&](const Json& earlier) { found = design_for(asked, infer_document().read(earlier)); });
+  return found;
 }
 
 ExitCode end_of(const Inference& found, const StudyFile& file) {
@@ -60,7 +60,7 @@ ExitCode infer(InferCommand& command) {
   check_source(source, [&] { check_infer(experiment); });
   InferRequest request = command.infer;
   request.folder = source.folder;
-  request.tests = load_tests(command, experiment, source.folder);
+  check_source(source, [&] { request.tests = load_tests(command, experiment, source.folder); });
   request.elapsed_seconds = seconds_from_now();
   request.keeps_when_stopped = true;
   command.file.prepare();

@@ -16,8 +16,6 @@
 #include "output.hpp"
 #include "rocking/api/studies.hpp"
 #include "rocking/output/rare_report.hpp"
-#include "rocking/text/files.hpp"
-#include "rocking/text/parse_json.hpp"
 #include "study_file.hpp"
 #include "usage.hpp"
 #include "watched.hpp"
@@ -38,8 +36,10 @@ struct RareCommand {
 
 /// The estimates in the file of the command; none without a file.
 std::vector<RareEstimate> earlier_estimates(const StudyFile& file, const RareReport& asked) {
-  if (!std::filesystem::exists(file.path())) return {};
-  return estimates_for(asked, rare_document().read(parse_json(read_file(file.path()))));
+  std::vector<RareEstimate> found;
+  if (!std::filesystem::exists(file.path())) return found;
+  file.read_earlier([&](const Json& earlier) { found = estimates_for(asked, rare_document().read(earlier)); });
+  return found;
 }
 
 ExitCode end_of(const std::vector<ReportedRare>& conditions, const StudyFile& file) {
@@ -61,9 +61,7 @@ ExitCode rare(RareCommand& command) {
   const auto report_on = [&](const std::vector<RareEstimate>& found) {
     return rare_report(experiment, {.question = request.question, .particles = request.particles}, found);
   };
-  if (command.file.resumes()) {
-    check_source(source, [&] { request.earlier = earlier_estimates(command.file, report_on({})); });
-  }
+  if (command.file.resumes()) request.earlier = earlier_estimates(command.file, report_on({}));
   request.keeps_when_stopped = true;
   request.keep = [&](const std::function<std::vector<RareEstimate>()>& so_far) {
     command.file.keep([&] { return rare_document().text(report_on(so_far())); });

@@ -2,12 +2,16 @@
 
 #include <exception>
 #include <system_error>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "exit_code.hpp"
 #include "rocking/base/utf8.hpp"
 #include "rocking/text/files.hpp"
+#include "rocking/text/locate.hpp"
+#include "rocking/text/parse_json.hpp"
 
 namespace rocking::program {
 
@@ -54,6 +58,21 @@ void StudyFile::keep(const std::function<std::string()>& text) {
     // The disk may be full.
   }
   next_keep_ = Clock::now() + between;
+}
+
+void StudyFile::read_earlier(const std::function<void(const Json&)>& use) const {
+  const std::string text = read_file(path());
+  try {
+    use(parse_json(text));
+  } catch (const base::InputError& error) {
+    std::vector<base::Problem> problems = located(error, text, path().string()).problems();
+    for (base::Problem& problem : problems) {
+      if (problem.remedy.find("--overwrite") != std::string::npos) continue;
+      problem.remedy +=
+          (problem.remedy.empty() ? "" : ", or ") + std::string("`--overwrite` without `--resume` begins anew");
+    }
+    throw base::InputError(std::move(problems));
+  }
 }
 
 std::string StudyFile::write(std::string_view text) const {

@@ -12,6 +12,7 @@
 #include "output.hpp"
 #include "rocking/scene/experiment.hpp"
 #include "rocking/text/folder_lock.hpp"
+#include "rocking/text/json.hpp"
 
 namespace rocking::program {
 
@@ -31,6 +32,8 @@ class StudyFile {
   [[nodiscard]] std::filesystem::path path() const { return folder_ / name_; }
   /// Whether the study goes on from the file, which is then replaced.
   [[nodiscard]] bool resumes() const { return resumes_; }
+  /// Calls use(json) with what it holds. Problems get its name and the line, and how to begin anew.
+  void read_earlier(const std::function<void(const Json&)>& use) const;
   /// Throws InTheWay if it, or another file of the study, exists and may not be replaced.
   void expect_free() const { expect_free(path()); }
   void expect_free(const std::filesystem::path& other) const;

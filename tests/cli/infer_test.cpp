@@ -124,6 +124,15 @@ TEST_F(Infer, KeepsTheFinishedPointsWhenItIsInterrupted) {
   EXPECT_GE(interrupted, 1) << "all came too late";
 }
 
+TEST_F(Infer, TellsTheFileOfARangeThatIsNotAllowed) {
+  Json changed = experiment_;
+  changed["unknown"][0]["from"] = -0.3;
+  write("bad.json", changed.dump());
+  const auto outcome = rocking("infer bad.json -q -o out --tests tests.csv");
+  EXPECT_EQ(outcome.exit_code, 65);
+  EXPECT_THAT(outcome.errors, AllOf(HasSubstr("bad.json, line 1"), HasSubstr("/unknown"), HasSubstr("-0.3")));
+}
+
 TEST_F(Infer, DoesNotGoOnFromTheAnswerToAnotherQuestion) {
   const std::string resume = "infer block.json -q -o out --resume --tests ";
   ASSERT_EQ(rocking(resume + "tests.csv").exit_code, 0) << "there is none yet";
@@ -141,7 +150,10 @@ TEST_F(Infer, DoesNotGoOnFromTheAnswerToAnotherQuestion) {
     EXPECT_EQ(read("out/infer.json"), before);
   }
   write("out/infer.json", "{}");
-  EXPECT_EQ(rocking(resume + "tests.csv").exit_code, 65);
+  const auto damaged = rocking(resume + "tests.csv");
+  EXPECT_EQ(damaged.exit_code, 65);
+  EXPECT_THAT(damaged.errors,
+              AllOf(HasSubstr("out/infer.json"), HasSubstr("`--overwrite` without `--resume` begins anew")));
   EXPECT_EQ(read("out/infer.json"), "{}");
 }
 

@@ -14,6 +14,7 @@ using rocking::support::objections;
 using rocking::support::quick_experiment;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 class Rare : public rocking::support::ProgramTest {
  protected:
@@ -97,6 +98,11 @@ TEST_F(Rare, GoesOnFromWhatAnEarlierCallHasFinished) {
   const auto other = rocking("rare quick.json -q -o part --seed 6" + more);
   EXPECT_EQ(other.exit_code, 65);
   EXPECT_THAT(other.errors, HasSubstr("/input: is not that of the earlier estimate"));
+  write("part/rare.json", "{ \"format\": \"rocking.rare/1\",\n  \"seed\": }");
+  const auto damaged = rocking("rare quick.json -q -o part" + more);
+  EXPECT_EQ(damaged.exit_code, 65);
+  EXPECT_THAT(damaged.errors, AllOf(HasSubstr("part/rare.json"), HasSubstr("line 2"), Not(HasSubstr("quick.json")),
+                                    HasSubstr("`--overwrite` without `--resume` begins anew")));
 }
 
 // Each is killed when it has written its first repetitions; a file with fewer is never put in place of one with more.

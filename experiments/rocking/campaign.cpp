@@ -74,7 +74,7 @@ TimeSlice work(const RunFolder& folder, const Experiment& experiment, Store& sto
   } catch (const std::system_error&) {
     print_notice(
         fmt::format("stored realisations are kept; when the cause is removed, `rocking resume {}` continues the run",
-                    folder.name()));
+                    shell_word(folder.name())));
     throw;
   }
   slice.duration_s = progress.elapsed();
@@ -85,7 +85,7 @@ ExitCode explain_stop(const RunFolder& folder, const Completeness& reached) {
   const bool interrupted = why_stopped() == StopReason::signal;
   print_notice(fmt::format("{}; {} of {} realisations are done and kept. `rocking resume {}` continues the run{}",
                            interrupted ? "interrupted" : "the time limit was reached", reached.done, reached.all,
-                           folder.name(),
+                           shell_word(folder.name()),
                            folder.has_earlier_run() ? ". Until it is complete the earlier run is kept" : ""));
   return interrupted ? ExitCode::interrupted : ExitCode::stopped_early;
 }
@@ -94,7 +94,7 @@ ExitCode explain_shard(RunFolder& folder, const Shard& shard) {
   folder.install_replacement();
   print_notice(fmt::format(
       "shard {} of {} is done; when the other shards are done too, `rocking merge DIR {} ...` writes the report",
-      shard.part, shard.parts, folder.name()));
+      shard.part, shard.parts, shell_word(folder.name())));
   return ExitCode::done;
 }
 
@@ -153,7 +153,7 @@ ExperimentResult complete_result(const RunFolder& folder, const Experiment& expe
   throw sqlite::UnusableFile(
       fmt::format("{}: is damaged: stored realisations are missing; `rocking resume {}` runs them "
                   "again",
-                  folder.store_path().string(), folder.name()));
+                  folder.store_path().string(), shell_word(folder.name())));
 }
 
 ExitCode write_results(RunFolder& folder, const Experiment& experiment, ExperimentResult result,
@@ -176,7 +176,7 @@ ExitCode write_results(RunFolder& folder, const Experiment& experiment, Experime
     print_notice(
         fmt::format("interrupted; all realisations are done and kept. `rocking resume {}` writes the report and "
                     "its page",
-                    folder.name()));
+                    shell_word(folder.name())));
     return ExitCode::interrupted;
   }
   if (how.loudness.json) {

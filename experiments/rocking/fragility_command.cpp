@@ -63,9 +63,9 @@ StoredRun finished_run(const std::string& folder) {
   RunFolder(folder).expect_installed();
   StoredRun stored = input_of([&] { return open_run(folder); });
   if (stored.run.done < stored.run.all || !stored.run.is_complete()) {
-    throw MissingInput(fmt::format(
-        "{0}: has {1} of {2} realisations; `rocking resume {0}`, or `rocking merge` of all parts, completes it", folder,
-        stored.run.done, stored.run.all));
+    throw MissingInput(
+        fmt::format("{}: has {} of {} realisations; `rocking resume {}`, or `rocking merge` of all parts, completes it",
+                    folder, stored.run.done, stored.run.all, shell_word(folder)));
   }
   return stored;
 }
@@ -108,7 +108,8 @@ std::string suggestions(const std::vector<Curves>& curves, const std::vector<std
       text += fmt::format("# levels for `rocking rare`: {}\n", levels_in_words({rare.begin(), rare.end()}));
     }
     if (levels.empty()) continue;
-    text += fmt::format("rocking resume {} --levels {}\n", folders[i], levels_in_words({levels.begin(), levels.end()}));
+    text += fmt::format("rocking resume {} --levels {}\n", shell_word(folders[i]),
+                        levels_in_words({levels.begin(), levels.end()}));
   }
   return text.empty() ? "the levels suffice: they leave at most 5 % of the rate undecided, and its estimates agree\n"
                       : text;
@@ -129,8 +130,9 @@ void expect_sensible(const FragilityCommand& command) {
 /// Writes the sheet, if one is asked for; whether that succeeded.
 bool write_sheet(const FragilityCommand& command, const Curves& curves, const FragilityQuestion& question) {
   if (command.sheet.empty()) return true;
-  const std::string again = fmt::format("rocking fragility {} --hazard {} --sheet {}", command.folders.front(),
-                                        command.hazard, command.sheet.string());
+  const std::string again =
+      fmt::format("rocking fragility {} --hazard {} --sheet {}", shell_word(command.folders.front()),
+                  shell_word(command.hazard), shell_word(command.sheet.string()));
   const Written written = rocking::write_sheet(curves.stored, curves.found, *question.hazard, command.sheet, again,
                                                {.stop = &stop_on_interrupt()});
   for (const std::string& reason : written.not_drawn) print_notice(reason);

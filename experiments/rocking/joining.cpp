@@ -114,7 +114,8 @@ ExitCode explain_missing(RunFolder& folder, const Completeness& found) {
   const bool replaces = folder.has_earlier_run();
   if (!replaces) folder.install_replacement();
   print_notice(fmt::format("{} of {} realisations are present; `rocking resume {}` runs the rest{}", found.done,
-                           found.all, folder.name(), replaces ? ". Until then the earlier run is kept" : ""));
+                           found.all, shell_word(folder.name()),
+                           replaces ? ". Until then the earlier run is kept" : ""));
   return ExitCode::stopped_early;
 }
 

@@ -32,10 +32,10 @@ namespace fs = std::filesystem;
 Report load_report(const RunFolder& folder) {
   folder.expect_installed();
   if (!folder.has_report()) {
-    throw MissingInput(
-        folder.has_store()
-            ? fmt::format("{0}: there is no report.json yet; `rocking resume {0}` finishes the run", folder.name())
-            : folder.name() + ": contains no run (there is no report.json)");
+    throw MissingInput(folder.has_store()
+                           ? fmt::format("{}: there is no report.json yet; `rocking resume {}` finishes the run",
+                                         folder.name(), shell_word(folder.name()))
+                           : folder.name() + ": contains no run (there is no report.json)");
   }
   if (folder.has_store()) static_cast<void>(folder.open_store(sqlite::Access::read));  // the report is that of this run
   const std::string text = input_of([&] { return read_file(folder.report_path()); });

@@ -75,8 +75,8 @@ Store RunFolder::open_store(sqlite::Access access) const {
 Store RunFolder::open_valid_store() const {
   Store store = open_store(sqlite::Access::read);
   if (const auto damage = store.damage()) {
-    throw sqlite::UnusableFile(
-        fmt::format("{}. `rocking resume {}` keeps the intact rows and runs the rest again", *damage, name()));
+    throw sqlite::UnusableFile(fmt::format("{}. `rocking resume {}` keeps the intact rows and runs the rest again",
+                                           *damage, shell_word(name())));
   }
   return store;
 }
@@ -96,9 +96,9 @@ void RunFolder::expect_no_run() const {
   }
   if (has_store() || has_replacement()) {
     throw InTheWay(
-        fmt::format("{0}: contains a run; `rocking resume {0}` continues it. Otherwise choose another folder, "
+        fmt::format("{}: contains a run; `rocking resume {}` continues it. Otherwise choose another folder, "
                     "or add --overwrite to replace it",
-                    name()));
+                    name(), shell_word(name())));
   }
 }
 
@@ -149,9 +149,9 @@ bool RunFolder::forget_what_did_not_begin() const {
 void RunFolder::expect_installed() const {
   if (!is_half_installed()) return;
   throw InTheWay(
-      fmt::format("{0}: a new run was interrupted while it replaced the one in this folder; `rocking "
-                  "resume {0}` completes the replacement",
-                  name()));
+      fmt::format("{}: a new run was interrupted while it replaced the one in this folder; `rocking "
+                  "resume {}` completes the replacement",
+                  name(), shell_word(name())));
 }
 
 Experiment experiment_of(const Identity& identity, const Overrides& overrides) {

@@ -31,7 +31,8 @@ std::string to_text(const StatusRequest& request, const Standing& standing) {
     text += fmt::format("rate     {:.3g}/s\nto go    {}\n", standing.rate,
                         duration_in_words(static_cast<double>(standing.missing()) / standing.rate));
   }
-  if (standing.state == "stopped") text += fmt::format("`rocking resume {}` continues the run\n", request.folder);
+  if (standing.state == "stopped")
+    text += fmt::format("`rocking resume {}` continues the run\n", shell_word(request.folder));
   return text;
 }
 

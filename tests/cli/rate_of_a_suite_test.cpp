@@ -116,6 +116,10 @@ TEST_F(RateOfASuite, SaysWhatTheLevelsLeaveOpenAndAddsLevels) {
   const auto suggested = rocking("fragility out --hazard hazard.csv --suggest");
   EXPECT_EQ(suggested.output, "rocking resume out --levels " + levels + "\n");
   EXPECT_EQ(rocking("fragility out --suggest").exit_code, 64);
+  ASSERT_EQ(shell("cp -r out \"it's out\"").exit_code, 0);
+  EXPECT_EQ(rocking("fragility \"it's out\" --hazard hazard.csv --suggest").output,
+            "rocking resume 'it'\\''s out' --levels " + levels + "\n")
+      << "as a shell takes it";
   const auto more = rocking("resume out -q --no-page --levels " + levels);
   ASSERT_EQ(more.exit_code, 0) << more.errors;
   // The bytes are those of one run with these levels, in which nothing was run twice.

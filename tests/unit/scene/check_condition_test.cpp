@@ -42,7 +42,8 @@ Json full_document() {
 
 Json recorded_document() {
   auto document = support::with(full_document(), "/excitation",
-                                R"({"kind": "recorded", "file": "any", "scale": 1.5, "frequency_ratio": 10.0})");
+                                R"({"kind": "recorded", "file": "any", "columns": ["time", "horizontal", "vertical"],
+                                    "scale": 1.5, "frequency_ratio": 10.0})");
   document["fluctuation"].erase("amplitude");
   return document;
 }
@@ -344,12 +345,12 @@ TEST(CheckCondition, TellsARelationOnlyOfNumbersThatAreAllowed) {
 
 TEST(CheckCondition, RefusesAGroundMotionAsItsFileIsRefused) {
   const std::vector<std::string> files{"",
-                                       "0 0\n",
-                                       "1 0\n1 1\n",
-                                       "-1 0\n1 1\n",
-                                       "0 0\n2 1\n1 1\n",
-                                       "0 0\n1e8 1\n",
-                                       "0 0\n1 2e6\n2 0\n",
+                                       "0 0 0\n",
+                                       "1 0 0\n1 1 0\n",
+                                       "-1 0 0\n1 1 0\n",
+                                       "0 0 0\n2 1 0\n1 1 0\n",
+                                       "0 0 0\n1e8 1 0\n",
+                                       "0 0 0\n1 2e6 0\n2 0 0\n",
                                        "0 0 0\n1 0 -2e6\n"};
   const std::vector<std::vector<dynamics::GroundMotionSample>> motions{{},
                                                                        {{0, 0, 0}},

@@ -64,15 +64,20 @@ ExitCode infer(InferCommand& command) {
   request.elapsed_seconds = seconds_from_now();
   request.keeps_when_stopped = true;
   command.file.prepare();
-  if (command.file.resumes()) {
-    request.earlier = earlier_design(command, infer_report(experiment, request.tests, request.next_tests, {}));
-  }
+  const auto report_on = [&](const Inference& found) {
+    return infer_report(experiment, request.tests, request.next_tests, found);
+  };
+  if (command.file.resumes()) request.earlier = earlier_design(command, report_on({}));
+  request.keep = [&](const std::vector<infer::DesignPoint>& design) {
+    command.file.keep(
+        [&] { return infer_document().text(report_on({.design = design, .answer = {}, .end = InferEnd::stopped})); });
+  };
   Inference found;
   {
     Progress progress(suitable_progress_style(command.execution.loudness), "realisations and made-up data sets");
     found = infer_unknowns(experiment, request, watched(command.execution, progress));
   }
-  const InferReport report = infer_report(experiment, request.tests, request.next_tests, found);
+  const InferReport report = report_on(found);
   const std::string text = infer_document().text(report);
   deliver_study(command.execution.loudness, text, heading(experiment) + infer_table(report),
                 [&] { return command.file.write(text); });

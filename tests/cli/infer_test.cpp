@@ -74,6 +74,22 @@ TEST_F(Infer, IsWrittenAndPrinted) {
   }
 }
 
+TEST_F(Infer, LosesToAKillOnlyItsLastSeconds) {
+  const std::string command = "infer block.json --tests tests.csv -q -j 1 ";
+  ASSERT_EQ(rocking(command + "-o all").exit_code, 0);
+  const auto killed = shell("'" ROCKING_PROGRAM "' " + command +
+                            "-o out & child=$!; until test -s out/infer.json || ! kill -0 $child; do sleep 0.01; done; "
+                            "kill -9 $child; wait $child");
+  EXPECT_EQ(killed.exit_code, 137) << killed.errors;
+  const std::string part = read("out/infer.json");
+  EXPECT_EQ(objections("infer", part), "");
+  const std::size_t points = Json::parse(part)["design"].size();
+  EXPECT_GT(points, 0U);
+  EXPECT_LT(points, Json::parse(read("all/infer.json"))["design"].size());
+  EXPECT_EQ(rocking(command + "-o out --resume").exit_code, 0);
+  EXPECT_EQ(read("out/infer.json"), read("all/infer.json"));
+}
+
 TEST_F(Infer, HasTheSameBytesOnAnyNumberOfThreadsAndAsJson) {
   write("candidates.csv", "amplitude\n5.0\n");
   const std::string command = "infer block.json --tests tests.csv --candidates candidates.csv -q ";

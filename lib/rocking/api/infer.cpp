@@ -147,6 +147,7 @@ Inference infer_unknowns(const Experiment& experiment, const InferRequest& reque
   settings.seconds = request.seconds;
   settings.elapsed_seconds = request.elapsed_seconds;
   settings.earlier = request.earlier;
+  settings.keep = request.keep;
   Inference found = infer_unknowns(question, settings);
   if (found.end == InferEnd::stopped && !request.keeps_when_stopped) throw base::Stopped();
   return found;

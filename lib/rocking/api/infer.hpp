@@ -27,6 +27,8 @@ struct InferRequest {
   std::vector<infer::DesignPoint> earlier = {};  ///< of an earlier answer to the same question; not simulated again
   /// When it is asked to stop, it returns the finished points without an answer. Else it throws.
   bool keeps_when_stopped = false;
+  /// Called with the design so far when some of its points have been simulated.
+  std::function<void(const std::vector<infer::DesignPoint>& design)> keep = {};
 };
 
 /// Reads a file of counted tests and one of candidate conditions (lib/docs/formats.md). Files of the experiment are

@@ -117,6 +117,7 @@ class Study {
       design_.push_back({.at = at, .counts = is_known(place, at) ? settings_->earlier[place].counts : *next++});
       points_.push_back(scale_.point(at));
     }
+    if (settings_->keep && !missing.empty()) settings_->keep(design_);
     return true;
   }
 

@@ -35,6 +35,8 @@ struct InferenceSettings {
   /// Points of an earlier call with the same question, in its order: they are not simulated again.
   std::vector<infer::DesignPoint> earlier = {};
   base::StopRequest stop = {};
+  /// Called with the design so far when some of its points have been simulated.
+  std::function<void(const std::vector<infer::DesignPoint>& design)> keep = {};
   /// Called after each data set that is made up for the answer, by one thread at a time.
   std::function<void()> on_made_up = {};
 };

@@ -57,6 +57,7 @@ inline constexpr std::array allowances{
     Allowance{"TwistedRun.OfOrnsteinAndUhlenbecksProcessIsUnbiased", 1, 2},
     Allowance{"ImportanceSampling.OfAGaussianTailIsUnbiased", 1, 3},
     Allowance{"RareIntervals.CoverTheProbabilityOfChains", 1, 2},
+    Allowance{"RareIntervals.CoverAlsoWhereASmallErrorEndsTheRepetitions", 1, 1},
     Allowance{"RareOnBlocks.IsUnbiasedForNumbersThatAreDrawnOnce", 1, 1},
     Allowance{"RareOnBlocks.IsUnbiasedForOtherLaws", 1, 3},
     Allowance{"RareOnBlocks.IsUnbiasedForNumbersThatAreDrawnAlongTheWay", 1, 4},

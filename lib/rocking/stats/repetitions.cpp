@@ -1,8 +1,12 @@
 #include "rocking/stats/repetitions.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "rocking/base/elementary.hpp"
 #include "rocking/base/error.hpp"
+#include "rocking/base/natural_logarithm.hpp"
 #include "rocking/stats/student_law.hpp"
 
 namespace rocking::stats {
@@ -12,6 +16,26 @@ namespace {
 Interval interval_about(double mean, double relative_error, double degrees_of_freedom, double confidence) {
   const double t = two_sided_t_quantile(confidence, degrees_of_freedom);
   return {mean * std::exp(-t * relative_error), mean * std::exp(t * relative_error)};
+}
+
+/// Variance of a repetition over the square of the mean, by the scatter of its logarithm: that of a lognormal law, with a
+/// share of zeros beside it. 0 from fewer than two estimates > 0.
+double lognormal_variance(std::span<const double> estimates) {
+  constexpr double most = 700.0;  // e^700 is finite
+  double positive = 0.0;
+  double mean = 0.0;
+  double squares = 0.0;  // of deviations from the mean (Welford)
+  for (const double estimate : estimates) {
+    if (!(estimate >= std::numeric_limits<double>::min())) continue;
+    const double logarithm = base::natural_logarithm(estimate);
+    positive += 1.0;
+    const double deviation = logarithm - mean;
+    mean += deviation / positive;
+    squares += deviation * (logarithm - mean);
+  }
+  if (positive < 2.0) return 0.0;
+  const double second_moment = base::exponential(std::min(most, squares / (positive - 1.0)));
+  return second_moment * static_cast<double>(estimates.size()) / positive - 1.0;
 }
 
 }  // namespace
@@ -28,7 +52,10 @@ RepeatedEstimate mean_of_repetitions(std::span<const double> estimates, double c
     const double deviation = estimate / result.mean - 1.0;  // relative, so that no square underflows
     squares += deviation * deviation;
   }
-  const double error = std::sqrt(squares / (count - 1.0) / count);
+  constexpr double most_times = 2.0;
+  const double sampled = std::sqrt(squares / (count - 1.0) / count);
+  const double lognormal = std::sqrt(lognormal_variance(estimates) / count);
+  const double error = std::max(sampled, std::min(most_times * sampled, lognormal));
   result.relative_error = error;
   result.degrees_of_freedom = count - 1.0;
   result.interval = interval_about(result.mean, error, result.degrees_of_freedom, confidence);

@@ -17,9 +17,11 @@ struct RepeatedEstimate {
 
 /// Mean, standard error and confidence interval from repetitions:
 ///
-///     mean exp(-+ t s/(mean sqrt(n))),   t the quantile of Student's law with n - 1 degrees of freedom
+///     mean exp(-+ t e),   e = max(s/(mean sqrt(n)), e_log),   t the quantile of Student's law, n - 1 degrees of freedom
 ///
-/// Student's interval for the logarithm of the mean, by the delta method: the error of estimates of a small probability
+/// e_log is the standard error that a lognormal law with the same scatter of logarithms has, at most twice the other one.
+/// Of skewed estimates s is too small, and the mean with it, until one of the rare large ones has come; the logarithms
+/// tell their scatter before. Student's interval for the logarithm of the mean, by the delta method: the error of estimates of a small probability
 /// is nearer to lognormal than to normal, and the lower end stays positive. The coverage is measured in
 /// lib/docs/rare.md. `confidence` in (0, 1). Requires an estimate.
 [[nodiscard]] RepeatedEstimate mean_of_repetitions(std::span<const double> estimates, double confidence);

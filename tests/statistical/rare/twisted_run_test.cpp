@@ -226,7 +226,7 @@ TEST(TwistedRun, OfOrnsteinAndUhlenbecksProcessIsUnbiased) {
   const Process likely(3.5, 30);
   const Process rare(6.0, 30);
   expect_unbiased(estimates_of(likely, exact(likely), 9, repetitions), likely.probability(0, 0.0), alarms, 0.03);
-  expect_unbiased(estimates_of(rare, coarse(rare, 0.5), 9, repetitions), rare.probability(0, 0.0), alarms, 0.2);
+  expect_unbiased(estimates_of(rare, coarse(rare, 0.5), 9, repetitions), rare.probability(0, 0.0), alarms, 0.25);
 }
 
 /// A fault: every second particle becomes a hundredth heavier in each step.
@@ -347,14 +347,35 @@ TEST(RareIntervals, CoverTheProbabilityOfChains) {
   expect_coverage([&](std::uint64_t seed) { return estimates_of(tail, seed, 16); }, tail.probability(), alarms);
 }
 
+/// Lognormal numbers of mean 1, as many as `rocking rare` would make repetitions for an error of 10 %.
+std::vector<double> lognormal_until_precise(double sigma, std::uint64_t seed) {
+  const Draws draws(seed, 0);
+  std::vector<double> estimates;
+  for (std::size_t planned = 16; planned > 0;) {
+    while (estimates.size() < planned) {
+      const double z = draws.standard_normal(Source::amplitude, estimates.size());
+      estimates.push_back(std::exp(sigma * (z - 0.5 * sigma)));
+    }
+    const double error = rocking::stats::mean_of_repetitions(estimates, 0.95).relative_error.value();
+    const double times = std::min(4.0, 1.05 * (error / 0.1) * (error / 0.1));
+    planned = error <= 0.1 ? 0 : std::max(planned + 1, static_cast<std::size_t>(static_cast<double>(planned) * times));
+  }
+  return estimates;
+}
+
+// As at a probability of 2e-8 (reports/evidence/rare.md).
+TEST(RareIntervals, CoverAlsoWhereASmallErrorEndsTheRepetitions) {
+  FalseAlarms alarms;
+  expect_coverage([&](std::uint64_t seed) { return lognormal_until_precise(1.25, seed); }, 1.0, alarms);
+}
+
 TEST(RepeatedEstimate, IsTheMeanWithStudentsIntervalOfItsLogarithm) {
-  const std::vector<double> estimates{1e-9, 2e-9, 3e-9};
+  const std::vector<double> estimates{1.5e-9, 1.5e-9, 3e-9};
   const auto mean = rocking::stats::mean_of_repetitions(estimates, 0.95);
   EXPECT_DOUBLE_EQ(mean.mean, 2e-9);
   ASSERT_TRUE(mean.relative_error && mean.interval);
-  EXPECT_NEAR(*mean.relative_error, 0.5 / std::sqrt(3.0), 1e-14);
-  EXPECT_NEAR(std::log(mean.interval->high / 2e-9), 0.95 / std::sqrt(2.0 * 0.975 * 0.025) * 0.5 / std::sqrt(3.0),
-              1e-12);
+  EXPECT_NEAR(*mean.relative_error, 0.25, 1e-14) << "a lognormal law would have 0.240";
+  EXPECT_NEAR(std::log(mean.interval->high / 2e-9), 0.95 / std::sqrt(2.0 * 0.975 * 0.025) * 0.25, 1e-12);
   EXPECT_NEAR(mean.interval->low * mean.interval->high, 4e-18, 1e-30);
 }
 

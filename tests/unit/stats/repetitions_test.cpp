@@ -4,7 +4,10 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <vector>
 
+#include <boost/math/distributions/normal.hpp>
 #include <gtest/gtest.h>
 
 #include "rocking/stats/student_law.hpp"
@@ -15,6 +18,51 @@ using rocking::stats::mean_of_repetitions;
 using rocking::stats::Stratum;
 using rocking::stats::sum_of_strata;
 using rocking::stats::two_sided_t_quantile;
+
+/// The quantiles of a lognormal law at even steps of probability, but the upper ones.
+std::vector<double> lognormal_without_tail(double sigma, std::size_t count, std::size_t missing) {
+  std::vector<double> estimates;
+  for (std::size_t i = 0; i + missing < count; ++i) {
+    const double p = (static_cast<double>(i) + 0.5) / static_cast<double>(count);
+    estimates.push_back(1e-8 * std::exp(sigma * boost::math::quantile(boost::math::normal(), p)));
+  }
+  return estimates;
+}
+
+double sampled_error(const std::vector<double>& estimates) {
+  double sum = 0.0;
+  double squares = 0.0;
+  for (const double each : estimates) {
+    sum += each;
+    squares += each * each;
+  }
+  const auto n = static_cast<double>(estimates.size());
+  return std::sqrt((squares * n / (sum * sum) - 1.0) / (n - 1.0));
+}
+
+// The law has the coefficient of variation sqrt(e^1.44 - 1) = 1.80. Without its largest 3 % a sample shows 1.1.
+TEST(MeanOfRepetitions, HasAnErrorThatKnowsOfLargeOnesBeforeTheyCome) {
+  const std::vector<double> estimates = lognormal_without_tail(1.2, 200, 6);
+  const auto mean = mean_of_repetitions(estimates, 0.95);
+  const double root = std::sqrt(194.0);
+  EXPECT_LT(sampled_error(estimates) * root, 1.3);
+  EXPECT_NEAR(*mean.relative_error * root, 1.80, 0.3);
+  EXPECT_NEAR(std::log(mean.interval->high / mean.mean), two_sided_t_quantile(0.95, 193.0) * *mean.relative_error,
+              1e-12);
+}
+
+TEST(MeanOfRepetitions, HasAtMostTwiceTheSampledError) {
+  const std::vector<double> far_apart{1e-30, 1e-20, 1e-8, 1.1e-8, 0.9e-8, 1e-8, 1e-8};
+  EXPECT_NEAR(*mean_of_repetitions(far_apart, 0.95).relative_error, 2.0 * sampled_error(far_apart), 1e-14);
+}
+
+TEST(MeanOfRepetitions, HasTheSampledErrorWhereThatIsTheLargerOne) {
+  std::vector<double> one_large(20, 1e-8);
+  one_large.push_back(5e-8);
+  EXPECT_NEAR(*mean_of_repetitions(one_large, 0.95).relative_error, sampled_error(one_large), 1e-14);
+  const std::vector<double> one_seen{0.0, 0.0, 3e-8, 0.0};
+  EXPECT_NEAR(*mean_of_repetitions(one_seen, 0.95).relative_error, sampled_error(one_seen), 1e-14);
+}
 
 TEST(SumOfStrata, IsThatOfTheRepetitionsForOneStratum) {
   const std::array estimates{1e-6, 3e-6, 2e-6, 6e-6};

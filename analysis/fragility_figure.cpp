@@ -12,6 +12,7 @@
 #include "analysis/palette.hpp"
 #include "analysis/suite_layers.hpp"
 #include "analysis/sweep_view.hpp"
+#include "rocking/output/annual_rate_table.hpp"
 #include "rocking/output/fragility_words.hpp"
 #include "rocking/text/number_text.hpp"
 
@@ -168,7 +169,7 @@ std::string rate_sentence(const ReportedSuite& reported) {
       " Mean annual rate of " + words_of(reported.curve.subject.event) + ": " + significant(rate.value, 3);
   if (rate.interval) text += ' ' + interval_in_words(*rate.interval);
   if (rate.value > 0.0) text += ", once in " + years_in_words(1.0 / rate.value) + " years";
-  return text + '.';
+  return text + ". " + extrapolated_hazard_in_words(rate) + '.';
 }
 
 /// `PGA = 0.36 g`, `PGA = 0.36 [0.31, 0.42] g`.

@@ -35,24 +35,35 @@ std::string values_in_words(const std::vector<Parameter>& others) {
 
 namespace {
 
-/// Columns: intensity, records, n, how many, estimate; with a law `fitted` and its band.
+/// Whether the law of the suite gives its probabilities; else the isotonic shares do.
+bool is_by_law(const SuiteCurve& curve) {
+  return curve.pooled.has_value() && curve.outcome == stats::FragilityOutcome::fitted;
+}
+
+/// Columns: intensity, records, n, how many, estimate; then the probability by the law, or the isotonic share where none
+/// holds, and its interval.
 Table suite_table(const SuiteCurve& curve) {
   Table table{.name = event_in_words(curve.subject.event) + ", all records",
               .columns = {{"intensity", "intensity of the excitation"},
                           {"records", "records"},
                           {"n", "realisations of all records"},
                           {"happened", "of these: " + event_in_words(curve.subject.event)},
-                          {"estimate", "mean over the records of their shares"},
-                          {"fitted", "probability by the law of the suite"},
-                          {"fitted_low", "lower end of its bootstrap interval"},
-                          {"fitted_high", "upper end of it"}},
+                          {"estimate", "mean over the records of their shares"}},
               .rows = {}};
-  const auto cell = [](const std::optional<double>& number) { return number ? Cell(*number) : Cell(); };
+  const std::string source = is_by_law(curve) ? "fitted" : "isotonic";
+  table.columns.push_back({source, is_by_law(curve) ? "probability by the law of the suite"
+                                                    : "nearest to the means at all levels that does not decrease"});
+  table.columns.push_back({source + "_low", "lower end of its bootstrap interval"});
+  table.columns.push_back({source + "_high", "upper end of it"});
   for (const SuiteLevel& level : curve.levels) {
     table.rows.push_back({level.intensity, static_cast<double>(level.records),
                           static_cast<double>(level.happened.trials), static_cast<double>(level.happened.successes),
-                          level.estimate, cell(level.fitted), level.band ? Cell(level.band->low) : Cell(),
-                          level.band ? Cell(level.band->high) : Cell()});
+                          level.estimate});
+    auto& row = table.rows.back();
+    const auto band = is_by_law(curve) ? level.band : std::optional(level.isotonic_band);
+    row.push_back(is_by_law(curve) ? level.fitted.value() : level.isotonic);
+    row.push_back(band ? Cell(band->low) : Cell());
+    row.push_back(band ? Cell(band->high) : Cell());
   }
   return table;
 }
@@ -75,20 +86,6 @@ Table record_shares(const SuiteCurve& curve) {
     }
   }
   for (auto& [intensity, row] : rows) table.rows.push_back(std::move(row));
-  return table;
-}
-
-/// Columns: intensity, probability, low, high.
-Table isotonic_table(const SuiteCurve& curve) {
-  Table table{.name = "isotonic shares of " + event_in_words(curve.subject.event) + ", all records",
-              .columns = {{"intensity", "intensity of the excitation"},
-                          {"isotonic", "nearest to the means at all levels that does not decrease"},
-                          {"isotonic_low", "lower edge of its bootstrap interval"},
-                          {"isotonic_high", "upper edge of it"}},
-              .rows = {}};
-  for (const SuiteLevel& level : curve.levels) {
-    table.rows.push_back({level.intensity, level.isotonic, level.isotonic_band.low, level.isotonic_band.high});
-  }
   return table;
 }
 
@@ -185,21 +182,23 @@ void add_suite(const SuiteCurve& curve, std::size_t number, Figure& figure) {
   const std::string others = values_in_words(curve.subject.others);
   const std::string name =
       (others.empty() ? "" : others + ", ") + event_in_words(curve.subject.event) + ", all records";
-  const bool has_law = curve.pooled.has_value();
-  if (has_law) {
-    const std::size_t law = figure.tables.size();
-    const bool holds = curve.outcome == stats::FragilityOutcome::fitted;
-    figure.tables.push_back(holds ? suite_law_table(curve) : isotonic_table(curve));
-    if (!std::holds_alternative<std::monostate>(figure.tables.back().rows.front()[2])) {
-      layers.push_back({.kind = LayerKind::ribbon, .table = law, .columns = {0, 2, 3}, .style = ribbon});
+  const bool has_line = curve.pooled.has_value();
+  if (has_line) {
+    // The table of the levels has the isotonic shares, each with its interval.
+    const std::size_t table = is_by_law(curve) ? figure.tables.size() : all;
+    const std::size_t first = is_by_law(curve) ? 1 : 5;
+    if (is_by_law(curve)) figure.tables.push_back(suite_law_table(curve));
+    if (!std::holds_alternative<std::monostate>(figure.tables[table].rows.front()[first + 1])) {
+      layers.push_back(
+          {.kind = LayerKind::ribbon, .table = table, .columns = {0, first + 1, first + 2}, .style = ribbon});
     }
-    layers.push_back({.kind = LayerKind::line, .table = law, .columns = {0, 1}, .style = line, .legend = name});
+    layers.push_back({.kind = LayerKind::line, .table = table, .columns = {0, first}, .style = line, .legend = name});
   }
   layers.push_back({.kind = LayerKind::points,
                     .table = all,
                     .columns = {0, 4},
                     .style = style_of_curve(number),
-                    .legend = has_law ? "" : name});
+                    .legend = has_line ? "" : name});
   add_rare(curve.rare, number, name, figure);
 }
 

@@ -123,6 +123,14 @@ std::string answer(const Sheet& sheet) {
       as, years_in_words(1.0 / rate.value), interval, within(50.0, rate.value));
 }
 
+/// The period of a spectral acceleration, or its range.
+std::string periods_sentence(const std::vector<double>& periods) {
+  if (periods.empty()) return "";
+  const bool is_range = periods.size() > 1;
+  return fmt::format(" The spectral acceleration is that at {}T = {}{} s.", is_range ? "periods " : "",
+                     significant(periods.front(), 4), is_range ? " to " + significant(periods.back(), 4) : "");
+}
+
 std::string motions(const Sheet& sheet) {
   const std::vector<RecordCurve>& records = sheet.suites.front().curve.records;
   std::string names;
@@ -130,15 +138,12 @@ std::string motions(const Sheet& sheet) {
     names += (i == 0 ? "" : ", ") + escaped(last_part(records[i].name));
   }
   if (records.size() > most_records_named) names += fmt::format(", and {} more", records.size() - most_records_named);
-  const std::string measure = last_key(sheet.suites.front().curve.subject.parameter);
   const auto missing = left_out_records(sheet.run);
   return fmt::format(
-             "<h2>Hazard and records</h2>\n<p>Annual rates of exceedance of <code>{}</code> from {} ({} points, {} to "
-             "{}).{}</p>\n<p class=\"small\">{} records, each scaled to {} levels from {} to {}: {}.</p>\n",
-             escaped(measure), escaped(last_part(sheet.hazard.file)), sheet.hazard.points,
-             significant(sheet.hazard.first, 3), significant(sheet.hazard.last, 3),
-             sheet.hazard.is_measure_assumed ? " The file does not name the measure; it was assumed." : "",
-             records.size(), sheet.suites.front().curve.levels.size(),
+             "<h2>Hazard and records</h2>\n<p>{}: {}.{}</p>\n<p class=\"small\">{} records, each scaled to {} levels "
+             "from {} to {}: {}.</p>\n",
+             escaped(last_part(sheet.hazard.file)), escaped(sheet.hazard.in_words),
+             periods_sentence(sheet.hazard.periods), records.size(), sheet.suites.front().curve.levels.size(),
              significant(sheet.suites.front().curve.levels.front().intensity, 3),
              significant(sheet.suites.front().curve.levels.back().intensity, 3), names) +
          (missing ? fmt::format("<p class=\"small\">{}.</p>\n", escaped(*missing)) : "");
@@ -212,12 +217,25 @@ std::string scale_warning(const Sheet& sheet) {
   return far ? fmt::format("<p class=\"warning\">{}.</p>\n", escaped(*far)) : "";
 }
 
+/// The part of each rate for which the hazard curve is continued.
+std::string extrapolated_hazard(const Sheet& sheet) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(sheet.suites.size(), most_options); ++i) {
+    const AnnualRate& rate = sheet.suites[i].rate->chosen;
+    const std::string values = values_of(sheet.suites[i].curve.subject.others);
+    text +=
+        fmt::format("<p{}>{}{}.</p>\n", rate.extrapolated_hazard > most_extrapolated_hazard ? " class=\"warning\"" : "",
+                    sheet.suites.size() > 1 ? values + ": " : "", extrapolated_hazard_in_words(rate));
+  }
+  return text;
+}
+
 std::string basis(const Sheet& sheet) {
   const ReportedSuite& object = sheet.suites.front();
   const SuiteRate& rate = *object.rate;
   std::string ways;
   for (const RateEstimate& estimate : rate.estimates) {
-    ways += fmt::format("{}{} {}", ways.empty() ? "" : "; ", source_in_words(estimate.source),
+    ways += fmt::format("{}{} {}", ways.empty() ? "" : "; ", source_in_words(estimate.source, rate),
                         power_of_ten(estimate.value));
   }
   std::string text = fmt::format("<p>Per year by {}.", ways);
@@ -243,7 +261,7 @@ std::string basis(const Sheet& sheet) {
     text += fmt::format("<p class=\"warning\">The levels leave {} % of the rate undecided; add the levels {}.</p>\n",
                         significant(100.0 * rate.undecided_share, 2), escaped(added_levels_in_words(rate)));
   }
-  return "<h2>What the answer rests on</h2>\n" + text;
+  return "<h2>What the answer rests on</h2>\n" + text + extrapolated_hazard(sheet);
 }
 
 std::string assumptions(const Sheet& sheet) {

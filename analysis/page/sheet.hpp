@@ -12,9 +12,8 @@ namespace rocking::analysis {
 /// A hazard curve.
 struct ShownHazard {
   std::string file;
-  std::size_t points = 0;
-  double first = 0.0, last = 0.0;  ///< intensities
-  bool is_measure_assumed = false;
+  std::string in_words;         ///< how it was read
+  std::vector<double> periods;  ///< of the spectral acceleration [s]; empty: none
 };
 
 /// What a sheet tells. The suites are about overturning and have a rate; the first is the object as it stands.

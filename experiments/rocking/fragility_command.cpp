@@ -16,6 +16,7 @@
 #include "drawing.hpp"
 #include "exit_code.hpp"
 #include "ground_motion_notes.hpp"
+#include "hazard_file.hpp"
 #include "interrupt.hpp"
 #include "machine.hpp"
 #include "rocking/api/studies.hpp"
@@ -32,7 +33,7 @@ namespace {
 struct FragilityCommand {
   std::vector<std::string> folders;
   FragilityQuestion question;
-  std::string hazard;    ///< file of a hazard curve; empty: none
+  HazardFile hazard;
   std::string rare;      ///< folder of rare.json, or the file; empty: none
   std::string metadata;  ///< file of magnitudes and distances; empty: none
   StudyFile file{"fragility.json"};
@@ -116,9 +117,9 @@ std::string suggestions(const std::vector<Curves>& curves, const std::vector<std
 }
 
 void expect_sensible(const FragilityCommand& command) {
-  if (command.hazard.empty() && command.suggests) throw UsageError("--suggest: needs a rate; add --hazard FILE");
+  if (!command.hazard.is_given() && command.suggests) throw UsageError("--suggest: needs a rate; add --hazard FILE");
   if (command.sheet.empty()) return;
-  if (command.hazard.empty()) throw UsageError("--sheet: needs a rate; add --hazard FILE");
+  if (!command.hazard.is_given()) throw UsageError("--sheet: needs a rate; add --hazard FILE");
   if (command.folders.size() > 1) throw UsageError("--sheet: is about one run; name one folder");
   const std::string ending = command.sheet.extension().string();
   if (ending != ".pdf" && ending != ".html") {
@@ -131,8 +132,8 @@ void expect_sensible(const FragilityCommand& command) {
 bool write_sheet(const FragilityCommand& command, const Curves& curves, const FragilityQuestion& question) {
   if (command.sheet.empty()) return true;
   const std::string again =
-      fmt::format("rocking fragility {} --hazard {} --sheet {}", shell_word(command.folders.front()),
-                  shell_word(command.hazard), shell_word(command.sheet.string()));
+      fmt::format("rocking fragility {} {} --sheet {}", shell_word(command.folders.front()), command.hazard.flags(),
+                  shell_word(command.sheet.string()));
   const Written written = rocking::write_sheet(curves.stored, curves.found, *question.hazard, command.sheet, again,
                                                {.stop = &stop_on_interrupt()});
   for (const std::string& reason : written.not_drawn) print_notice(reason);
@@ -144,7 +145,7 @@ ExitCode fragility(FragilityCommand& command) {
   expect_sensible(command);
   if (command.file.is_asked()) command.file.expect_free();
   FragilityQuestion question = command.question;
-  if (!command.hazard.empty()) question.hazard = input_of([&] { return hazard_curve(command.hazard); });
+  question.hazard = command.hazard.read();
   if (!command.metadata.empty()) question.metadata = input_of([&] { return record_metadata(command.metadata); });
   std::vector<StoredRun> finished;
   for (const std::string& folder : command.folders) finished.push_back(finished_run(folder));
@@ -161,6 +162,7 @@ ExitCode fragility(FragilityCommand& command) {
   const std::string table = command.suggests ? suggestions(curves, command.folders)
                                              : fragility_table(report, records, command.execution.extent);
   std::string as_read;
+  if (question.hazard) as_read = fmt::format("hazard: {}\n", hazard_in_words(*question.hazard));
   for (const Curves& each : curves) {
     const std::string of_run = ground_motion_text(each.stored.experiment);
     if (as_read.find(of_run) == std::string::npos) as_read += of_run;
@@ -203,12 +205,7 @@ void add_fragility(CLI::App& app, Action& action) {
       ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->check(CLI::Validator(CLI::Range(1e-9, 1e9)).description(""));
-  command
-      ->add_option("--hazard", request->hazard,
-                   "Hazard curve (CSV: intensity, annual rate of exceedance; its header names the measure): gives the "
-                   "mean annual "
-                   "rate")
-      ->type_name("FILE");
+  request->hazard.add_to(*command, "gives the mean annual rate");
   command
       ->add_option(
           "--metadata", request->metadata,

@@ -13,7 +13,6 @@
 #include "analysis/table_files.hpp"
 #include "page.hpp"
 #include "pages/suite_figures.hpp"
-#include "rocking/api/studies.hpp"
 #include "rocking/output/exponent_table.hpp"
 #include "rocking/output/mode_table.hpp"
 #include "rocking/output/settling_table.hpp"
@@ -59,11 +58,10 @@ ExitCode report_again(const ReportRequest& request) {
   const analysis::FigureLook look = look_for(request.style);
   const RunFolder folder(request.folder);
   const Report report = load_report(folder);
-  if (!request.hazard.empty() && !pages::is_suite(report.swept)) {
+  if (request.hazard.is_given() && !pages::is_suite(report.swept)) {
     throw UsageError("--hazard: " + request.folder + " has no suite of ground motions");
   }
-  std::optional<HazardCurve> hazard;
-  if (!request.hazard.empty()) hazard = input_of([&] { return hazard_curve(request.hazard); });
+  const std::optional<HazardCurve> hazard = request.hazard.read();
   const std::set<std::string> formats(request.formats.begin(), request.formats.end());
   std::vector<std::string> written;
   DrawingFailures of_the_page;

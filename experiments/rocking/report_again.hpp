@@ -5,6 +5,7 @@
 
 #include "drawing.hpp"
 #include "exit_code.hpp"
+#include "hazard_file.hpp"
 #include "output.hpp"
 
 namespace rocking::program {
@@ -13,8 +14,8 @@ namespace rocking::program {
 struct ReportRequest {
   std::string folder;
   std::vector<std::string> formats;  ///< html, csv, gnuplot, latex, text
-  std::string hazard;                ///< file of a hazard curve; empty: none
-  StyleRequest style;                ///< of the figures, not of the page
+  HazardFile hazard;
+  StyleRequest style;  ///< of the figures, not of the page
   Loudness loudness;
 };
 

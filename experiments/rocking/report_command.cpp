@@ -23,10 +23,7 @@ void add_report(CLI::App& app, Action& action) {
       ->delimiter(',')
       ->check(one_of(all_formats))
       ->type_name("LIST");
-  command
-      ->add_option("--hazard", request->hazard,
-                   "Hazard curve, as of `rocking fragility`: page and figures of a suite then tell its annual rates")
-      ->type_name("FILE");
+  request->hazard.add_to(*command, "page and figures of a suite then tell its annual rates");
   add_style(*command, request->style);
   add_loudness(*command, request->loudness);
   command->final_callback([&action, request] { action = [request] { return report_again(*request); }; });

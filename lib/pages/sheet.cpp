@@ -7,6 +7,7 @@
 #include "rocking/api/refuse.hpp"
 #include "rocking/api/run_store.hpp"
 #include "rocking/base/build_info.hpp"
+#include "rocking/output/annual_rate_table.hpp"
 #include "rocking/output/report.hpp"
 #include "rocking/pages.hpp"
 #include "rocking/text/files.hpp"
@@ -63,10 +64,8 @@ Written write_sheet(const StoredRun& stored, const RunFragility& found, const Ha
                                            .suites = std::move(suites),
                                            .comparisons = of_overturning(report),
                                            .hazard = {.file = hazard.name,
-                                                      .points = hazard.points.size(),
-                                                      .first = hazard.points.front().intensity,
-                                                      .last = hazard.points.back().intensity,
-                                                      .is_measure_assumed = hazard.intensity.empty()},
+                                                      .in_words = hazard_in_words(hazard),
+                                                      .periods = measure_periods(stored.experiment)},
                                            .curve_png = std::move(picture),
                                            .program = base::code_identity(),
                                            .command = command});

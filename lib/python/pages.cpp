@@ -54,10 +54,11 @@ void add_pages(py::module_& module) {
                });
              });
   module.def("write_sheet", [](const Experiment& experiment, const RunResult& run, const std::string& hazard,
-                               const std::string& file, unsigned threads) {
+                               std::optional<double> years, std::optional<std::string> imt, const std::string& file,
+                               unsigned threads) {
     return write_watched([&](Execution execution) {
       execution.threads = threads;
-      const FragilityQuestion question{.hazard = hazard_curve(hazard)};
+      const FragilityQuestion question{.hazard = hazard_curve(hazard, {.years = years, .measure = std::move(imt)})};
       const RunFragility found = fragility(experiment, run, question, execution);
       return write_sheet({experiment, run}, found, *question.hazard, file, "rocking.write_sheet", execution);
     });

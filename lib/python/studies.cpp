@@ -41,11 +41,12 @@ std::string bifurcation_text_of(const Experiment& experiment, std::uint64_t real
 }
 
 std::string fragility_text_of(const Experiment& experiment, const RunResult& run, std::vector<double> peak_tilts,
-                              const std::optional<std::string>& hazard, const std::optional<std::string>& metadata,
+                              const std::optional<std::string>& hazard, std::optional<double> years,
+                              std::optional<std::string> imt, const std::optional<std::string>& metadata,
                               bool incremental, unsigned threads, py::object on_progress) {
   FragilityQuestion question{.peak_tilts = std::move(peak_tilts), .incremental = incremental};
   return watch(threads, std::move(on_progress), [&](const Execution& execution) {
-    if (hazard) question.hazard = hazard_curve(*hazard);
+    if (hazard) question.hazard = hazard_curve(*hazard, {.years = years, .measure = std::move(imt)});
     if (metadata) question.metadata = record_metadata(*metadata);
     return fragility_text(fragility(experiment, run, question, execution));
   });

@@ -107,19 +107,19 @@ inline void try_record(std::string_view text) {
   }
 }
 
-/// A hazard curve is refused with its problems, or it falls, and the rate of any block's overturning is between 0 and
+/// A hazard curve is refused with its problems, or it does not rise, and the rate of any block's overturning is between 0 and
 /// that of its first point.
-inline void try_hazard(std::string_view text) {
+inline void try_hazard_with(std::string_view text, const HazardReading& reading) {
   try {
-    const HazardCurve hazard = read_hazard(text, "hazard.csv");
+    const HazardCurve hazard = read_hazard(text, "hazard.csv", reading);
     demand(hazard.points.size() >= 2, "a hazard curve has points");
     for (std::size_t i = 0; i < hazard.points.size(); ++i) {
       const HazardPoint& point = hazard.points[i];
       demand(point.intensity > 0.0 && std::isfinite(point.intensity), "intensities are positive");
-      demand(point.rate > 0.0 && std::isfinite(point.rate), "rates are positive");
+      demand(point.rate >= 0.0 && std::isfinite(point.rate), "rates are not negative");
       if (i == 0) continue;
       demand(point.intensity > hazard.points[i - 1].intensity, "intensities rise");
-      demand(point.rate < hazard.points[i - 1].rate, "rates fall");
+      demand(point.rate <= hazard.points[i - 1].rate, "rates do not rise");
     }
     const std::vector<HazardPiece> pieces = pieces_between(hazard, hazard.points.front().intensity);
     for (const HazardPoint& median : {hazard.points.front(), hazard.points.back()}) {
@@ -132,6 +132,13 @@ inline void try_hazard(std::string_view text) {
   } catch (const base::InputError& error) {
     demand(!error.problems().empty(), "a refusal has a reason");
     for (const base::Problem& problem : error.problems()) demand(!problem.reason.empty(), "a problem has a reason");
+  }
+}
+
+inline void try_hazard(std::string_view text) {
+  for (const std::optional<double>& years : {std::optional<double>(), std::optional(50.0)}) {
+    try_hazard_with(text, {.years = years});
+    try_hazard_with(text, {.years = years, .measure = "scale"});
   }
 }
 

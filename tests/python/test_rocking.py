@@ -7,6 +7,7 @@ import doctest
 import importlib
 import inspect
 import json
+import math
 import multiprocessing
 import os
 import pickle
@@ -218,6 +219,16 @@ class AgainstTheProgram(unittest.TestCase):
         self.assertEqual(len(ours.curves), 2)
         self.assertEqual([curve.annual_rate.data for curve in ours.curves], [c["annual_rate"] for c in theirs["curves"]])
         self.assertEqual(ours.curves[1].event.peak_tilt, 0.5)
+        probabilities = os.path.join(self.folder.name, "poe.csv")
+        with open(probabilities, "w") as file:
+            file.write(f"0.5,{-math.expm1(-0.5)!r}\n20,{-math.expm1(-0.005)!r}\n")
+        ours = rocking.fragility(self.out, hazard=probabilities, years=50, imt="amplitude")
+        self.assertAlmostEqual(ours.curves[0].annual_rate.value, theirs["curves"][0]["annual_rate"]["value"], 12)
+        for wrong in ({}, {"years": 50}, {"imt": "amplitude", "years": 0}):
+            with self.assertRaises(rocking.InputError):
+                rocking.fragility(self.out, hazard=probabilities, **wrong)
+        with self.assertRaises(ValueError):
+            rocking.fragility(self.out, years=50)
         with open(hazard, "w") as file:
             file.write("pga_g,rate\n0.5,1e-2\n20,1e-4\n")
         for wrong in ({"hazard": hazard}, {"peak_tilts": [0.0]}):

@@ -108,6 +108,8 @@ def fragility(
     run: Run,
     peak_tilts: List[float],
     hazard: Optional[str],
+    years: Optional[float],
+    imt: Optional[str],
     metadata: Optional[str],
     incremental: bool,
     threads: int,
@@ -142,7 +144,13 @@ def write_figures(
     experiment: Experiment, run: Run, folder: str, column: int
 ) -> Tuple[List[str], List[str]]: ...
 def write_sheet(
-    experiment: Experiment, run: Run, hazard: str, file: str, threads: int
+    experiment: Experiment,
+    run: Run,
+    hazard: str,
+    years: Optional[float],
+    imt: Optional[str],
+    file: str,
+    threads: int,
 ) -> Tuple[List[str], List[str]]: ...
 def write_tables(experiment: Experiment, run: Run, folder: str) -> Tuple[List[str], List[str]]: ...
 def draw(

@@ -68,12 +68,19 @@ def write_figures(source: Union[Result, _Path], folder: _Path, *, column: str = 
     return _call("write_figures", result.experiment._core, result._core, os.fspath(folder), _number_of(column))
 
 
-def write_sheet(source: Union[Result, _Path], file: _Path, *, hazard: _Path) -> Written:
+def write_sheet(
+    source: Union[Result, _Path],
+    file: _Path,
+    *,
+    hazard: _Path,
+    years: Optional[float] = None,
+    imt: Optional[str] = None,
+) -> Written:
     """Write the answer about a suite of ground motions as one page of A4, as ``rocking fragility --sheet`` does.
 
     source: a Result, or the folder of a run. file: ends with ``.html`` or ``.pdf``; the latter needs WeasyPrint, without
-    which no file is written and ``not_drawn`` says so. hazard: file of a hazard curve. Raises InputError if the run has no
-    suite, otherwise errors as write_page().
+    which no file is written and ``not_drawn`` says so. hazard, years, imt: a hazard curve, as of fragility(). Raises
+    InputError if the run has no suite, otherwise errors as write_page().
 
     >>> import json, math, os, tempfile, rocking
     >>> suite = {"format": "rocking.experiment/1", "block": {"width_m": 0.35, "height_m": 1.6},
@@ -91,9 +98,8 @@ def write_sheet(source: Union[Result, _Path], file: _Path, *, hazard: _Path) -> 
     ['sheet.html']
     """
     result = _complete(source)
-    return _call(
-        "write_sheet", result.experiment._core, result._core, os.fspath(hazard), os.fspath(file), processors()
-    )
+    cores = result.experiment._core, result._core
+    return _call("write_sheet", *cores, os.fspath(hazard), years, imt, os.fspath(file), processors())
 
 
 def write_tables(source: Union[Result, _Path], folder: _Path) -> Written:

@@ -83,6 +83,8 @@ def fragility(
     *,
     peak_tilts: Sequence[float] = (),
     hazard: Union[str, "os.PathLike[str]", None] = None,
+    years: Optional[float] = None,
+    imt: Optional[str] = None,
     metadata: Union[str, "os.PathLike[str]", None] = None,
     incremental: bool = False,
     threads: Optional[int] = None,
@@ -91,8 +93,10 @@ def fragility(
     """Fit the probability of overturning as a function of the swept intensity; a curve for each point of the rest.
 
     source: a Result, the folder of a finished run, or an experiment, which is run first. peak_tilts: also curves of the
-    probability that the peak of abs(Theta) exceeds each. hazard: file of a hazard curve (CSV: intensity, annual rate of
-    exceedance), which gives each curve its ``annual_rate``. metadata: file of magnitudes and distances of records (CSV:
+    probability that the peak of abs(Theta) exceeds each. hazard: file of a hazard curve (CSV: intensity, annual rate or
+    probability of exceedance, named by its first line), which gives each curve its ``annual_rate``. years: of its
+    probabilities, where the file does not state them. imt: its intensity measure, where the file does not name it, such as
+    ``PGA`` or ``SA(0.5)``. metadata: file of magnitudes and distances of records (CSV:
     file, magnitude, distance_km), which says which measures of intensity are sufficient. incremental: also the peak tilt against intensity for each
     record. progress: called with (done, all), of the run and then of the fit. Raises InputError if the experiment sweeps
     no intensity of the excitation or its number of realisations is not fixed.
@@ -108,12 +112,16 @@ def fragility(
     """
     if isinstance(source, (str, os.PathLike)) and os.path.isdir(source):
         source = open_run(source)
+    if hazard is None and (years is not None or imt is not None):
+        raise ValueError("years and imt say how hazard is read: give it, too")
     result = source if isinstance(source, Result) else run(source, threads=threads, progress=progress)
     text = _core.fragility(
         result.experiment._core,
         result._core,
         [float(tilt) for tilt in peak_tilts],
         None if hazard is None else os.fspath(hazard),
+        years,
+        imt,
         None if metadata is None else os.fspath(metadata),
         incremental,
         threads or processors(),

@@ -136,8 +136,8 @@ RunFragility fragility(const Experiment& experiment, const RunResult& run, const
 
 std::string fragility_text(const RunFragility& found) { return fragility_document().text(fragility_report({found})); }
 
-HazardCurve hazard_curve(const std::filesystem::path& file) {
-  return read_hazard(read_file(file, most_hazard_bytes), file.string());
+HazardCurve hazard_curve(const std::filesystem::path& file, const HazardReading& reading) {
+  return read_hazard(read_file(file, most_hazard_bytes), file.string(), reading);
 }
 
 std::vector<RecordMetadata> record_metadata(const std::filesystem::path& file) {

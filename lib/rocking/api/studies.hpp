@@ -56,9 +56,11 @@ struct TrajectoryRequest {
 /// The same as JSON text (`rocking.fragility/1`).
 [[nodiscard]] ROCKING_API std::string fragility_text(const RunFragility& found);
 
-/// Reads a hazard curve: a line `intensity, annual rate of exceedance` for each point. Throws base::InputError with the
+/// Reads a hazard curve: a line with an intensity and its annual rate, or probability, of exceedance for each point; the
+/// first line names both (lib/docs/formats.md). `reading`: what the file leaves open. Throws base::InputError with the
 /// line of a fault, and std::system_error where the file cannot be read.
-[[nodiscard]] ROCKING_API HazardCurve hazard_curve(const std::filesystem::path& file);
+[[nodiscard]] ROCKING_API HazardCurve hazard_curve(const std::filesystem::path& file,
+                                                   const HazardReading& reading = {});
 
 /// The probabilities of a `rare.json` that belong to curves of a run of this experiment, for `FragilityQuestion::rare`:
 /// those > 0 with the same block, motion, horizon and accuracy, at any intensity; of a suite the means over its records.

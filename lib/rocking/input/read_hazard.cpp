@@ -1,13 +1,16 @@
 #include "rocking/input/read_hazard.hpp"
 
-#include <charconv>
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "rocking/base/error.hpp"
-#include "rocking/scene/check_hazard.hpp"
+#include "rocking/base/number_text.hpp"
+#include "rocking/input/hazard_header.hpp"
+#include "rocking/input/hazard_points.hpp"
 
 namespace rocking {
 namespace {
@@ -20,115 +23,109 @@ std::string unquoted(const std::string& field) {
   return is_quoted ? field.substr(1, field.size() - 2) : field;
 }
 
-/// The fields of a line, without the comment and without blanks around them.
+/// The fields of a line, without the comment and without blanks around them: between commas or semicolons if there are
+/// any, else between blanks.
 std::vector<std::string> fields_of(std::string_view line) {
-  std::vector<std::string> fields;
+  constexpr std::string_view blanks = " \t\r";
   line = line.substr(0, line.find('#'));
-  std::string field;
-  bool after_comma = false;
-  const auto end_field = [&] {
-    if (!field.empty() || after_comma) fields.push_back(field);
-    field.clear();
-    after_comma = false;
-  };
-  for (const char c : line) {
-    if (c == ',' || c == ';') {
-      end_field();
-      after_comma = true;
-    } else if (c == ' ' || c == '\t' || c == '\r') {
-      if (!field.empty()) end_field();
-    } else {
-      // A blank before a comma ends the field, and the comma belongs to it.
-      field += c;
-      after_comma = false;
-    }
+  const std::string_view separators = line.find_first_of(",;") == std::string_view::npos ? blanks : ",;";
+  std::vector<std::string> fields;
+  while (true) {
+    const std::size_t end = line.find_first_of(separators);
+    std::string_view field = line.substr(0, end);
+    field.remove_prefix(std::min(field.find_first_not_of(blanks), field.size()));
+    field = field.substr(0, field.find_last_not_of(blanks) + 1);
+    // Blanks side by side separate once.
+    if (!field.empty() || separators != blanks) fields.emplace_back(field);
+    if (end == std::string_view::npos) return fields;
+    line.remove_prefix(end + 1);
   }
-  end_field();
-  return fields;
 }
 
-std::optional<double> hazard_number(const std::string& field) {
-  const char* first = field.data() + (field.starts_with('+') ? 1 : 0);
-  const char* last = field.data() + field.size();
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(first, last, value);
-  if (error != std::errc() || end != last || !std::isfinite(value)) return std::nullopt;
-  return value;
-}
-
-class HazardReader {
+/// Two columns, with or without a header.
+class TwoColumns {
  public:
-  explicit HazardReader(std::string name) { curve_.name = std::move(name); }
+  TwoColumns(std::string name, const HazardReading& reading)
+      : name_(std::move(name)), is_given_years_(reading.years), points_(name_, reading) {}
 
   HazardCurve read(std::string_view text) {
     constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
     if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
-    if (text.size() > most_hazard_bytes) reject_file("more than 10 MB", "is too large for a hazard curve");
-    while (!text.empty() && problems_.size() < most_hazard_problems && curve_.points.size() <= most_hazard_points) {
+    if (text.size() > most_hazard_bytes) reject_file("more than 10 MB");
+    while (!text.empty() && points_.problems() < most_hazard_problems && points_.size() <= most_hazard_points) {
       ++line_;
       const std::size_t end = text.find('\n');
       read_line(text.substr(0, end));
       text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
     }
-    if (curve_.points.size() > most_hazard_points) {
-      reject_file("more than " + std::to_string(most_hazard_points) + " points", "is too large for a hazard curve");
-    }
-    if (problems_.empty() && curve_.points.size() < 2) {
-      problems_.push_back({curve_.name, std::to_string(curve_.points.size()) + " points",
-                           "a hazard curve needs at least two points",
-                           "give a line \"intensity, annual rate of exceedance\" for each"});
-    }
-    if (!problems_.empty()) throw base::InputError(std::move(problems_));
-    return std::move(curve_);
+    if (points_.size() > most_hazard_points) reject_file("more than " + std::to_string(most_hazard_points) + " points");
+    return points_.finish();
   }
 
  private:
-  void reject(const std::string& found, std::string reason, std::string remedy) {
-    problems_.push_back({curve_.name + ", line " + std::to_string(line_), found, std::move(reason), std::move(remedy)});
-  }
+  [[nodiscard]] std::string place() const { return name_ + ", line " + std::to_string(line_); }
 
-  void reject_file(std::string found, std::string reason) {
+  [[noreturn]] void reject_file(std::string found) const {
     throw base::InputError(
-        {.place = curve_.name,
+        {.place = name_,
          .value = std::move(found),
-         .reason = std::move(reason),
+         .reason = "is too large for a hazard curve",
          .remedy = "give at most " + std::to_string(most_hazard_points) +
                    " points: between them the logarithm of the rate is linear in that of the intensity"});
   }
 
   void read_line(std::string_view line) {
     const std::vector<std::string> fields = fields_of(line);
-    if (fields.empty()) return;
+    if (fields.empty() || (fields.size() == 1 && fields.front().empty())) return;
     const bool is_first = std::exchange(is_first_, false);
     if (fields.size() != 2) {
-      return reject(std::string(line.substr(0, 200)), "has not two columns",
-                    "write: intensity, annual rate of exceedance");
+      return points_.reject(place(), std::string(line.substr(0, 200)), "has not two columns",
+                            "write: intensity, annual rate of exceedance");
     }
-    const std::optional<double> intensity = hazard_number(fields[0]);
-    const std::optional<double> rate = hazard_number(fields[1]);
-    if (is_first && !intensity && !rate) {
-      curve_.intensity = unquoted(fields[0]);
-      curve_.header_line = line_;
-      return;
-    }
-    if (!intensity) return reject(fields[0], "is not a number", "give the intensity as a number, 0.25");
-    if (!rate) return reject(fields[1], "is not a number", "give the annual rate of exceedance as a number, 2.1e-3");
-    const HazardPoint point{.intensity = *intensity, .rate = *rate};
-    if (const auto fault = fault_of(point, curve_.points.empty() ? nullptr : &curve_.points.back())) {
-      const bool is_rate = fault->number == &HazardPoint::rate;
-      return reject(fields[is_rate ? 1 : 0], fault->reason, fault->remedy);
-    }
-    curve_.points.push_back(point);
+    if (is_first && !hazard_number(fields[0]) && !hazard_number(fields[1])) return read_header(fields);
+    if (is_first) take_as_flags_say();
+    points_.add(place(), fields[0], fields[1]);
   }
 
-  HazardCurve curve_;
-  std::vector<base::Problem> problems_;
+  void read_header(const std::vector<std::string>& fields) {
+    points_.set_header_line(line_);
+    const std::string first = unquoted(fields[0]), second = unquoted(fields[1]);
+    const bool is_nameless = std::ranges::find(nameless, first) != nameless.end();
+    const std::optional<HazardMeasure> measure = hazard_measure(first);
+    if (!measure && !is_nameless) {
+      points_.reject(place(), first, "is no known intensity measure", HazardPoints::known_measures);
+    } else {
+      points_.set_measure(place(), measure);
+    }
+    const std::optional<HazardKind> kind = hazard_kind(second);
+    if (kind) return points_.set_kind(place(), second, *kind);
+    points_.reject(place(), second, "is neither a rate nor a probability of exceedance",
+                   "call the column annual_rate, or poe with --years T");
+  }
+
+  /// Without a header: a rate, or with --years a probability, of the measure that --imt names.
+  void take_as_flags_say() {
+    points_.set_measure(name_, std::nullopt);
+    points_.set_kind(name_, "", {.is_probability = is_given_years_});
+  }
+
+  static constexpr std::array<std::string_view, 4> nameless{"iml", "intensity", "level", "im"};
+
+  std::string name_;
+  bool is_given_years_;
+  HazardPoints points_;
   std::size_t line_ = 0;
   bool is_first_ = true;
 };
 
 }  // namespace
 
-HazardCurve read_hazard(std::string_view text, const std::string& name) { return HazardReader(name).read(text); }
+HazardCurve read_hazard(std::string_view text, const std::string& name, const HazardReading& reading) {
+  if (reading.years && !(*reading.years > 0.0 && std::isfinite(*reading.years))) {
+    throw base::InputError(
+        {"--years", base::shortest(*reading.years), "must be a positive number of years", "write --years 50"});
+  }
+  return TwoColumns(name, reading).read(text);
+}
 
 }  // namespace rocking

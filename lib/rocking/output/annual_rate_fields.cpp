@@ -40,7 +40,8 @@ const StructType& fields_of(const AnnualRate*) {
                            "what gives the probabilities: the fitted law, or the levels (of a suite: their isotonic "
                            "shares), interpolated"),
       field<&Rate::impossible>("impossible",
-                               "what the same probabilities give below `least_uplift`; not part of `value` [1/year]",
+                               "what the law, or of one motion without a law the interpolated levels, gives below "
+                               "`least_uplift`; not part of `value` [1/year]",
                                rule::not_negative),
       field<&Rate::below_levels>("below_levels",
                                  "part of `value` below the lowest level that can lift the block [1/year]",
@@ -54,8 +55,12 @@ const StructType& fields_of(const AnnualRate*) {
       field<&Rate::rare_below>("rare_below",
                                "below this intensity the rare estimates give the probabilities; absent: there are none",
                                rule::not_negative, WithoutValue::omitted),
-      field<&Rate::is_measure_assumed>("measure_assumed",
-                                       "whether the hazard file does not name its intensity measure"),
+      field<&Rate::extrapolated_hazard>("extrapolated_hazard",
+                                        "share of `value` from beyond the last point of the hazard curve, where it is "
+                                        "continued",
+                                        rule::share),
+      field<&Rate::within_hazard>("within_hazard", "the rest of `value`, without that share [1/year]",
+                                  rule::not_negative),
       field<&Rate::by_level>("by_level", "disaggregation by intensity"),
   };
   return fields;

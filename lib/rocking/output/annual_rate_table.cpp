@@ -21,6 +21,16 @@ std::string range_table(const AnnualRate& rate, const std::string& measure) {
   return "\nannual rate by range of " + measure + '\n' + aligned(rows);
 }
 
+/// What gives the rate below the least uplift: the fitted law, also where it is rejected, or the levels of one motion.
+std::string_view impossible_source_in_words(RateSource source) {
+  switch (source) {
+    case RateSource::law: return "the law gives";
+    case RateSource::levels: return "the interpolated levels give";
+    default: break;
+  }
+  return "the rejected law gives";
+}
+
 /// What the levels leave open, and what lies below the least uplift.
 std::string extrapolation_text(const AnnualRate& rate, std::optional<double> least_uplift) {
   const auto share = [&rate](double part) { return rate.value > 0.0 ? per_cent(part / rate.value) : "0.0"; };
@@ -31,15 +41,15 @@ std::string extrapolation_text(const AnnualRate& rate, std::optional<double> lea
   text += ",\n" + share(rate.below_levels) + " % from those between the least that lifts the block, " +
           significant(*least_uplift, 4) + ", and the lowest level that can lift it\n";
   if (!(rate.impossible > 0.0)) return text;
-  return text + "not counted: " + significant(rate.impossible, 3) +
-         " per year that the same probabilities give below " + significant(*least_uplift, 4) +
+  return text + "not counted: " + significant(rate.impossible, 3) + " per year that " +
+         std::string(impossible_source_in_words(rate.source)) + " below " + significant(*least_uplift, 4) +
          ", where the block is not lifted\n";
 }
 
-std::string estimate_table(const std::vector<RateEstimate>& estimates) {
+std::string estimate_table(const SuiteRate& rate) {
   std::vector<TextRow> rows{{"rate by", "per year", "interval", "years"}};
-  for (const RateEstimate& estimate : estimates) {
-    rows.push_back({source_in_words(estimate.source), significant(estimate.value, 3),
+  for (const RateEstimate& estimate : rate.estimates) {
+    rows.push_back({source_in_words(estimate.source, rate), significant(estimate.value, 3),
                     estimate.interval ? interval_in_words(*estimate.interval) : ".",
                     estimate.value > 0.0 ? years_in_words(1.0 / estimate.value) : "."});
   }
@@ -69,7 +79,14 @@ std::string record_share_text(const SuiteRate& rate) {
   return text;
 }
 
-std::string warning_text(const SuiteRate& rate) {
+/// What is missing at the weak end of the hazard curve.
+std::string beginning_text(const AnnualRate& rate) {
+  if (!(rate.probability_at_first > 0.001)) return "";
+  return "at the lowest intensity of the hazard curve the probability is " + per_cent(rate.probability_at_first) +
+         " %; weaker shaking is not counted: begin the hazard curve at lower intensities\n";
+}
+
+std::string level_warnings(const SuiteRate& rate) {
   std::string text;
   if (!rate.do_estimates_agree()) {
     text += "warning: of the rates by law, isotonic and observed shares " +
@@ -95,6 +112,11 @@ std::string source_in_words(RateSource source) {
     default: break;
   }
   return "observed shares";
+}
+
+std::string source_in_words(RateSource source, const SuiteRate& rate) {
+  const bool is_rejected = source == RateSource::law && rate.chosen.source != RateSource::law;
+  return (is_rejected ? "rejected " : "") + source_in_words(source);
 }
 
 std::string levels_in_words(const std::vector<double>& levels) {
@@ -124,24 +146,38 @@ std::string annual_rate_in_words(const AnnualRate& rate, const FragilityEvent& e
   return text;
 }
 
+std::string extrapolated_hazard_in_words(const AnnualRate& rate) {
+  return per_cent(rate.extrapolated_hazard) + " % of the rate comes from beyond the last point of the hazard curve" +
+         (rate.extrapolated_hazard > 0.0 ? "; without it: " + significant(rate.within_hazard, 3) + " per year" : "");
+}
+
+std::string annual_rate_warnings(const AnnualRate& rate) {
+  const bool is_extrapolated = rate.extrapolated_hazard > most_extrapolated_hazard;
+  return beginning_text(rate) +
+         (is_extrapolated ? "warning: " + extrapolated_hazard_in_words(rate) + "; continue the hazard curve\n" : "");
+}
+
+std::string annual_rate_warnings(const SuiteRate& rate) {
+  return annual_rate_warnings(rate.chosen) + level_warnings(rate);
+}
+
 std::string annual_rate_table(const SuiteRate& rate, const CurveSubject& subject, Extent extent) {
-  return annual_rate_table(rate.chosen, subject, extent) + estimate_table(rate.estimates) + record_share_text(rate) +
-         warning_text(rate);
+  return annual_rate_table(rate.chosen, subject, extent) + estimate_table(rate) + record_share_text(rate) +
+         level_warnings(rate);
 }
 
 std::string annual_rate_table(const AnnualRate& rate, const CurveSubject& subject, Extent extent) {
   const std::string measure = last_key(subject.parameter);
-  std::string text =
-      (extent == Extent::all ? range_table(rate, measure) : "\n") + extrapolation_text(rate, subject.least_uplift);
-  if (rate.probability_at_first > 0.001) {
-    text += "at the lowest intensity of the hazard curve the probability is " + per_cent(rate.probability_at_first) +
-            " %; weaker shaking is not counted: begin the hazard curve at lower intensities\n";
-  }
-  if (rate.is_measure_assumed) {
-    text += "the hazard curve does not name its intensity measure: " + measure +
-            " was assumed; begin its file with the line \"" + measure + ", annual_rate\"\n";
-  }
-  return text;
+  const bool is_extrapolated = rate.extrapolated_hazard > most_extrapolated_hazard;
+  return (extent == Extent::all ? range_table(rate, measure) : "\n") + extrapolation_text(rate, subject.least_uplift) +
+         (is_extrapolated ? "" : extrapolated_hazard_in_words(rate) + '\n') + annual_rate_warnings(rate);
+}
+
+std::string hazard_in_words(const HazardCurve& hazard) {
+  const std::string kind =
+      hazard.years ? "probabilities of exceedance in " + significant(*hazard.years, 6) + " years" : "annual rates";
+  return kind + " of " + hazard.intensity + " at " + std::to_string(hazard.points.size()) + " points from " +
+         significant(hazard.points.front().intensity, 3) + " to " + significant(hazard.points.back().intensity, 3);
 }
 
 }  // namespace rocking

@@ -15,8 +15,20 @@ namespace rocking {
 [[nodiscard]] std::string annual_rate_table(const AnnualRate& rate, const CurveSubject& subject, Extent extent);
 [[nodiscard]] std::string annual_rate_table(const SuiteRate& rate, const CurveSubject& subject, Extent extent);
 
+/// Lines that tell what the rate lacks: hazard at either end, and levels; empty if nothing.
+[[nodiscard]] std::string annual_rate_warnings(const AnnualRate& rate);
+[[nodiscard]] std::string annual_rate_warnings(const SuiteRate& rate);
+
+/// `1.2 % of the rate comes from beyond the last point of the hazard curve; without it: 4.9e-4 per year`.
+[[nodiscard]] std::string extrapolated_hazard_in_words(const AnnualRate& rate);
+
+/// How a hazard curve was read: `annual rates of pga_g at 10 points from 0.05 to 2`.
+[[nodiscard]] std::string hazard_in_words(const HazardCurve& hazard);
+
 /// What gives the probabilities of a rate: `law`, `isotonic shares`.
 [[nodiscard]] std::string source_in_words(RateSource source);
+/// The same of an estimate: `rejected law` where the rate is not by the law.
+[[nodiscard]] std::string source_in_words(RateSource source, const SuiteRate& rate);
 
 /// `0.21,0.34`: the levels to add, as `rocking resume --levels` takes them.
 [[nodiscard]] std::string levels_in_words(const std::vector<double>& levels);

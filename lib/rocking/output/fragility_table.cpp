@@ -242,6 +242,37 @@ std::string reasons_in(const FragilityReport& report) {
   return text;
 }
 
+/// The name of a curve in the summary.
+template <class Reported>
+std::string curve_name(const Reported& reported) {
+  const std::string values = values_of(reported.curve.subject.others);
+  return values.empty() ? reported.run.title : values;
+}
+
+/// What the rates of the curves lack, each line with the curve to which it belongs, as many as fit a screen.
+std::string warnings_in(const FragilityReport& report) {
+  std::vector<std::string> all;
+  for (const auto& curve : report.curves) {
+    std::visit(
+        [&all](const auto& reported) {
+          if (!reported.rate) return;
+          const FragilityEvent& event = reported.curve.subject.event;
+          const std::string name =
+              curve_name(reported) + (event.peak_tilt ? ", " + column_of(event) : std::string()) + ": ";
+          std::string lines = annual_rate_warnings(*reported.rate);
+          for (std::size_t end = lines.find('\n'); end != std::string::npos; end = lines.find('\n')) {
+            all.push_back(name + lines.substr(0, end + 1));
+            lines.erase(0, end + 1);
+          }
+        },
+        curve);
+  }
+  std::string text;
+  for (std::size_t i = 0; i < std::min(all.size(), most_screen_rows); ++i) text += all[i];
+  if (all.size() <= most_screen_rows) return text;
+  return text + std::to_string(all.size() - most_screen_rows) + " more such lines: --all\n";
+}
+
 /// A row for each curve, in the units of its sweep.
 std::string summary_of(const FragilityReport& report) {
   std::vector<TextRow> rows{{"curve", "event", "median", "dispersion", "per year", "years"}};
@@ -249,8 +280,7 @@ std::string summary_of(const FragilityReport& report) {
     std::visit(
         [&rows](const auto& reported) {
           const CurveSubject& subject = reported.curve.subject;
-          const std::string values = values_of(subject.others);
-          TextRow row{values.empty() ? reported.run.title : values, column_of(subject.event)};
+          TextRow row{curve_name(reported), column_of(subject.event)};
           const TextRow law = law_cells(reported.curve);
           row.insert(row.end(), law.begin(), law.end());
           const AnnualRate* rate = rate_of(reported);
@@ -262,7 +292,8 @@ std::string summary_of(const FragilityReport& report) {
   }
   const std::size_t all = rows.size();
   rows.resize(std::min(all, most_screen_rows));
-  return "curves, median and dispersion in the units of the sweep\n" + aligned(rows) + reasons_in(report);
+  return "curves, median and dispersion in the units of the sweep\n" + aligned(rows) + reasons_in(report) +
+         warnings_in(report);
 }
 
 /// A warning for each run whose suite lacks records.

@@ -11,16 +11,19 @@ namespace rocking {
 std::optional<HazardFault> fault_of(const HazardPoint& point, const HazardPoint* before) {
   constexpr auto intensity = &HazardPoint::intensity;
   constexpr auto rate = &HazardPoint::rate;
-  const auto is_positive = [](double number) { return number > 0.0 && std::isfinite(number); };
-  if (!is_positive(point.intensity)) return HazardFault{intensity, "must be positive", "give an intensity above 0"};
-  if (!is_positive(point.rate)) return HazardFault{rate, "must be positive", "give a rate above 0, or omit the line"};
+  if (!(point.intensity > 0.0 && std::isfinite(point.intensity))) {
+    return HazardFault{intensity, "must be positive", "give an intensity above 0"};
+  }
+  if (!(point.rate >= 0.0 && std::isfinite(point.rate))) {
+    return HazardFault{rate, "must not be negative", "give a rate of at least 0"};
+  }
   if (before == nullptr) return std::nullopt;
   if (!(point.intensity > before->intensity)) {
     return HazardFault{intensity, "is not above the intensity before it", "sort the lines by growing intensity"};
   }
-  if (!(point.rate < before->rate)) {
-    return HazardFault{rate, "is not below the rate before it: a stronger intensity is exceeded less often",
-                       "give rates of exceedance per year, which fall with the intensity"};
+  if (!(point.rate <= before->rate)) {
+    return HazardFault{rate, "is above the number before it: a stronger intensity is exceeded less often",
+                       "give rates or probabilities of exceedance, which do not rise with the intensity"};
   }
   return std::nullopt;
 }
@@ -37,12 +40,22 @@ std::vector<base::Problem> problems_of(const HazardCurve& hazard) {
     }
     before = &point;
   }
-  if (hazard.points.size() < 2) {
-    problems.push_back({"hazard/points", std::to_string(hazard.points.size()) + " points",
-                        "a hazard curve needs at least two points",
-                        "give intensity and annual rate of exceedance for each"});
+  if (auto problem = problem_of_whole(hazard); problem && problems.empty()) {
+    problem->place = "hazard/points";
+    problems.push_back(*std::move(problem));
   }
   return problems;
+}
+
+std::optional<base::Problem> problem_of_whole(const HazardCurve& hazard) {
+  if (hazard.points.size() < 2) {
+    return base::Problem{hazard.name, std::to_string(hazard.points.size()) + " points",
+                         "a hazard curve needs at least two points",
+                         "give a line \"intensity, annual rate of exceedance\" for each"};
+  }
+  if (hazard.points.back().rate < hazard.points.front().rate) return std::nullopt;
+  return base::Problem{hazard.name, "", "has the same rate of exceedance at all intensities",
+                       "give stronger intensities, which are exceeded less often"};
 }
 
 }  // namespace rocking

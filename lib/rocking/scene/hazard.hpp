@@ -10,16 +10,27 @@ namespace rocking {
 /// A point of a hazard curve.
 struct HazardPoint {
   double intensity = 0.0;  ///< > 0, in the unit of the fragility function
-  double rate = 0.0;       ///< annual rate at which this intensity is exceeded [1/year], > 0
+  double rate = 0.0;       ///< annual rate at which this intensity is exceeded [1/year], >= 0
 };
 
-/// A hazard curve: the logarithm of the rate is linear in that of the intensity between points, and continues the last
-/// two beyond the last. Nothing is known below the first point. At least two points; intensities rise and rates fall.
+/// A hazard curve: the logarithm of the rate is linear in that of the intensity between points. Beyond the last point it
+/// continues as on the last piece on which the rate falls; a rate of 0 ends the curve, and up to there it continues in
+/// the same way. Nothing is known below the first point. At least two points; intensities rise, rates do not, and the
+/// last rate is below the first.
 struct HazardCurve {
   std::string name;             ///< of its file
-  std::string intensity;        ///< measure that its header names; empty: it has no header
-  std::size_t header_line = 0;  ///< of the file, from 1
+  std::string intensity;        ///< its measure, as a run names its own: `pga_g`, `sa_g[0.5]`, `avgsa_g[0.2-2]`
+  std::size_t header_line = 0;  ///< of the file, from 1; 0: it has none
   std::vector<HazardPoint> points;
+  /// The file holds probabilities of exceedance in this time [years], from which the rates follow; absent: rates.
+  std::optional<double> years = std::nullopt;
+};
+
+/// What is said of a hazard file beside its text.
+struct HazardReading {
+  std::optional<double> years = std::nullopt;  ///< of its probabilities of exceedance, where it does not state it
+  std::optional<std::string> measure =
+      std::nullopt;  ///< of its intensities, where it does not name it: `PGA`, `sa_g[1]`
 };
 
 /// What is known of the earthquake of a record.

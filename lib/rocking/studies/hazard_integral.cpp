@@ -64,8 +64,26 @@ double rise_on(const HazardPiece& piece, const LognormalCapacity& capacity) {
 /// Integral of P |dH| over a part of a piece with P = p + slope (y - low).
 double rate_on_line(const HazardPiece& part, double p, double slope) {
   const double fall = part.rate_low - part.rate_high;
-  if (slope == 0.0) return p * fall;
-  return p * fall + slope * (fall / part.exponent - part.rate_high * (part.high - part.low));
+  if (slope == 0.0 || !(fall > 0.0)) return p * fall;
+  const double length = part.high - part.low;
+  // Between 0 and fall times length; where the rate hardly falls, only rounding would exceed that.
+  const double moment = std::clamp(fall / part.exponent - part.rate_high * length, 0.0, fall * length);
+  return p * fall + slope * moment;
+}
+
+/// Whether a piece has a part between two intensities. Points whose logarithms are equal make a piece without length, on
+/// which the rate falls all the same; it belongs to what begins there.
+bool has_part(const HazardPiece& piece, double low, double high) {
+  return piece.low < high && (low <= piece.low || low < piece.high);
+}
+
+/// What follows a point with this rate: the same fall as before, and, if the curve ends at an intensity, the rest there.
+std::vector<HazardPiece> continuation(const HazardPoint& last, double exponent, std::optional<double> end) {
+  const double low = std::log(last.intensity);
+  if (!end) return {{low, infinity, last.rate, 0.0, exponent}};
+  const double high = std::log(*end);
+  const double rest = low < high ? last.rate * std::exp(-exponent * (high - low)) : last.rate;
+  return {{low, high, last.rate, rest, exponent}, {high, high, rest, 0.0, infinity}};
 }
 
 }  // namespace
@@ -82,22 +100,28 @@ std::vector<HazardPiece> pieces_between(const HazardCurve& hazard, double from, 
   const double high = to ? std::log(*to) : infinity;
   std::vector<HazardPiece> pieces;
   const auto add = [&](HazardPiece piece) {
-    // Points whose logarithms are equal make a piece without length, on which the rate falls all the same.
-    const bool begins_within = low <= piece.low;
-    if (!(piece.low < high && (begins_within || low < piece.high))) return;
+    if (!has_part(piece, low, high)) return;
     cut(piece, low, high);
     pieces.push_back(piece);
   };
-  for (std::size_t i = 0; i + 1 < hazard.points.size(); ++i) add(piece_from(hazard.points[i], hazard.points[i + 1]));
-  const HazardPiece last = piece_from(hazard.points[hazard.points.size() - 2], hazard.points.back());
-  add({last.high, infinity, last.rate_high, 0.0, last.exponent});
+  const auto& points = hazard.points;
+  const auto end = std::ranges::find(points, 0.0, &HazardPoint::rate);
+  ROCKING_EXPECT(end != points.begin());
+  double exponent = 0.0;  // of the last piece on which the rate falls
+  for (auto point = points.begin(); point + 1 < end; ++point) {
+    const HazardPiece piece = piece_from(*point, *(point + 1));
+    if (piece.exponent > 0.0) exponent = piece.exponent;
+    add(piece);
+  }
+  const auto ends_at = end == points.end() ? std::nullopt : std::optional(end->intensity);
+  for (const HazardPiece& piece : continuation(*(end - 1), exponent, ends_at)) add(piece);
   return pieces;
 }
 
 std::vector<HazardPiece> pieces_within(const std::vector<HazardPiece>& pieces, double low, double high) {
   std::vector<HazardPiece> within;
   for (HazardPiece piece : pieces) {
-    if (!(piece.low < high && low < piece.high)) continue;
+    if (!has_part(piece, low, high)) continue;
     cut(piece, low, high);
     within.push_back(piece);
   }

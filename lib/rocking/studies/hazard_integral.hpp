@@ -10,10 +10,10 @@ namespace rocking {
 /// A part of a hazard curve on which the rate of exceedance is H(y) = rate_low exp(-exponent (y - low)), y = ln x.
 struct HazardPiece {
   double low = 0.0;
-  double high = 0.0;  ///< infinite beyond the last point
+  double high = 0.0;  ///< infinite beyond the last point, unless the rate is 0 there
   double rate_low = 0.0;
   double rate_high = 0.0;
-  double exponent = 0.0;  ///< > 0
+  double exponent = 0.0;  ///< >= 0; infinite where the rate falls at one intensity
 
   [[nodiscard]] double rate_at(double y) const;
 };

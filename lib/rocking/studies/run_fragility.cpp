@@ -22,18 +22,6 @@ std::vector<double> measure_periods(const Scene& scene) {
   return recorded == nullptr ? std::vector<double>() : recorded->measure_periods;
 }
 
-/// `sa_g[0.5]` and `avgsa_g[0.2-2]`: a measure with its periods, as the header of a hazard curve may name it. Empty without
-/// periods that the file of the experiment states.
-std::string with_periods(const std::string& measure, const Scene& scene) {
-  const std::vector<double> periods = measure_periods(scene);
-  if (periods.empty() || measure == "sa_p_g") return "";
-  std::string text = measure + '[';
-  for (const double period : periods) {
-    text += (text.ends_with('[') ? "" : "-") + base::shortest(period);
-  }
-  return text + ']';
-}
-
 /// Throws where conditions have different periods: a hazard curve is that of one spectral acceleration.
 void check_one_period(const HazardCurve& hazard, const Experiment& experiment) {
   const std::vector<double> first = measure_periods(experiment.conditions.front().scene);
@@ -48,19 +36,19 @@ void check_one_period(const HazardCurve& hazard, const Experiment& experiment) {
                           .where = {}});
 }
 
-/// Throws where the header of the hazard curve names another intensity measure than that of the run.
-void check_intensity(const HazardCurve& hazard, std::string_view parameter, const Scene& scene) {
-  const std::string own(parameter.substr(parameter.rfind('/') + 1));
-  if (hazard.intensity.empty() || hazard.intensity == own || hazard.intensity == parameter) return;
-  const std::string in_full = with_periods(own, scene);
-  if (hazard.intensity == in_full) return;
-  throw base::InputError(
-      {.place = hazard.name + ", line " + std::to_string(hazard.header_line),
-       .value = hazard.intensity,
-       .reason = "is not the intensity measure of the run, which is " + (in_full.empty() ? own : in_full),
-       .remedy = "give a hazard curve in " + own + " with the header \"" + own +
-                 ", annual_rate\", or a run that sweeps " + hazard.intensity,
-       .where = {}});
+/// Throws where the hazard curve is one of another intensity measure than that of the run.
+void check_intensity(const HazardCurve& hazard, const Experiment& experiment) {
+  const std::string own = swept_measure(experiment);
+  if (hazard.intensity == own) return;
+  const bool lacks_period = own.starts_with(hazard.intensity + '[');
+  const std::string line = hazard.header_line == 0 ? "" : ", line " + std::to_string(hazard.header_line);
+  throw base::InputError({.place = hazard.name + line,
+                          .value = hazard.intensity,
+                          .reason = lacks_period ? "does not state its period; the run sweeps " + own
+                                                 : "is not the intensity measure of the run, which is " + own,
+                          .remedy = "give a hazard curve in " + own + " with the header \"" + own + ", annual_rate\"" +
+                                    (lacks_period ? "" : ", or a run that sweeps " + hazard.intensity),
+                          .where = {}});
 }
 
 /// The parts of all curves, and how far they are.
@@ -146,10 +134,24 @@ void add_curve(const StripeGroup& group, const FragilityEvent& event, const Frag
 
 }  // namespace
 
+std::vector<double> measure_periods(const Experiment& experiment) {
+  return measure_periods(experiment.conditions.front().scene);
+}
+
+std::string swept_measure(const Experiment& experiment) {
+  const std::string_view pointer = intensity_of(experiment);
+  std::string text(pointer.substr(pointer.rfind('/') + 1));
+  // The period of Sa(2 pi/p) follows from the block.
+  if (text == "sa_p_g") return text;
+  const std::vector<double> periods = measure_periods(experiment);
+  for (std::size_t i = 0; i < periods.size(); ++i) text += (i == 0 ? '[' : '-') + base::shortest(periods[i]);
+  return periods.empty() ? text : text + ']';
+}
+
 RunFragility run_fragility(const Experiment& experiment, const std::vector<StripeGroup>& groups,
                            const FragilityQuestion& question, const RunOptions& options) {
   if (question.hazard) {
-    check_intensity(*question.hazard, intensity_of(experiment), experiment.conditions.front().scene);
+    check_intensity(*question.hazard, experiment);
     check_one_period(*question.hazard, experiment);
   }
   std::vector<FragilityEvent> events(1);  // overturning

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -40,7 +41,8 @@ struct AnnualRate {
   double value = 0.0;                       ///< [1/year]
   std::optional<stats::Interval> interval;  ///< of the uncertainty of the probabilities; the hazard is taken as exact
   RateSource source = RateSource::law;
-  /// What the same probabilities give below the least intensity that lifts the block; not part of `value` [1/year].
+  /// What the law, or the levels of one motion without a law, gives below the least intensity that lifts the block; not
+  /// part of `value` [1/year].
   double impossible = 0.0;
   double below_levels = 0.0;          ///< the part of `value` below the lowest level that can lift the block [1/year]
   std::vector<RateInRange> by_level;  ///< between neighbouring levels, and beyond them; by growing intensity
@@ -48,7 +50,8 @@ struct AnnualRate {
   double probability_at_first = 0.0;  ///< at the lowest intensity of the hazard curve, below which nothing is counted
   /// Below this intensity rare estimates give the probabilities, on a probit scale linear in ln x; absent: nowhere.
   std::optional<double> rare_below;
-  bool is_measure_assumed = false;  ///< the hazard curve does not name its intensity measure
+  double extrapolated_hazard = 0.0;  ///< share of `value` from beyond the last point of the hazard curve
+  double within_hazard = 0.0;        ///< the rest of `value` [1/year]
 };
 
 /// A rate of a suite by one way of taking the probabilities from its outcomes.
@@ -67,6 +70,7 @@ struct RateOfRecord {
 };
 
 /// Shares of the rate, and differences of its estimates, that are not reported without a warning.
+inline constexpr double most_extrapolated_hazard = 0.05;
 inline constexpr double most_undecided_share = 0.05;
 inline constexpr double most_disagreement = 0.15;
 
@@ -108,6 +112,12 @@ struct RateComparison {
 
 /// Of a suite. The intervals are those of its bootstrap samples over records.
 [[nodiscard]] SuiteRate annual_rate(const SuiteCurve& curve, const HazardCurve& hazard);
+
+/// The swept intensity with the periods that the experiment states, as a hazard curve names it: `sa_g[0.5]`; empty if
+/// none is swept.
+[[nodiscard]] std::string swept_measure(const Experiment& experiment);
+/// The periods of the spectral acceleration that is swept [s]; empty: none.
+[[nodiscard]] std::vector<double> measure_periods(const Experiment& experiment);
 
 struct RunOptions;
 

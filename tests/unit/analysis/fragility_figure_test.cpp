@@ -106,6 +106,32 @@ TEST(SuiteFigure, ShowsTheObservedSharesWithoutALawToo) {
   ASSERT_NE(points, nullptr);
 }
 
+// What is tabulated and drawn is what the rate takes.
+TEST(SuiteFigure, OfARejectedLawHasTheIsotonicSharesAndNoProbabilityByTheLaw) {
+  ReportedSuite reported = suite(overturning_event);
+  reported.curve.outcome = rocking::stats::FragilityOutcome::rejected;
+  for (SuiteLevel& level : reported.curve.levels) {
+    level.isotonic = 0.4 * level.intensity;
+    level.isotonic_band = {.low = 0.3 * level.intensity, .high = 0.5 * level.intensity};
+  }
+  const Figure figure = figure_of(reported);
+  for (const Table& table : figure.tables) {
+    for (const auto& column : table.columns) EXPECT_EQ(column.meaning.find("law"), std::string::npos) << column.name;
+  }
+  const Layer* ribbon = layer_of(figure, LayerKind::ribbon);
+  ASSERT_NE(ribbon, nullptr);
+  const auto is_line = [](const Layer& layer) { return layer.legend == "overturned, all records"; };
+  const auto line = std::ranges::find_if(figure.panels.front().layers, is_line);
+  ASSERT_NE(line, figure.panels.front().layers.end());
+  const Table& shares = figure.tables[line->table];
+  ASSERT_EQ(shares.rows.size(), reported.curve.levels.size());
+  for (const auto& row : shares.rows) {
+    EXPECT_EQ(number(row[line->columns[1]]), 0.4 * number(row[0]));
+    EXPECT_EQ(number(row[ribbon->columns[1]]), 0.3 * number(row[0]));
+    EXPECT_EQ(number(row[ribbon->columns[2]]), 0.5 * number(row[0]));
+  }
+}
+
 TEST(SuiteFigure, CallsAProbabilityByItsEvent) {
   EXPECT_EQ(figure_of(suite(overturning_event)).panels[0].y.quantity, "probability of overturning");
   const Figure of_tilt = figure_of(suite(tilt_event));

@@ -124,6 +124,57 @@ TEST(AnnualRate, OfLevelsOrOfOneMotionIsCutAtTheLeastUpliftToo) {
   }
 }
 
+// The hazard curve ends at 0.2 g, and the block lifts at 0.25 g: the whole rate is from beyond the curve.
+TEST(AnnualRate, SaysWhatComesFromBeyondTheHazardCurve) {
+  SuiteCurve curve = suite_with(1.0, 0.3, 0.2);
+  const double whole = rate_by_law(curve).value;
+  const HazardCurve up_to_one{.name = "", .intensity = "", .header_line = 0, .points = {{0.01, 10.0}, {1.0, 1e-3}}};
+  const AnnualRate half = annual_rate(curve, up_to_one).chosen;
+  EXPECT_NEAR(half.value, whole, 1e-12 * whole);
+  // The law beyond x = 1: exp(2 s^2) Phi(-2 s) + 1/2 times H(1), by parts.
+  const double s = std::sqrt(0.13);
+  const double beyond = 1e-3 * (0.5 + std::exp(2.0 * s * s) * 0.5 * std::erfc(2.0 * s / std::sqrt(2.0)));
+  EXPECT_NEAR(half.extrapolated_hazard, beyond / whole, 1e-12);
+  EXPECT_NEAR(half.within_hazard, whole - beyond, 1e-12 * whole);
+  curve.subject.least_uplift = 0.25;
+  const HazardCurve weak{.name = "", .intensity = "", .header_line = 0, .points = {{0.01, 10.0}, {0.2, 0.025}}};
+  const AnnualRate none = annual_rate(curve, weak).chosen;
+  EXPECT_GT(none.value, 0.0);
+  EXPECT_EQ(none.extrapolated_hazard, 1.0);
+  EXPECT_EQ(none.within_hazard, 0.0);
+  // A rate of 0 at the last point ends the hazard.
+  const HazardCurve ended{
+      .name = "", .intensity = "", .header_line = 0, .points = {{0.01, 10.0}, {1.0, 1e-3}, {2.0, 0.0}}};
+  const AnnualRate known = annual_rate(curve, ended).chosen;
+  EXPECT_EQ(known.extrapolated_hazard, 0.0);
+  EXPECT_EQ(known.within_hazard, known.value);
+}
+
+TEST(AnnualRate, OfOneMotionSaysWhatComesFromBeyondTheHazardCurve) {
+  std::vector<stats::IntensityLevel> levels;
+  for (const double x : {0.5, 1.0, 2.0}) levels.push_back({.intensity = x, .happened = std::vector<bool>(20, x > 1.5)});
+  const FragilityCurve curve = fragility_curve(levels, 0.95, 1);
+  const HazardCurve up_to_two{.name = "", .intensity = "", .header_line = 0, .points = {{0.01, 10.0}, {2.0, 2.5e-4}}};
+  const AnnualRate rate = annual_rate(curve, up_to_two);
+  EXPECT_NEAR(rate.extrapolated_hazard, 2.5e-4 / rate.value, 1e-12);  // all realisations overturn beyond
+  EXPECT_NEAR(rate.within_hazard, rate.value - 2.5e-4, 1e-15);
+}
+
+TEST(AnnualRate, OfOneMotionDoesNotRiseWhereHazardIsTakenAway) {
+  std::vector<stats::IntensityLevel> levels;
+  for (const double x : {0.5, 1.0, 2.0}) levels.push_back({.intensity = x, .happened = std::vector<bool>(20, x > 0.7)});
+  FragilityCurve curve = fragility_curve(levels, 0.95, 1);
+  curve.subject.least_uplift = 0.4;
+  double before = annual_rate(curve, power_law()).value;
+  for (double cut = 0.02; cut < 9.0; cut *= 1.07) {
+    const HazardCurve less{
+        .name = "", .intensity = "", .header_line = 0, .points = {{cut, 1e-3 / (cut * cut)}, {10.0, 1e-5}}};
+    const double after = annual_rate(curve, less).value;
+    EXPECT_LE(after, before * (1.0 + 1e-12)) << cut;
+    before = after;
+  }
+}
+
 TEST(AnnualRate, WithoutAFunctionLiesBetweenTheRatesThatItsLevelsAllow) {
   std::vector<stats::IntensityLevel> levels;
   for (const double x : {0.5, 1.0, 2.0}) levels.push_back({.intensity = x, .happened = std::vector<bool>(20, x > 1.5)});

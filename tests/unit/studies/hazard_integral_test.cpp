@@ -110,6 +110,70 @@ TEST(HazardIntegral, TakesNeighbouringNumbersAsIntensities) {
   }
 }
 
+/// With a sample of the intensities at which events happen: of equally likely events between each two rates.
+double by_events(const HazardCurve& hazard, const LognormalCapacity& capacity) {
+  constexpr int count = 200000;
+  const std::vector<HazardPiece> pieces = pieces_between(hazard, hazard.points.front().intensity);
+  double sum = 0.0;
+  for (int i = 0; i < count; ++i) {
+    const double rate = hazard.points.front().rate * (i + 0.5) / count;
+    for (const HazardPiece& piece : pieces) {
+      if (!(piece.rate_high < rate && rate <= piece.rate_low)) continue;
+      const double fall = std::log(piece.rate_low / rate);
+      sum += capacity.probability(piece.low + (piece.low < piece.high ? fall / piece.exponent : 0.0));
+    }
+  }
+  return sum * hazard.points.front().rate / count;
+}
+
+TEST(HazardIntegral, CountsNothingWhereNeighbouringRatesAreEqual) {
+  const LognormalCapacity capacity{.centre = std::log(0.4), .dispersion = 0.35};
+  const HazardCurve flat = curve({{0.1, 1e-2}, {0.3, 1e-3}, {0.5, 1e-3}, {1.0, 1e-4}});
+  const double parts = rate_of(capacity, pieces_between(curve({{0.1, 1e-2}, {0.3, 1e-3}}), 0.1, 0.3)) +
+                       rate_of(capacity, pieces_between(curve({{0.5, 1e-3}, {1.0, 1e-4}}), 0.5));
+  EXPECT_NEAR(rate_of(capacity, pieces_between(flat, 0.1)), parts, 1e-15);
+  EXPECT_NEAR(by_events(flat, capacity), parts, 1e-4 * parts);
+  const KnownProbabilities known{
+      .y = {std::log(0.1), std::log(1.0)}, .probabilities = {0.0, 1.0}, .between = Between::linear};
+  // Neighbours that differ by rounding only add nothing but rounding.
+  for (const double next : {1e-3, std::nextafter(1e-3, 0.0), 1e-3 * (1.0 - 1e-12)}) {
+    const HazardCurve near = curve({{0.3, 1e-3}, {0.5, next}, {1.0, 1e-4}});
+    EXPECT_NEAR(rate_of(known, pieces_between(near, 0.3, 0.5)), 0.0, 1e-15) << next;
+  }
+}
+
+// The last piece on which the rate falls is continued also where equal rates follow it.
+TEST(HazardIntegral, ContinuesTheLastFallBeyondTheLastPoint) {
+  const LognormalCapacity capacity{.centre = std::log(4.0), .dispersion = 0.35};
+  const HazardCurve flat = curve({{0.1, 1e-2}, {1.0, 1e-4}, {2.0, 1e-4}});
+  EXPECT_NEAR(rate_of(capacity, pieces_between(flat, 2.0)),
+              rate_of(capacity, pieces_between(curve({{0.2, 1e-2}, {2.0, 1e-4}}), 2.0)), 1e-18);
+}
+
+// Up to the point of rate 0 the curve continues as before; what is left happens there, and nothing beyond.
+TEST(HazardIntegral, EndsWhereTheRateIsZero) {
+  const LognormalCapacity capacity{.centre = std::log(0.4), .dispersion = 0.35};
+  const HazardCurve open = curve({{0.1, 1e-2}, {1.0, 1e-4}});
+  const HazardCurve ended = curve({{0.1, 1e-2}, {1.0, 1e-4}, {2.0, 0.0}, {3.0, 0.0}});
+  const double expected =
+      rate_of(capacity, pieces_between(open, 0.1, 2.0)) + 1e-4 / 4.0 * capacity.probability(std::log(2.0));
+  EXPECT_NEAR(rate_of(capacity, pieces_between(ended, 0.1)), expected, 1e-15);
+  EXPECT_NEAR(by_events(ended, capacity), expected, 1e-4 * expected);
+  EXPECT_LT(expected, rate_of(capacity, pieces_between(open, 0.1)));
+  // Parts add up wherever they are cut, also at the end itself.
+  const KnownProbabilities all{.y = {0.0}, .probabilities = {1.0}, .between = Between::linear};
+  for (const double at : {0.5, 1.0, 1.5, 2.0, 2.5}) {
+    const double sum = rate_of(all, pieces_between(ended, 0.1, at)) + rate_of(all, pieces_between(ended, at));
+    EXPECT_NEAR(sum, 1e-2, 1e-17) << at;
+    const auto pieces = pieces_between(ended, 0.1);
+    EXPECT_NEAR(rate_of(all, pieces_within(pieces, -HUGE_VAL, std::log(at))) +
+                    rate_of(all, pieces_within(pieces, std::log(at), HUGE_VAL)),
+                1e-2, 1e-17)
+        << at;
+  }
+  EXPECT_TRUE(pieces_between(ended, 2.5).empty());
+}
+
 TEST(HazardIntegral, TakesTheLeastAndTheLargestNumbers) {
   const LognormalCapacity capacity{.centre = 0.0, .dispersion = 0.35};
   for (const HazardCurve& hazard : {curve({{1e-308, 1e-2}, {1e308, 1e-3}}), curve({{0.1, 1e300}, {1.0, 1e-300}}),

@@ -311,5 +311,48 @@ TEST(Undecided, SuggestsNumbersWithFewDigitsInsideARange) {
   EXPECT_EQ(inside(0.2501, 0.2509), 0.2505);
 }
 
+/// The hazard without what is weaker than an intensity.
+HazardCurve without_below(double intensity) {
+  HazardCurve cut = hazard();
+  std::erase_if(cut.points, [&](const HazardPoint& point) { return point.intensity <= intensity; });
+  cut.points.insert(cut.points.begin(), {intensity, hazard_at(intensity)});
+  if (cut.points.size() == 1) cut.points.push_back({2.0 * intensity, hazard_at(2.0 * intensity)});
+  return cut;
+}
+
+std::vector<double> rates_with(const SuiteCurve& suite, const HazardCurve& hazard) {
+  const SuiteRate rate = annual_rate(suite, hazard);
+  std::vector<double> rates{rate.chosen.value};
+  for (const RateEstimate& each : rate.estimates) rates.push_back(each.value);
+  return rates;
+}
+
+// Around the least uplift, where the shares begin at 0 whether the hazard begins above or below, and at random places.
+TEST(SuiteRate, DoesNotRiseWhereHazardIsTakenAway) {
+  SuiteCurve isotonic = curve();
+  isotonic.outcome = stats::FragilityOutcome::rejected;
+  SuiteCurve anywhere = curve();
+  anywhere.subject.least_uplift.reset();
+  std::vector<double> cuts{0.1001, uplift * (1.0 - 1e-3), uplift, uplift * (1.0 + 1e-3), 0.25, 0.3, 0.95, 3.0};
+  std::uint64_t state = 63;
+  for (int i = 0; i < 30; ++i) {
+    state = 6364136223846793005ULL * state + 1442695040888963407ULL;
+    cuts.push_back(0.1 * std::exp(3.0 * static_cast<double>(state >> 11) * 0x1p-53));
+  }
+  std::ranges::sort(cuts);
+  for (const SuiteCurve& suite : {curve(), isotonic, anywhere, with_rare(unlike)}) {
+    std::vector<double> before = rates_with(suite, hazard());
+    for (const double cut : cuts) {
+      const std::vector<double> after = rates_with(suite, without_below(cut));
+      for (std::size_t k = 0; k < after.size(); ++k) EXPECT_LE(after[k], before[k] * (1.0 + 1e-12)) << cut << ' ' << k;
+      before = after;
+    }
+  }
+  // Just above the least uplift hardly anything is taken away.
+  const auto below = rates_with(isotonic, without_below(uplift * (1.0 - 1e-6)));
+  const auto above = rates_with(isotonic, without_below(uplift * (1.0 + 1e-6)));
+  for (std::size_t k = 0; k < above.size(); ++k) EXPECT_NEAR(above[k], below[k], 1e-4 * below[k]) << k;
+}
+
 }  // namespace
 }  // namespace rocking

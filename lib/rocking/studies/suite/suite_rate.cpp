@@ -47,7 +47,7 @@ class SharesAndHazard {
       : hazard_(counted.hazard),
         tail_(tail),
         start_(counted.start),
-        starts_at_zero_(counted.first < counted.start),
+        least_uplift_(counted.least_uplift),
         pieces_(counted.pieces()) {
     const std::vector<double>& all = shares.intensities();
     skipped_ = all.size() - (counted.levels.size() - tail.size());
@@ -101,11 +101,12 @@ class SharesAndHazard {
   }
 
  private:
-  /// Linear in ln x; 0 at the least uplift where that is known, and beyond the levels as at the last one.
+  /// Linear in ln x; 0 at the least uplift where that is known, wherever the hazard begins, and beyond the levels as at
+  /// the last one.
   [[nodiscard]] KnownProbabilities known(const std::vector<double>& shares) const {
     KnownProbabilities found;
-    const bool has_zero = starts_at_zero_ && start_ < intensities_.front();
-    if (has_zero) found = {.y = {std::log(start_)}, .probabilities = {0.0}};
+    const bool has_zero = least_uplift_ && *least_uplift_ < intensities_.front();
+    if (has_zero) found = {.y = {std::log(*least_uplift_)}, .probabilities = {0.0}};
     for (const double intensity : intensities_) found.y.push_back(std::log(intensity));
     found.probabilities.insert(found.probabilities.end(), shares.begin(), shares.end());
     return found;
@@ -118,7 +119,8 @@ class SharesAndHazard {
   const HazardCurve& hazard_;
   const SuiteTail& tail_;
   double start_;
-  bool starts_at_zero_;
+  std::optional<double>
+      least_uplift_;  ///< also where the hazard begins above it, so that less hazard is no higher rate
   std::vector<HazardPiece> pieces_;
   bool is_below_uplift_ = false;
   std::size_t skipped_ = 0;

@@ -1,0 +1,141 @@
+#include "rocking/input/hazard_points.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <string_view>
+#include <utility>
+
+#include "rocking/base/number_text.hpp"
+#include "rocking/scene/check_hazard.hpp"
+
+namespace rocking {
+namespace {
+
+/// The unit of the numbers in a file, by the end of the name of the measure.
+struct IntensityUnit {
+  std::string_view ending;
+  double divisor;  ///< of HazardMeasure
+  double largest;  ///< that the weaker half of a hazard curve may reach
+  double factor;   ///< between it and the smaller unit that larger numbers are likely in
+  std::string_view likely;
+};
+constexpr std::array<IntensityUnit, 4> intensity_units{{{"_g", 1.0, 10.0, 981.0, "cm/s2"},
+                                                        {"_m_s", 1.0, 5.0, 100.0, "cm/s"},
+                                                        {"_m_s", 100.0, 500.0, 10.0, "mm/s"},
+                                                        {"_m_s2", 1.0, 100.0, 100.0, "cm/s2"}}};
+/// A hazard curve in cm/s does not end here [cm/s].
+constexpr double least_last_velocity = 10.0;
+
+}  // namespace
+
+std::optional<double> hazard_number(const std::string& field) {
+  const char* first = field.data() + (field.starts_with('+') ? 1 : 0);
+  const char* last = field.data() + field.size();
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(first, last, value);
+  if (error != std::errc() || end != last || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+HazardPoints::HazardPoints(std::string name, HazardReading reading) : reading_(std::move(reading)) {
+  curve_.name = std::move(name);
+}
+
+void HazardPoints::reject(std::string place, std::string found, std::string reason, std::string remedy) {
+  problems_.push_back({std::move(place), std::move(found), std::move(reason), std::move(remedy)});
+}
+
+void HazardPoints::set_measure(const std::string& place, const std::optional<HazardMeasure>& named) {
+  std::optional<HazardMeasure> asked;
+  if (reading_.measure) {
+    asked = hazard_measure(*reading_.measure);
+    if (!asked) return reject("--imt", *reading_.measure, "is no known intensity measure", known_measures);
+  }
+  if (!named && !asked) {
+    return reject(place, "", "does not name its intensity measure",
+                  "begin it with a line such as \"pga_g, annual_rate\", or name it, as --imt pga_g");
+  }
+  if (named && asked && named->name != asked->name) {
+    return reject(place, named->name, "is not the measure that --imt asks for, " + asked->name, "omit --imt");
+  }
+  measure_ = named ? *named : *asked;
+  curve_.intensity = measure_.name;
+}
+
+void HazardPoints::set_kind(const std::string& place, const std::string& word, const HazardKind& kind) {
+  if (!kind.is_probability) {
+    if (reading_.years) reject(place, word, "is no probability, so that --years means nothing", "omit --years");
+    return;
+  }
+  curve_.years = kind.years ? kind.years : reading_.years;
+  if (!curve_.years) {
+    return reject(place, word, "is a probability in a time that is not stated",
+                  "state the years, as --years 50, or name the column \"poe[50]\"");
+  }
+  if (reading_.years && *reading_.years != *curve_.years) {
+    reject(place, word, "states another time than --years " + base::shortest(*reading_.years), "omit --years");
+  }
+}
+
+void HazardPoints::add(const std::string& place, const std::string& intensity, const std::string& value) {
+  const std::optional<double> x = hazard_number(intensity);
+  const std::optional<double> y = hazard_number(value);
+  if (!x) return reject(place, intensity, "is not a number", "give the intensity as a number, 0.25");
+  if (!y) return reject(place, value, "is not a number", "give the rate of exceedance as a number, 2.1e-3");
+  if (curve_.years && *y > 1.0) {
+    return reject(place, value, "is no probability, which is at most 1",
+                  "give a number below 1, or name the column annual_rate if it is a rate");
+  }
+  if (curve_.years && *y == 1.0) {
+    return reject(place, value, "is a probability that no rate of exceedance gives", "omit the line");
+  }
+  const double rate = curve_.years ? -std::log1p(-*y) / *curve_.years : *y;
+  const HazardPoint point{.intensity = *x / measure_.divisor, .rate = rate};
+  if (const auto fault = fault_of(point, size() > 0 ? &curve_.points.back() : nullptr)) {
+    return reject(place, fault->number == &HazardPoint::rate ? value : intensity, fault->reason, fault->remedy);
+  }
+  curve_.points.push_back(point);
+}
+
+HazardCurve HazardPoints::finish() {
+  if (problems_.empty()) check_whole();
+  if (!problems_.empty()) throw base::InputError(std::move(problems_));
+  return std::move(curve_);
+}
+
+void HazardPoints::check_whole() {
+  if (auto problem = problem_of_whole(curve_)) {
+    problems_.push_back(*std::move(problem));
+    return;
+  }
+  check_unit();
+}
+
+/// Refuses intensities whose weaker half no earthquake reaches, and velocities in cm/s of which none is felt.
+void HazardPoints::check_unit() {
+  const std::string key = curve_.intensity.substr(0, curve_.intensity.find('['));
+  const std::string place =
+      curve_.name + (curve_.header_line == 0 ? "" : ", line " + std::to_string(curve_.header_line));
+  const auto unit = std::ranges::find_if(intensity_units, [&](const IntensityUnit& each) {
+    return key.ends_with(each.ending) && each.divisor == measure_.divisor;
+  });
+  const double middle = curve_.points[(size() - 1) / 2].intensity * measure_.divisor;
+  if (unit != intensity_units.end() && middle > unit->largest) {
+    const std::string factor = base::shortest(unit->factor);
+    return reject(place, curve_.intensity,
+                  "does not fit the intensities, most of which are at least " + base::significant(middle, 6) +
+                      ": they are likely in " + std::string(unit->likely),
+                  "divide them by " + factor + ", so that this is " + base::significant(middle / unit->factor, 3));
+  }
+  const double last = curve_.points.back().intensity * measure_.divisor;
+  if (measure_.divisor != 1.0 && last < least_last_velocity) {
+    reject(place, curve_.intensity,
+           "is read in cm/s and does not fit the intensities, which end at " + base::significant(last, 6) +
+               ": they are likely in m/s",
+           "name the measure pgv_m_s");
+  }
+}
+
+}  // namespace rocking

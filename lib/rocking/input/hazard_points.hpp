@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "rocking/base/error.hpp"
+#include "rocking/input/hazard_header.hpp"
+#include "rocking/scene/hazard.hpp"
+
+namespace rocking {
+
+/// The number that a field is; absent: it is none, or not finite.
+[[nodiscard]] std::optional<double> hazard_number(const std::string& field);
+
+/// Takes what a file says of a hazard curve, whatever its format: its measure, what its numbers are, its points. Collects
+/// the problems; `place` is that of a fault, `h.csv, line 3`.
+class HazardPoints {
+ public:
+  /// `name`: of the file.
+  HazardPoints(std::string name, HazardReading reading);
+
+  void reject(std::string place, std::string found, std::string reason, std::string remedy);
+  [[nodiscard]] std::size_t problems() const { return problems_.size(); }
+  [[nodiscard]] std::size_t size() const { return curve_.points.size(); }
+  void set_header_line(std::size_t line) { curve_.header_line = line; }
+
+  /// The measure that the file names; absent: it names none, and the reading must.
+  void set_measure(const std::string& place, const std::optional<HazardMeasure>& named);
+  /// What the numbers are; `word`: as the file says it.
+  void set_kind(const std::string& place, const std::string& word, const HazardKind& kind);
+  /// A point, both numbers as written. After measure and kind.
+  void add(const std::string& place, const std::string& intensity, const std::string& value);
+
+  /// The curve. Throws base::InputError with all problems.
+  [[nodiscard]] HazardCurve finish();
+
+  static constexpr const char* known_measures =
+      "name the measure as the sweep does, pga_g, pgv_m_s or sa_g[0.5], or as OpenQuake does, PGA, PGV or SA(0.5)";
+
+ private:
+  void check_whole();
+  void check_unit();
+
+  HazardReading reading_;
+  HazardMeasure measure_;
+  HazardCurve curve_;
+  std::vector<base::Problem> problems_;
+};
+
+}  // namespace rocking

@@ -75,8 +75,11 @@ static const StructType& fields_of(const RateEstimate*) {
           "they are, interpolated; `at_least`, `at_most`: bounds of the latter between and beyond "
           "the levels"),
       field<&RateEstimate::value>("value", "mean annual rate [1/year]", rule::not_negative),
-      field<&RateEstimate::interval>("interval", "by bootstrap over records; null: too few samples with a law",
-                                     rule::not_negative),
+      field<&RateEstimate::interval>(
+          "interval",
+          "by the law by bootstrap over records, null: too few samples with a law; by shares from the least "
+          "rate that the levels allow to the largest one, with a record that is not in the suite",
+          rule::not_negative),
   };
   return fields;
 }

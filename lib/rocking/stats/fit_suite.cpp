@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include <Eigen/Cholesky>
+#include <boost/math/distributions/normal.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
 
 #include "rocking/base/error.hpp"
@@ -12,6 +14,7 @@
 #include "rocking/stats/normal_law.hpp"
 #include "rocking/stats/step_capacities.hpp"
 #include "rocking/stats/student_law.hpp"
+#include "rocking/stats/unseen_record.hpp"
 
 namespace rocking::stats {
 namespace {
@@ -254,6 +257,19 @@ class Profile {
   Eigen::VectorXd free_;
 };
 
+/// Derivatives of the logarithm of a quantity by (a, b, t).
+Eigen::Vector3d slope_of(SuiteQuantity quantity, const MixedProbitParameters& at) {
+  const double b = at[1];
+  const double t = at[2];
+  switch (quantity) {
+    case SuiteQuantity::median: return {-1.0 / b, at[0] / (b * b), 0.0};
+    case SuiteQuantity::within_record: return {0.0, -1.0 / b, 0.0};
+    case SuiteQuantity::between_records: return {0.0, -1.0 / b, 1.0 / t};
+    case SuiteQuantity::dispersion: break;
+  }
+  return {0.0, -1.0 / b, t / (1.0 + t * t)};
+}
+
 /// The place, from `start` in steps that grow from `step`, where a function first exceeds 0; absent if it does not
 /// within `most` steps.
 template <class Function>
@@ -302,12 +318,31 @@ SuiteFit fit_suite_near(const SuiteLevels& suite, const SuiteLaw& near) {
   return fit_centred(data, start ? &*start : nullptr);
 }
 
+double excess_of_variance(const SuiteLevels& levels, const SuiteLaw& law, SuiteQuantity quantity) {
+  const CentredSuite suite = centred(levels);
+  if (!(law.within_record > 0.0) || !(law.between_records > 0.0)) return 1.0;
+  const double b = 1.0 / law.within_record;
+  const MixedProbitParameters at(b * (suite.centre - std::log(law.median)), b, b * law.between_records);
+  Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
+  Eigen::Matrix3d curvature = Eigen::Matrix3d::Zero();
+  for (const RecordCounts& record : suite.records) {
+    const LocalShape shape = record_log_likelihood(record.counts, at);
+    scatter += shape.gradient * shape.gradient.transpose();
+    curvature -= shape.hessian;
+  }
+  const auto records = static_cast<double>(suite.records.size());
+  const Eigen::Vector3d slope = slope_of(quantity, at);
+  const Eigen::Vector3d lever = curvature.ldlt().solve(slope);
+  const double excess = records / (records - 1.0) * lever.dot(scatter * lever) / slope.dot(lever);
+  return std::isfinite(excess) ? std::max(1.0, excess) : 1.0;
+}
+
 // Dispersions are searched by their logarithm, the median by ln x. A dispersion between records may be 0.
 Interval profile_interval(const SuiteLevels& suite, const SuiteLaw& law, SuiteQuantity quantity, double confidence) {
   const CentredSuite data = centred(suite);
   ROCKING_EXPECT(data.records.size() > 1);
   const double reach = two_sided_t_quantile(confidence, static_cast<double>(data.records.size() - 1));
-  const double least = law.log_likelihood - 0.5 * reach * reach;
+  const double least = law.log_likelihood - 0.5 * reach * reach * excess_of_variance(suite, law, quantity);
   const bool is_median = quantity == SuiteQuantity::median;
   Profile profile(data, law, quantity);
   const auto below = [&](double place) {
@@ -339,7 +374,7 @@ RecordBootstrap bootstrap_records(const SuiteLevels& suite, std::uint64_t sample
   const std::size_t records = data.records.size();
   std::vector<std::optional<SuiteLaw>> laws(samples);
   std::vector<std::optional<PooledLaw>> pooled(samples);
-  std::vector<std::vector<double>> weights(samples);
+  std::vector<std::vector<double>> weights(samples), with_unseen(samples);
   base::for_each_part(how, samples, [&](std::size_t sample) {
     CentredSuite drawn = data;
     for (RecordCounts& record : drawn.records) record.weight = 0.0;
@@ -348,11 +383,16 @@ RecordBootstrap bootstrap_records(const SuiteLevels& suite, std::uint64_t sample
       drawn.records[std::min(records - 1, static_cast<std::size_t>(place))].weight += 1.0;
     }
     for (const RecordCounts& record : drawn.records) weights[sample].push_back(record.weight);
+    with_unseen[sample] = shares_with_unseen(records, sample, draws);
     pooled[sample] = pooled_law(drawn);
     if (whole.law) laws[sample] = fit_centred(drawn, start ? &*start : nullptr).law;
   });
-  RecordBootstrap found{
-      .samples = samples, .laws = {}, .samples_with_law = {}, .pooled = {}, .weights = std::move(weights)};
+  RecordBootstrap found{.samples = samples,
+                        .laws = {},
+                        .samples_with_law = {},
+                        .pooled = {},
+                        .weights = std::move(weights),
+                        .with_unseen = std::move(with_unseen)};
   for (std::size_t sample = 0; sample < samples; ++sample) {
     if (pooled[sample]) found.pooled.push_back(*pooled[sample]);
     if (!laws[sample]) continue;
@@ -362,20 +402,42 @@ RecordBootstrap bootstrap_records(const SuiteLevels& suite, std::uint64_t sample
   return found;
 }
 
+namespace {
+
+/// Order statistic number p (n + 1), counted from 1, between neighbours linearly.
+double percentile(const std::vector<double>& sorted, double share) {
+  const auto last = static_cast<double>(sorted.size() - 1);
+  const double place = std::clamp(share * static_cast<double>(sorted.size() + 1) - 1.0, 0.0, last);
+  const auto index = static_cast<std::size_t>(place);
+  const std::size_t next = std::min(index + 1, sorted.size() - 1);
+  return sorted[index] + (place - static_cast<double>(index)) * (sorted[next] - sorted[index]);
+}
+
+bool are_enough(const std::vector<double>& values, std::uint64_t samples) {
+  return samples > 0 && static_cast<double>(values.size()) >= least_share_with_law * static_cast<double>(samples);
+}
+
+}  // namespace
+
 std::optional<Interval> percentile_interval(std::vector<double> values, std::uint64_t samples, double confidence) {
-  if (samples == 0 || static_cast<double>(values.size()) < least_share_with_law * static_cast<double>(samples)) {
-    return std::nullopt;
-  }
+  if (!are_enough(values, samples)) return std::nullopt;
   std::sort(values.begin(), values.end());
-  // Order statistic number p (n + 1), counted from 1, between neighbours linearly.
-  const auto at = [&values](double share) {
-    const double place =
-        std::clamp(share * static_cast<double>(values.size() + 1) - 1.0, 0.0, static_cast<double>(values.size() - 1));
-    const auto index = static_cast<std::size_t>(place);
-    const std::size_t next = std::min(index + 1, values.size() - 1);
-    return values[index] + (place - static_cast<double>(index)) * (values[next] - values[index]);
-  };
-  return Interval{.low = at(0.5 * (1.0 - confidence)), .high = at(0.5 * (1.0 + confidence))};
+  return Interval{.low = percentile(values, 0.5 * (1.0 - confidence)),
+                  .high = percentile(values, 0.5 * (1.0 + confidence))};
+}
+
+std::optional<Interval> bias_corrected_interval(std::vector<double> values, double estimate, std::uint64_t samples,
+                                                double confidence) {
+  if (!are_enough(values, samples)) return std::nullopt;
+  std::sort(values.begin(), values.end());
+  const auto [equal, above] = std::equal_range(values.begin(), values.end(), estimate);
+  const auto count = static_cast<double>(values.size());
+  const double below = (static_cast<double>(equal - values.begin()) + 0.5 * static_cast<double>(above - equal)) / count;
+  const boost::math::normal_distribution<double> normal;
+  const double bias = quantile(normal, std::clamp(below, 0.5 / count, 1.0 - 0.5 / count));
+  const double reach = quantile(normal, 0.5 * (1.0 + confidence));
+  return Interval{.low = percentile(values, normal_cdf(2.0 * bias - reach)),
+                  .high = percentile(values, normal_cdf(2.0 * bias + reach))};
 }
 
 double expanded_confidence(double confidence, std::size_t records) {

@@ -38,8 +38,14 @@ struct SuiteFit {
 /// The same, where the search starts at a law that is expected to be near: faster, as for samples of a bootstrap.
 [[nodiscard]] SuiteFit fit_suite_near(const SuiteLevels& suite, const SuiteLaw& near);
 
-/// Those values of a quantity at which the largest likelihood, over the other parameters, is at least exp(-q^2/2) times
-/// that of the law, with the quantile q of Student's distribution with (number of records - 1) degrees of freedom.
+/// Variance of a quantity by the scatter of the records' scores (sandwich), over that by the curvature of the likelihood;
+/// at least 1. It exceeds 1 where trials of a record at several levels use common random numbers, which the likelihood
+/// takes for independent. 1 at the limits without scatter within or between records.
+[[nodiscard]] double excess_of_variance(const SuiteLevels& levels, const SuiteLaw& law, SuiteQuantity quantity);
+
+/// Those values of a quantity at which the largest likelihood, over the other parameters, is at least exp(-c q^2/2) times
+/// that of the law, with the quantile q of Student's distribution with (number of records - 1) degrees of freedom and c
+/// the excess of variance (Rotnitzky & Jewell 1990, Biometrika 77, 485-497).
 ///
 /// 0 or infinity where an end does not exist. For a median and for dispersions between records the information is that of
 /// as many independent capacities as there are records; the quantile of the normal distribution would give intervals
@@ -65,6 +71,12 @@ inline constexpr double least_share_with_law = 0.9;
 /// 13.3); absent where fewer than nine tenths of the samples have one.
 [[nodiscard]] std::optional<Interval> percentile_interval(std::vector<double> values, std::uint64_t samples,
                                                           double confidence);
+
+/// The same with bias-corrected percentiles, Phi(2 z_0 -+ z), where Phi(z_0) is the share of the samples below the
+/// estimate: a bootstrap of few records underestimates their scatter (Efron & Tibshirani 1993, section 14.3, without
+/// acceleration).
+[[nodiscard]] std::optional<Interval> bias_corrected_interval(std::vector<double> values, double estimate,
+                                                              std::uint64_t samples, double confidence);
 
 /// The confidence at which percentiles of bootstrap samples of so many records are taken, so that few records do not give
 /// too narrow intervals: 2 Phi(q) - 1 with q = sqrt(n/(n - 1)) times the quantile of Student's distribution with n - 1

@@ -58,7 +58,9 @@ struct AnnualRate {
 struct RateEstimate {
   RateSource source = RateSource::law;
   double value = 0.0;                       ///< [1/year]
-  std::optional<stats::Interval> interval;  ///< of its bootstrap samples over records
+  /// By the law: of its bootstrap samples over records. By shares: what the levels allow, with a record that is not in
+  /// the suite (stats/unseen_record.hpp).
+  std::optional<stats::Interval> interval;
 };
 
 /// What a record contributes to the rate of a suite.

@@ -66,7 +66,7 @@ class Questions : public ::testing::Test {
 
 TEST_F(Questions, AboutFragilityHaveAHazardCurveThatFalls) {
   const RunResult done = run(experiment_);
-  const HazardCurve good{.name = "h", .intensity = "", .points = {{.intensity = 0.5, .rate = 1e-2}, {3.0, 1e-4}}};
+  const HazardCurve good{.name = "h", .intensity = "amplitude", .points = {{.intensity = 0.5, .rate = 1e-2}, {3.0, 1e-4}}};
   using Points = std::vector<HazardPoint>;
   const auto ask = [&](const Points& points) {
     FragilityQuestion question{.hazard = good};

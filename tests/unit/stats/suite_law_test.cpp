@@ -200,11 +200,35 @@ TEST(SuiteLaw, HasIntervalsAtTheLikelihoodThatTheirConfidenceAsksFor) {
       ASSERT_GT(found.high, value_of(quantity, *law));
       for (const double end : {found.low, found.high}) {
         EXPECT_NEAR(largest_log_likelihood(suite, *law, quantity, end) - law->log_likelihood,
-                    -0.5 * quantile * quantile, 1e-5)
+                    -0.5 * quantile * quantile * excess_of_variance(suite, *law, quantity), 1e-5)
             << static_cast<int>(quantity) << ' ' << confidence << ' ' << end;
       }
     }
   }
+}
+
+// The same counts at a second level next to each say nothing new. The likelihood has twice the information of the scatter
+// within a record, and the intervals stay nearly as wide.
+TEST(SuiteLaw, HasIntervalsThatLevelsWithCommonNumbersDoNotNarrow) {
+  SplitMix random(11);
+  const SuiteLevels once = MadeUpSuite{.records = 30, .between_records = 0.2}.drawn(random);
+  SuiteLevels twice = once;
+  for (auto& record : twice) {
+    const auto levels = record;
+    for (auto level : levels) {
+      level.intensity *= 1.0 + 1e-9;
+      record.push_back(level);
+    }
+    std::ranges::sort(record, {}, &rocking::stats::RecordLevel::intensity);
+  }
+  const auto width = [](const SuiteLevels& suite) {
+    const Interval found = profile_interval(suite, *fit_suite(suite).law, SuiteQuantity::within_record, 0.95);
+    return std::log(found.high / found.low);
+  };
+  EXPECT_NEAR(excess_of_variance(twice, *fit_suite(twice).law, SuiteQuantity::within_record) /
+                  excess_of_variance(once, *fit_suite(once).law, SuiteQuantity::within_record),
+              2.0, 0.6);
+  EXPECT_GT(width(twice), 0.85 * width(once));
 }
 
 // ln x -> ln x + c moves the median alone.
@@ -384,6 +408,18 @@ TEST(SuiteBootstrap, HasNoIntervalWhereATenthOfTheSamplesHasNoLaw) {
   EXPECT_FALSE(percentile_interval(std::vector<double>(89, 1.0), 100, 0.95));
   EXPECT_TRUE(percentile_interval(std::vector<double>(90, 1.0), 100, 0.95));
   EXPECT_FALSE(percentile_interval({}, 0, 0.95));
+}
+
+// Of 1 ... 999 the share below 750 is 0.75, with z_0 = 0.674490: the percentiles are Phi(1.348980 -+ 1.959964).
+TEST(SuiteBootstrap, HasPercentilesCorrectedForTheBiasOfTheSamples) {
+  std::vector<double> values;
+  for (int i = 1; i <= 999; ++i) values.push_back(i);
+  const auto found = rocking::stats::bias_corrected_interval(values, 750.0, 999, 0.95);
+  EXPECT_NEAR(found->low, 270.6, 1.0);
+  EXPECT_NEAR(found->high, 998.9, 0.7);
+  const auto unbiased = rocking::stats::bias_corrected_interval(values, 500.0, 999, 0.95);
+  EXPECT_NEAR(unbiased->low, percentile_interval(values, 999, 0.95)->low, 1e-6);
+  EXPECT_FALSE(rocking::stats::bias_corrected_interval(values, 500.0, 2000, 0.95));
 }
 
 // t(9) at 97.5 % is 2.262157; times sqrt(10/9) it is 2.384523, and Phi(-2.384523) = 0.008551.

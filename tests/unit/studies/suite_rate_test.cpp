@@ -7,6 +7,7 @@
 #include <boost/math/distributions/normal.hpp>
 #include <gmock/gmock.h>
 
+#include "rocking/stats/fit_suite.hpp"
 #include "rocking/stats/normal_law.hpp"
 #include "rocking/studies/run_fragility.hpp"
 #include "rocking/studies/suite/suite_fragility.hpp"
@@ -184,6 +185,23 @@ TEST(SuiteRate, OfBlocksThatNeverOverturnHasAnUpperBound) {
   EXPECT_EQ(rate.disagreement, 0.0);
   EXPECT_EQ(rate.undecided_share, 1.0);
   EXPECT_FALSE(rate.add_levels.empty());
+  // 0 of 3 records are at most 1 - 0.025^(1/3) by Clopper and Pearson; by 499 samples. At 0.4 the unseen record does what
+  // all do at 0.6, at 0.6 what is not known.
+  const double most = 1.0 - std::cbrt(0.025);
+  const double expected = hazard_at(0.9) + most * (hazard_at(0.4) - hazard_at(0.9));
+  ASSERT_TRUE(rate.chosen.interval);
+  EXPECT_EQ(rate.chosen.interval->low, 0.0);
+  EXPECT_NEAR(rate.chosen.interval->high, expected, 0.05 * expected);
+}
+
+// The true rate lies within what the levels allow, and the interval contains that: it is not narrower with fewer levels.
+TEST(SuiteRate, ByIsotonicSharesContainsItsBounds) {
+  const SuiteRate rate = annual_rate(curve(), hazard());
+  for (const RateEstimate& each : rate.estimates) {
+    if (each.source != RateSource::isotonic && each.source != RateSource::observed) continue;
+    EXPECT_LT(each.interval->low, estimate(rate, RateSource::at_least));
+    EXPECT_GT(each.interval->high, estimate(rate, RateSource::at_most));
+  }
 }
 
 /// Rare estimates at two levels, of each record; the level of ten events, 25 of 60, is 0.4.
@@ -238,25 +256,27 @@ TEST(SuiteRateWithRare, IntegratesTheMeanOverTheRecords) {
   EXPECT_NEAR(sum, rate.chosen.value, 1e-12 * sum);
 }
 
-/// Equal probabilities at both levels, and a hazard that ends below them: the rate is the mean over the records, whose
-/// weights the bootstrap draws.
-TEST(SuiteRateWithRare, HasTheIntervalOfTheRecordsThatAreDrawn) {
+/// Equal probabilities at both levels, and a hazard that ends below them: the rate is the mean over the records, and at
+/// most that with an unseen record that does what the worst one does at twice the intensity: 0.9 at 0.4.
+TEST(SuiteRateWithRare, HasTheIntervalOfTheRecordsWithAnUnseenOne) {
   const std::vector<double> of_record{0.0, 1e-5, 6e-4, 0.0, 2e-6, 1e-4};
   std::vector<std::vector<double>> equal;
   for (const double probability : of_record) equal.push_back({probability, probability});
   const SuiteCurve found = with_rare(equal);
   const HazardCurve below{.name = "", .intensity = "", .header_line = 0, .points = {{0.2, 1.0}, {0.24, 1e-12}}};
   const SuiteRate rate = annual_rate(found, below);
-  std::vector<double> means;
-  for (const std::vector<double>& weights : found.bootstrap.weights) {
-    means.push_back(std::inner_product(weights.begin(), weights.end(), of_record.begin(), 0.0) / 6.0);
+  std::vector<double> lows, highs;
+  for (const std::vector<double>& shares : found.bootstrap.with_unseen) {
+    lows.push_back(std::inner_product(of_record.begin(), of_record.end(), shares.begin(), 0.0));
+    highs.push_back(lows.back() + 0.9 * shares.back());
   }
-  const auto expected = found.interval_of(means);
+  const double low = stats::percentile_interval(lows, lows.size(), 0.95)->low;
+  const double high = stats::percentile_interval(highs, highs.size(), 0.95)->high;
   for (const RateSource source : {RateSource::isotonic, RateSource::observed, RateSource::at_most}) {
     EXPECT_NEAR(estimate(rate, source), 7.12e-4 / 6.0, 1e-9);
     const auto each = std::ranges::find(rate.estimates, source, &RateEstimate::source);
-    EXPECT_NEAR(each->interval->low, expected->low, 1e-9);
-    EXPECT_NEAR(each->interval->high, expected->high, 1e-9);
+    EXPECT_NEAR(each->interval->low, source == RateSource::at_most ? low : 0.0, 1e-9);
+    EXPECT_NEAR(each->interval->high, high, 1e-9);
   }
   EXPECT_NEAR(rate.chosen.value, 7.12e-4 / 6.0, 1e-9);
   EXPECT_NEAR(rate.by_record[2].without.value(), 1.12e-4 / 5.0, 1e-9);

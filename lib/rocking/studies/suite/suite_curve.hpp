@@ -87,6 +87,11 @@ struct SuiteCurve {
 
   /// Of bootstrap samples over the records, in any order, at the curve's confidence.
   [[nodiscard]] std::optional<stats::Interval> interval_of(std::vector<double> samples) const;
+  /// The same with bias-corrected percentiles, for an estimate whose samples are biased.
+  [[nodiscard]] std::optional<stats::Interval> interval_about(double estimate, std::vector<double> samples) const;
+
+ private:
+  [[nodiscard]] double confidence_of_percentiles() const;
 };
 
 /// Quantiles of the peak tilt: 16, 50 and 84 %, about a standard deviation around the median of a lognormal number.

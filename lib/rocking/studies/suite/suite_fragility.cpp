@@ -37,10 +37,11 @@ std::optional<stats::Interval> interval_of_samples(const SuiteCurve& curve, Valu
 
 SuiteEstimate estimate_of(const stats::SuiteLevels& suite, const stats::SuiteLaw& law, stats::SuiteQuantity quantity,
                           const SuiteCurve& curve) {
+  std::vector<double> samples;
+  for (const stats::SuiteLaw& sample : curve.bootstrap.laws) samples.push_back(value_of(quantity, sample));
   return {.value = value_of(quantity, law),
           .interval = profile_interval(suite, law, quantity, curve.subject.confidence),
-          .bootstrap = interval_of_samples(
-              curve, [quantity](const stats::SuiteLaw& sample) { return value_of(quantity, sample); })};
+          .bootstrap = curve.interval_about(value_of(quantity, law), std::move(samples))};
 }
 
 void set_pooled(const stats::SuiteLevels& suite, std::uint64_t seed, const base::ManyParts& how, SuiteCurve& curve) {
@@ -70,9 +71,10 @@ void set_simple(const stats::SuiteLevels& suite, SuiteCurve& curve) {
     medians.push_back(sample.median);
     dispersions.push_back(sample.dispersion);
   }
-  curve.simple = SimpleLaw{.median = {law->median, curve.interval_of(std::move(medians))},
-                           .dispersion = {law->dispersion, curve.interval_of(std::move(dispersions))},
-                           .deviance = law->deviance};
+  curve.simple =
+      SimpleLaw{.median = {law->median, curve.interval_about(law->median, std::move(medians))},
+                .dispersion = {law->dispersion, curve.interval_about(law->dispersion, std::move(dispersions))},
+                .deviance = law->deviance};
 }
 
 std::vector<SuiteLevel> pooled_levels(const stats::SuiteLevels& suite, const SuiteCurve& curve) {
@@ -132,10 +134,17 @@ std::vector<RecordCurve> curves_of_records(const StripeGroup& group, const Fragi
 
 }  // namespace
 
+double SuiteCurve::confidence_of_percentiles() const {
+  return stats::expanded_confidence(subject.confidence,
+                                    bootstrap.weights.empty() ? 0 : bootstrap.weights.front().size());
+}
+
 std::optional<stats::Interval> SuiteCurve::interval_of(std::vector<double> samples) const {
-  const std::size_t sampled = bootstrap.weights.empty() ? 0 : bootstrap.weights.front().size();
-  return stats::percentile_interval(std::move(samples), bootstrap.samples,
-                                    stats::expanded_confidence(subject.confidence, sampled));
+  return stats::percentile_interval(std::move(samples), bootstrap.samples, confidence_of_percentiles());
+}
+
+std::optional<stats::Interval> SuiteCurve::interval_about(double estimate, std::vector<double> samples) const {
+  return stats::bias_corrected_interval(std::move(samples), estimate, bootstrap.samples, confidence_of_percentiles());
 }
 
 stats::SuiteLaw PooledSuite::law() const {

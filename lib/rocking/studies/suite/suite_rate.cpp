@@ -9,6 +9,7 @@
 #include "rocking/stats/fit_suite.hpp"
 #include "rocking/stats/record_shares.hpp"
 #include "rocking/stats/student_law.hpp"
+#include "rocking/stats/unseen_record.hpp"
 #include "rocking/studies/counted_hazard.hpp"
 #include "rocking/studies/rare_tail.hpp"
 #include "rocking/studies/suite/suite_tail.hpp"
@@ -80,15 +81,43 @@ class SharesAndHazard {
     for (std::size_t k = 0; k < weights_.size(); ++k) sum += weights_[k] * shares[k];
     return sum;
   }
-  [[nodiscard]] double at_least(const std::vector<double>& shares) const {
+  /// Without the ranges between levels before number `from`.
+  [[nodiscard]] double at_least(const std::vector<double>& shares, std::size_t from = 1) const {
     double sum = shares.back() * ranges_.back();
-    for (std::size_t k = 1; k < shares.size(); ++k) sum += std::min(shares[k - 1], shares[k]) * ranges_[k];
+    for (std::size_t k = from; k < shares.size(); ++k) {
+      sum += std::min(shares[k - 1], shares[k]) * ranges_[k];
+    }
     return sum;
   }
-  [[nodiscard]] double at_most(const std::vector<double>& shares) const {
+  [[nodiscard]] double at_most(const std::vector<double>& shares, std::size_t from = 1) const {
     double sum = shares.front() * ranges_.front() + ranges_.back();
-    for (std::size_t k = 1; k < shares.size(); ++k) sum += std::max(shares[k - 1], shares[k]) * ranges_[k];
+    for (std::size_t k = from; k < shares.size(); ++k) {
+      sum += std::max(shares[k - 1], shares[k]) * ranges_[k];
+    }
     return sum;
+  }
+  /// The least and the largest rate that the levels allow; between rare estimates that of the lines.
+  [[nodiscard]] double least_allowed(const std::vector<double>& shares) const {
+    return in_tail(shares) + at_least(shares, tail_.size() + 1);
+  }
+  [[nodiscard]] double most_allowed(const std::vector<double>& shares) const {
+    return in_tail(shares) + at_most(shares, tail_.size() + 1);
+  }
+  /// Of a record that is not in the suite, at worst: the largest probability of any record at up to twice the intensity,
+  /// or at the next level; 1 where that lies above the levels.
+  [[nodiscard]] std::vector<double> worst_unseen(const std::vector<std::vector<double>>& counted_of_records) const {
+    std::vector<double> worst(intensities_.size(), 1.0);
+    for (std::size_t k = 0; k + 1 < intensities_.size() && 2.0 * intensities_[k] <= intensities_.back(); ++k) {
+      const auto beyond = std::ranges::upper_bound(intensities_, 2.0 * intensities_[k]);
+      const std::size_t last =
+          std::max<std::size_t>(static_cast<std::size_t>(beyond - intensities_.begin()) - 1, k + 1);
+      worst[k] = 0.0;
+      for (const std::vector<double>& record : counted_of_records) {
+        worst[k] = std::max(worst[k],
+                            *std::max_element(record.begin(), record.begin() + static_cast<std::ptrdiff_t>(last) + 1));
+      }
+    }
+    return worst;
   }
   [[nodiscard]] std::vector<LevelShare> levels(const std::vector<double>& shares, double half_trial) const {
     std::vector<LevelShare> list;
@@ -101,6 +130,10 @@ class SharesAndHazard {
   }
 
  private:
+  [[nodiscard]] double in_tail(const std::vector<double>& shares) const {
+    if (!tail_.end()) return 0.0;
+    return rate_of(probability(shares), pieces_within(pieces_, tail_.y().front(), tail_.y().back()));
+  }
   /// Linear in ln x; 0 at the least uplift where that is known, wherever the hazard begins, and beyond the levels as at
   /// the last one.
   [[nodiscard]] KnownProbabilities known(const std::vector<double>& shares) const {
@@ -143,9 +176,7 @@ class SuiteRates {
 
   /// By shares, of records with these weights.
   [[nodiscard]] double rate_by(RateSource source, const std::vector<double>& weights) const {
-    const bool is_isotonic = source == RateSource::isotonic;
-    const std::vector<double> shares =
-        rates_.counted_of(is_isotonic ? shares_.isotonic(weights) : shares_.mean(weights), tail_.means(weights));
+    const std::vector<double> shares = counted_shares(source, weights);
     if (source == RateSource::at_least) return rates_.at_least(shares);
     if (source == RateSource::at_most) return rates_.at_most(shares);
     return rates_.rate(shares);
@@ -203,10 +234,45 @@ class SuiteRates {
             curve_.interval_of(std::move(samples))};
   }
 
+  [[nodiscard]] std::vector<double> counted_shares(RateSource source, const std::vector<double>& weights) const {
+    const bool is_isotonic = source == RateSource::isotonic;
+    return rates_.counted_of(is_isotonic ? shares_.isotonic(weights) : shares_.mean(weights), tail_.means(weights));
+  }
+
+  [[nodiscard]] std::vector<double> counted_of_record(std::size_t record) const {
+    return rates_.counted_of(shares_.of_record(record), tail_.of_record(record));
+  }
+
   [[nodiscard]] RateEstimate by_shares(RateSource source) const {
-    std::vector<double> samples;
-    for (const std::vector<double>& weights : curve_.bootstrap.weights) samples.push_back(rate_by(source, weights));
-    return {source, rate_by(source, equal_weights()), curve_.interval_of(std::move(samples))};
+    return {source, rate_by(source, equal_weights()), interval_by_shares(source)};
+  }
+
+  /// From the least rate that the levels allow, with an unseen record that never overturns, to the largest one, with one
+  /// that does so at its worst; of a bound that bound itself.
+  [[nodiscard]] std::optional<stats::Interval> interval_by_shares(RateSource source) const {
+    std::vector<std::vector<double>> of_records;
+    for (std::size_t r = 0; r < suite_.size(); ++r) of_records.push_back(counted_of_record(r));
+    const std::vector<double> worst = rates_.worst_unseen(of_records);
+    const std::vector<double> best(worst.size(), 0.0);
+    std::vector<double> lows, highs;
+    for (std::vector<double> weights : curve_.bootstrap.with_unseen) {
+      const double unseen = weights.back();
+      weights.pop_back();
+      const std::vector<double> shares = counted_shares(source, weights);
+      const std::vector<double> low = stats::mean_with_unseen(shares, unseen, best);
+      const std::vector<double> high = stats::mean_with_unseen(shares, unseen, worst);
+      lows.push_back(source == RateSource::at_least  ? rates_.at_least(low)
+                     : source == RateSource::at_most ? rates_.at_most(low)
+                                                     : rates_.least_allowed(low));
+      highs.push_back(source == RateSource::at_least  ? rates_.at_least(high)
+                      : source == RateSource::at_most ? rates_.at_most(high)
+                                                      : rates_.most_allowed(high));
+    }
+    const double confidence = curve_.subject.confidence;
+    const auto low = stats::percentile_interval(std::move(lows), curve_.bootstrap.samples, confidence);
+    const auto high = stats::percentile_interval(std::move(highs), curve_.bootstrap.samples, confidence);
+    if (!low || !high) return std::nullopt;
+    return stats::Interval{.low = low->low, .high = high->high};
   }
 
   static void set_disagreement(SuiteRate& found) {
@@ -236,7 +302,7 @@ class SuiteRates {
   /// The mean over the records is the observed rate. A range of the tail is shared out by the mean of the shares that a
   /// record has in the probabilities at its two ends.
   [[nodiscard]] double rate_of_record(std::size_t record) const {
-    const std::vector<double> own = rates_.counted_of(shares_.of_record(record), tail_.of_record(record));
+    const std::vector<double> own = counted_of_record(record);
     if (!tail_.end()) return rates_.rate(own);
     const std::vector<double> means = observed();
     const auto of_all = rates_.probability(means);

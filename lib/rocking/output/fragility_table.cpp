@@ -178,7 +178,7 @@ TextRow law_cells(const FragilityCurve& curve) {
 TextRow law_cells(const SuiteCurve& curve) {
   if (!curve.pooled || curve.outcome != FragilityOutcome::fitted) return {std::string(to_string(curve.outcome)), "."};
   const auto words = [](const SuiteEstimate& found) {
-    return significant(found.value, 3) + ' ' + interval_in_words(found.bootstrap.value_or(found.interval));
+    return significant(found.value, 3) + ' ' + interval_in_words(found.interval);
   };
   return {words(curve.pooled->median), words(curve.pooled->dispersion)};
 }

@@ -108,7 +108,13 @@ class ConditionStudy {
         },
         [&] { next = count; });
     end_with_present(earlier.end == RareEnd::stopped ? RareEnd::stopped : RareEnd::out_of_time);
-    if (!earlier.paths.empty()) find_paths();
+    if (!earlier.paths.empty()) {
+      try {
+        find_paths();
+      } catch (const base::InputError&) {
+        // The earlier repetitions are others; without paths the estimate differs.
+      }
+    }
     summarise(result_);
     return {std::move(result_), count};
   }

@@ -83,6 +83,11 @@ std::vector<Path> typical_paths(const BlockPaths& paths, const Estimator& estima
     std::size_t wanted = 0;
     for (std::uint32_t copy = 0; copy < chosen[r]; ++copy) wanted += shares.at(next++);
     const std::vector<KeptPath> kept = estimator.paths_of(r + 1);
+    if (kept.empty()) {
+      throw base::InputError({"earlier", "repetition " + std::to_string(r + 1),
+                              "had the event in the earlier study, and has not when it is made again",
+                              "start without the earlier repetitions"});
+    }
     std::vector<double> weights;
     for (const KeptPath& path : kept) weights.push_back(path.weight);
     const auto copies = systematic_offspring(weights, wanted, middle);

@@ -12,7 +12,8 @@
 namespace rocking::rare {
 
 /// A few trajectories with the event: of two repetitions, which are drawn in proportion to their estimates and made
-/// again, by their weights (systematic sampling). Throws as Halt::check.
+/// again, by their weights (systematic sampling). Throws as Halt::check, and base::InputError if a repetition has not the
+/// event when it is made again.
 [[nodiscard]] std::vector<Path> typical_paths(const BlockPaths& paths, const Estimator& estimator,
                                               const std::vector<Repetition>& repetitions);
 

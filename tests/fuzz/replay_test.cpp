@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "fuzz/targets.hpp"
+#include "fuzz/question_target.hpp"
 
 namespace {
 
@@ -34,6 +34,8 @@ TEST(FuzzCorpus, OfGroundMotionsHoldsNoSurprise) { EXPECT_GT(replay("record", ro
 TEST(FuzzCorpus, OfHazardCurvesHoldsNoSurprise) { EXPECT_GT(replay("hazard", rocking::fuzz::try_hazard), 15); }
 
 TEST(FuzzCorpus, OfScenesHoldsNoSurprise) { EXPECT_GT(replay("scene", rocking::fuzz::try_scene), 10); }
+
+TEST(FuzzCorpus, OfQuestionsHoldsNoSurprise) { EXPECT_GT(replay("question", rocking::fuzz::answer_question), 0); }
 
 TEST(FuzzTargets, SeeWhatMustNotBe) {
   EXPECT_THROW(rocking::fuzz::demand(false, "sabotage"), rocking::fuzz::Finding);

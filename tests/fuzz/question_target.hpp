@@ -219,9 +219,9 @@ class QuestionTarget {
       const std::vector<rare::Repetition> some = choose_.list(3, [&] {
         return rare::Repetition{.estimate = choose_.number(), .ancestors = choose_.whole(), .work = choose_.number()};
       });
-      std::vector<rare::Repetition> all;
+      RareEstimate all;
       const std::size_t many = choose_.byte() == 255 ? 100'000 : choose_.below(40);
-      for (std::size_t i = 0; i < many && !some.empty(); ++i) all.push_back(some[i % some.size()]);
+      for (std::size_t i = 0; i < many && !some.empty(); ++i) all.repetitions.push_back(some[i % some.size()]);
       return all;
     });
     check_request(experiment, request);

@@ -36,10 +36,13 @@ const StructType& repetition_fields() {
   return fields;
 }
 
-/// By condition.
-const ValueType& repetitions_type() {
-  using All = std::vector<std::vector<rare::Repetition>>;
-  return the_only<ListType<All, 0, list_of<rare::Repetition, repetition_fields>>>();
+const StructType& earlier_fields() {
+  static const StructType fields{
+      "RareEstimate",
+      field<&RareEstimate::repetitions>("repetitions", "that are not made again",
+                                        list_of<rare::Repetition, repetition_fields>()),
+  };
+  return fields;
 }
 
 const StructType& rare_level_fields() {
@@ -212,7 +215,8 @@ const StructType& fields_of(const RareRequest*) {
           "relative_error", "standard error over the probability that is aimed at", Rule{.least = 1e-3, .most = 1.0}),
       field<&Type::particles>("particles", "trajectories of a repetition", Rule{.least = 20.0, .most = 100'000.0}),
       field<&Type::seconds>("seconds", "for all conditions together [s]", rule::positive),
-      field<&Type::earlier>("earlier", "repetitions of an earlier study, by condition", repetitions_type()),
+      field<&Type::earlier>("earlier", "estimates of an earlier study, by condition",
+                            list_of<RareEstimate, earlier_fields>()),
   };
   return fields;
 }

@@ -20,7 +20,7 @@ void check_request(const Experiment& experiment, const RareRequest& request) {
   check.expect(request.earlier.size() <= experiment.conditions.size(), "earlier",
                std::to_string(request.earlier.size()) + " entries", "must be at most one for each condition");
   for (std::size_t i = 0; i < request.earlier.size(); ++i) {
-    const std::size_t size = request.earlier[i].size();
+    const std::size_t size = request.earlier[i].repetitions.size();
     check.expect(size < rare::most_repetitions, "earlier/" + std::to_string(i), std::to_string(size) + " repetitions",
                  "must be fewer than " + std::to_string(rare::most_repetitions));
   }

@@ -66,7 +66,8 @@ class Questions : public ::testing::Test {
 
 TEST_F(Questions, AboutFragilityHaveAHazardCurveThatFalls) {
   const RunResult done = run(experiment_);
-  const HazardCurve good{.name = "h", .intensity = "amplitude", .points = {{.intensity = 0.5, .rate = 1e-2}, {3.0, 1e-4}}};
+  const HazardCurve good{
+      .name = "h", .intensity = "amplitude", .points = {{.intensity = 0.5, .rate = 1e-2}, {3.0, 1e-4}}};
   using Points = std::vector<HazardPoint>;
   const auto ask = [&](const Points& points) {
     FragilityQuestion question{.hazard = good};
@@ -126,15 +127,16 @@ TEST_F(Questions, AboutFragilityHaveNumbersInRange) {
 
 TEST_F(Questions, AboutRareEventsHaveRepetitionsThatCanBe) {
   RareRequest good{.question = {.event = {.peak_tilt = 0.1}, .relative_error = 0.5}, .particles = 20};
-  good.earlier = {std::vector<rare::Repetition>(16, {.estimate = 0.5, .ancestors = 10, .work = 20.0})};
+  good.earlier.emplace_back().repetitions.assign(16, {.estimate = 0.5, .ancestors = 10, .work = 20.0});
   const auto ask = [&](const RareRequest& request) { check_request(experiment_, request); };
   expect_refused<RareRequest>(
       good, ask,
-      {{[](auto& r) { r.earlier[0][3].estimate = nan; }, "earlier/0/3/estimate = nan"},
-       {[](auto& r) { r.earlier[0][3].estimate = -0.1; }, "earlier/0/3/estimate = -0.1"},
-       {[](auto& r) { r.earlier[0][3].estimate = infinite; }, "earlier/0/3/estimate = inf"},
-       {[](auto& r) { r.earlier[0][0].work = nan; }, "earlier/0/0/work = nan"},
-       {[](auto& r) { r.earlier[0].resize(100'000); }, "earlier/0 = 100000 repetitions: must be fewer than 20000"},
+      {{[](auto& r) { r.earlier[0].repetitions[3].estimate = nan; }, "earlier/0/repetitions/3/estimate = nan"},
+       {[](auto& r) { r.earlier[0].repetitions[3].estimate = -0.1; }, "earlier/0/repetitions/3/estimate = -0.1"},
+       {[](auto& r) { r.earlier[0].repetitions[3].estimate = infinite; }, "earlier/0/repetitions/3/estimate = inf"},
+       {[](auto& r) { r.earlier[0].repetitions[0].work = nan; }, "earlier/0/repetitions/0/work = nan"},
+       {[](auto& r) { r.earlier[0].repetitions.resize(100'000); },
+        "earlier/0 = 100000 repetitions: must be fewer than 20000"},
        {[](auto& r) { r.earlier.resize(3); }, "earlier = 3 entries: must be at most one for each condition"},
        {[](auto& r) { r.particles = 19; }, "particles = 19: must be at least 20 and at most 100000"},
        {[](auto& r) { r.question.relative_error = nan; }, "relative_error = nan"},
@@ -276,7 +278,7 @@ TEST_F(Questions, AreNotAnsweredByResultsOfAnotherExperiment) {
 
 TEST_F(Questions, TellTwentyProblemsAtMost) {
   RareRequest request{.question = {.event = {.peak_tilt = 0.1}}};
-  request.earlier = {std::vector<rare::Repetition>(1000, {.estimate = nan})};
+  request.earlier.emplace_back().repetitions.assign(1000, {.estimate = nan});
   try {
     check_request(experiment_, request);
     FAIL();

@@ -435,7 +435,9 @@ std::optional<Interval> bias_corrected_interval(std::vector<double> values, doub
   const double below = (static_cast<double>(equal - values.begin()) + 0.5 * static_cast<double>(above - equal)) / count;
   const boost::math::normal_distribution<double> normal;
   const double bias = quantile(normal, std::clamp(below, 0.5 / count, 1.0 - 0.5 / count));
-  const double reach = quantile(normal, 0.5 * (1.0 + confidence));
+  // With two records the expanded percentiles are the ends themselves.
+  const double tail = 0.5 * (1.0 - confidence);
+  const double reach = tail > 0.0 ? quantile(complement(normal, tail)) : std::numeric_limits<double>::infinity();
   return Interval{.low = percentile(values, normal_cdf(2.0 * bias - reach)),
                   .high = percentile(values, normal_cdf(2.0 * bias + reach))};
 }

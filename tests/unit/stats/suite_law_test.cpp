@@ -250,7 +250,9 @@ TEST(SuiteLaw, ChangesItsMedianAloneWithTheUnitOfTheIntensity) {
 /// The law of the bootstrap sample that has these records.
 SuiteLaw law_of_sample(const SuiteLevels& suite, const std::vector<std::size_t>& records) {
   const auto draws = [&](std::uint64_t, std::uint64_t number) {
-    return (static_cast<double>(records.at(number)) + 0.5) / static_cast<double>(suite.size());
+    // Further numbers are the shares of an unseen record.
+    const std::size_t record = number < records.size() ? records[number] : 0;
+    return (static_cast<double>(record) + 0.5) / static_cast<double>(suite.size());
   };
   return bootstrap_records(suite, 1, draws).laws.at(0);
 }
@@ -420,6 +422,10 @@ TEST(SuiteBootstrap, HasPercentilesCorrectedForTheBiasOfTheSamples) {
   const auto unbiased = rocking::stats::bias_corrected_interval(values, 500.0, 999, 0.95);
   EXPECT_NEAR(unbiased->low, percentile_interval(values, 999, 0.95)->low, 1e-6);
   EXPECT_FALSE(rocking::stats::bias_corrected_interval(values, 500.0, 2000, 0.95));
+  // Of two records the expanded percentiles are 0 and 1.
+  const auto all = rocking::stats::bias_corrected_interval(values, 750.0, 999, 1.0);
+  EXPECT_EQ(all->low, 1.0);
+  EXPECT_EQ(all->high, 999.0);
 }
 
 // t(9) at 97.5 % is 2.262157; times sqrt(10/9) it is 2.384523, and Phi(-2.384523) = 0.008551.

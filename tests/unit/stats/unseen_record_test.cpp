@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include "rocking/stats/interval.hpp"
 #include "support/split_mix.hpp"
@@ -53,7 +53,8 @@ TEST(UnseenRecord, SharesAddUpToOne) {
     sum += share;
   }
   EXPECT_NEAR(sum, 1.0, 1e-15);
-  EXPECT_EQ(mean_with_unseen({0.5, 0.0}, 0.2, std::array{1.0, 1.0}), (std::vector<double>{0.6, 0.2}));
+  const std::vector<double> mean = mean_with_unseen({0.5, 0.0}, 0.2, std::array{1.0, 1.0});
+  EXPECT_THAT(mean, testing::ElementsAre(testing::DoubleEq(0.6), testing::DoubleEq(0.2)));
 }
 
 }  // namespace

@@ -98,7 +98,8 @@ Figure spectra_figure(const MotionReport& report) {
   const std::string damping = significant(100.0 * report.damping, 3) + " % damping";
   figure.subtitle = damping;
   figure.caption =
-      "Pseudo-acceleration (omega^2 times the largest displacement relative to the base) and largest velocity relative to "
+      "Pseudo-acceleration (omega^2 times the largest displacement relative to the base) and largest velocity relative "
+      "to "
       "the base of a linear oscillator with " +
       damping + ", wherever they are reached.";
   figure.description = "Spectral pseudo-acceleration and velocity against the period of the oscillator.";

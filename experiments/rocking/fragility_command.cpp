@@ -131,9 +131,8 @@ void expect_sensible(const FragilityCommand& command) {
 /// Writes the sheet, if one is asked for; whether that succeeded.
 bool write_sheet(const FragilityCommand& command, const Curves& curves, const FragilityQuestion& question) {
   if (command.sheet.empty()) return true;
-  const std::string again =
-      fmt::format("rocking fragility {} {} --sheet {}", shell_word(command.folders.front()), command.hazard.flags(),
-                  shell_word(command.sheet.string()));
+  const std::string again = fmt::format("rocking fragility {} {} --sheet {}", shell_word(command.folders.front()),
+                                        command.hazard.flags(), shell_word(command.sheet.string()));
   const Written written = rocking::write_sheet(curves.stored, curves.found, *question.hazard, command.sheet, again,
                                                {.stop = &stop_on_interrupt()});
   for (const std::string& reason : written.not_drawn) print_notice(reason);

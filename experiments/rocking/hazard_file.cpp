@@ -32,7 +32,8 @@ std::optional<HazardCurve> HazardFile::read() const {
 }
 
 std::string HazardFile::flags() const {
-  return fmt::format("--hazard {}{}{}", shell_word(file_), reading_.years ? " --years " + base::shortest(*reading_.years) : "",
+  return fmt::format("--hazard {}{}{}", shell_word(file_),
+                     reading_.years ? " --years " + base::shortest(*reading_.years) : "",
                      reading_.measure ? " --imt " + shell_word(*reading_.measure) : "");
 }
 

@@ -83,7 +83,8 @@ static const StructType& fields_of(const ReportedUnknown*) {
       field<&Type::parameter>("parameter", "JSON pointer into the experiment"),
       field<&Type::from>("from", "smallest value, in the unit of the parameter"),
       field<&Type::to>("to", "largest value"),
-      field<&Type::estimate>("estimate", "where the likelihood is largest; null: the first design was not finished, or it was stopped"),
+      field<&Type::estimate>(
+          "estimate", "where the likelihood is largest; null: the first design was not finished, or it was stopped"),
       field<&Type::interval>("interval", "by the profile likelihood; null as the estimate"),
       field<&Type::reaches>("reaches", "ends of the range that the interval reaches; null as the estimate"),
       field<&Type::profile>("profile", "likelihood, at the values of the grid of `region`"),

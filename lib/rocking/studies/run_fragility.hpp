@@ -57,7 +57,7 @@ struct AnnualRate {
 /// A rate of a suite by one way of taking the probabilities from its outcomes.
 struct RateEstimate {
   RateSource source = RateSource::law;
-  double value = 0.0;                       ///< [1/year]
+  double value = 0.0;  ///< [1/year]
   /// By the law: of its bootstrap samples over records. By shares: what the levels allow, with a record that is not in
   /// the suite (stats/unseen_record.hpp).
   std::optional<stats::Interval> interval;

@@ -138,7 +138,8 @@ FileMatches matches_seen_from(const std::filesystem::path& folder) {
     for (const auto& entry : std::filesystem::directory_iterator(place.empty() ? "." : place, unreadable)) {
       const std::string name = entry.path().filename().string();
       std::error_code gone;
-      if (::fnmatch(wanted.c_str(), name.c_str(), FNM_PERIOD | FNM_NOESCAPE | FNM_CASEFOLD) != 0 || !entry.is_regular_file(gone)) {
+      if (::fnmatch(wanted.c_str(), name.c_str(), FNM_PERIOD | FNM_NOESCAPE | FNM_CASEFOLD) != 0 ||
+          !entry.is_regular_file(gone)) {
         continue;
       }
       names.push_back((within / name).string());

@@ -11,6 +11,7 @@
 #include "analysis/page/html.hpp"
 #include "analysis/page/question.hpp"
 #include "analysis/page/words.hpp"
+#include "analysis/quantity.hpp"
 #include "analysis/sweep_view.hpp"
 #include "rocking/output/alarms.hpp"
 #include "rocking/output/annual_rate_table.hpp"

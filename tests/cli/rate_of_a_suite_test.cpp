@@ -138,13 +138,13 @@ TEST_F(RateOfASuite, WarnsOfHazardThatIsContinued) {
   const auto told = rocking("fragility out --hazard short.csv --sheet sheet.html");
   const std::string words = "100.0 % of the rate comes from beyond the last point of the hazard curve";
   for (const Json& curve : curves) {
-    EXPECT_EQ(curve["annual_rate"]["extrapolated_hazard"], 1.0);
+    EXPECT_DOUBLE_EQ(curve["annual_rate"]["extrapolated_hazard"].get<double>(), 1.0);
     EXPECT_EQ(curve["annual_rate"]["within_hazard"], 0.0);
   }
   for (const char* option : {"width_m 0.35: ", "width_m 0.5: "}) {
     EXPECT_THAT(told.output, HasSubstr(option + std::string("warning: ") + words + "; without it: 0 per year"));
   }
-  EXPECT_THAT(read("sheet.html"), HasSubstr("<p class=\"warning\">base width 0.35 m: " + words));
+  EXPECT_THAT(read("sheet.html"), HasSubstr("= 0.35 m: " + words));
   EXPECT_THAT(rocking("fragility out --all --hazard short.csv").output, HasSubstr("warning: " + words));
 }
 
@@ -299,6 +299,17 @@ TEST_F(RateOfASuite, WritesItsAnswerOnASheet) {
               AllOf(HasSubstr("did not overturn"), HasSubstr("up to once in"), HasSubstr("<td>unknown</td>")));
   const auto again = rocking("fragility out --hazard hazard.csv --sheet sheet.html");
   EXPECT_EQ(again.exit_code, 74) << again.errors;
+}
+
+// Its sketch is that of the mean block.
+TEST_F(RateOfASuite, HasASheetOfABlockOfRandomWidth) {
+  Json random = experiment();
+  random["block"]["width_m"] = {{"lognormal", {{"mean", 0.35}, {"sigma", 0.02}}}};
+  write("e.json", random.dump());
+  run();
+  const auto made = rocking("fragility out --hazard hazard.csv --sheet sheet.html");
+  ASSERT_EQ(made.exit_code, 0) << made.errors;
+  EXPECT_THAT(read("sheet.html"), HasSubstr("0.35"));
 }
 
 TEST_F(RateOfASuite, MakesAPdfOfItsSheetWhereWeasyPrintIs) {

@@ -22,6 +22,9 @@ constexpr ResponseMode overturned{.kind = section::ResponseKind::overturned};
 
 bool overturns(const ReportedCondition& condition) { return share_of(condition, overturned).count > 0; }
 
+/// Whether it is not known of some realisation.
+bool is_open(const ReportedCondition& condition) { return condition.result.without_answer() > 0; }
+
 std::string level_of(const ReportedCondition& condition) { return level_text(condition.confidence) + " %"; }
 
 /// `(at most 2.8 % there, 95 %)`; empty if the report has no bound.
@@ -60,7 +63,8 @@ std::string where_it_overturns(const Along& along) {
 
 std::string never_overturns(const Along& along) {
   const std::size_t last = along.size() - 1;
-  const bool random = along.at(last).result.is_random();
+  bool random = along.at(last).result.is_random();
+  for (std::size_t i = 0; i <= last; ++i) random = random || is_open(along.at(i));
   if (last == 0) return (random ? "None seen at " : "Does not overturn at ") + along.name(0) + bound_at(along.at(0));
   if (!random) return "Does not overturn from " + along.name(Range{0, last});
   return "No overturning seen up to " + along.name(last) + bound_at(along.at(last));
@@ -109,7 +113,8 @@ std::string overturning_anywhere(const Report& report) {
   const std::size_t worst = extreme_of(report, overturned);
   const ReportedCondition& condition = report.conditions[worst];
   const auto number = std::ranges::count_if(report.conditions, overturns);
-  if (number == 0 && !report.is_random()) return "The block does not overturn";
+  const bool has_open = std::ranges::any_of(report.conditions, is_open);
+  if (number == 0 && !report.is_random() && !has_open) return "The block does not overturn";
   if (number == 0) {
     const AnyShare share = share_of(condition, overturned);
     std::string text = fmt::format("None in {}", counted(realisations_of(report), "realisation"));
@@ -138,9 +143,18 @@ std::string overturning_anywhere(const Report& report) {
 }  // namespace
 
 std::string overturning_in_brief(const Report& report) {
+  std::uint64_t open = 0;
+  for (const ReportedCondition& condition : report.conditions) open += condition.result.without_answer();
+  const std::string of_open =
+      open == 0 ? ""
+                : fmt::format(
+                      "<p class=\"warning\">Of {} whether they overturn is not known: they ended without an "
+                      "answer, by a budget of steps or by Painlev&eacute;&#39;s paradox. The intervals cover "
+                      "both.</p>\n",
+                      counted(open, "realisation"));
   const SweepView view = view_of(report);
-  if (has_few_slices(view)) return by_slice(report, view, overturning_along);
-  return "<p>" + overturning_anywhere(report) + ".</p>\n";
+  if (has_few_slices(view)) return by_slice(report, view, overturning_along) + of_open;
+  return "<p>" + overturning_anywhere(report) + ".</p>\n" + of_open;
 }
 
 }  // namespace rocking::analysis

@@ -106,17 +106,18 @@ std::string answer(const Sheet& sheet) {
                              ? ""
                              : " (" + values_of(object.curve.subject.others) + ")";
   if (!(rate.value > 0.0)) {
-    const auto most = std::ranges::find(object.rate->estimates, RateSource::at_most, &RateEstimate::source);
     return fmt::format(
         "<p class=\"answer\">The object{} did not overturn under any of the records at these levels. Stronger shaking "
         "was "
         "not tested: the rate may be up to once in {} years.</p>",
-        as, years_in_words(1.0 / most->value));
+        as, years_in_words(1.0 / rate.interval.value().high));
   }
   std::string interval;
-  if (rate.interval && rate.interval->low > 0.0) {
-    interval = fmt::format(" ({} % interval: {} years)", significant(100.0 * object.curve.subject.confidence, 4),
-                           to(years_in_words(1.0 / rate.interval->high), years_in_words(1.0 / rate.interval->low)));
+  if (rate.interval) {
+    const std::string least = years_in_words(1.0 / rate.interval->high);
+    interval = fmt::format(
+        " ({} % interval: {} years)", significant(100.0 * object.curve.subject.confidence, 4),
+        rate.interval->low > 0.0 ? to(least, years_in_words(1.0 / rate.interval->low)) : "at least " + least);
   }
   return fmt::format(
       "<p class=\"answer\">The object{} overturns <strong>once in about {} years</strong>{}: with probability "
@@ -163,7 +164,8 @@ template <class Shown>
 std::string cell(double value, const std::optional<stats::Interval>& interval, Shown&& shown, bool falls = false) {
   std::string text = shown(value);
   if (interval) {
-    const std::string low = shown(interval->low), high = shown(interval->high);
+    const std::string low = shown(interval->low);
+    const std::string high = std::isfinite(interval->high) ? shown(interval->high) : "&infin;";
     text += "<br><span class=\"small\">" + (falls ? to(high, low) : to(low, high)) + "</span>";
   }
   return "<td>" + text + "</td>";
@@ -207,8 +209,9 @@ std::string rates(const Sheet& sheet) {
              "[%]</th>{}</tr></thead>\n<tbody>\n{}</tbody></table>\n{}",
              has_options ? "<th>factor</th>" : "", rows,
              has_options
-                 ? "<p class=\"small\">Factor: rate over that of the first row, with the same records and random "
-                   "numbers, by isotonic shares.</p>\n"
+                 ? fmt::format("<p class=\"small\">Factor: rate over that of the first row, with the same records and "
+                               "random numbers, by {} as the rates.</p>\n",
+                               source_in_words(sheet.comparisons.front().comparison.source))
                  : "") +
          omitted;
 }
@@ -227,6 +230,25 @@ std::string extrapolated_hazard(const Sheet& sheet) {
     text +=
         fmt::format("<p{}>{}{}.</p>\n", rate.extrapolated_hazard > most_extrapolated_hazard ? " class=\"warning\"" : "",
                     sheet.suites.size() > 1 ? values + ": " : "", extrapolated_hazard_in_words(rate));
+  }
+  return text;
+}
+
+/// What the rate of an option lacks.
+std::string warnings(const ReportedSuite& suite) {
+  const SuiteRate& rate = *suite.rate;
+  const std::string values = values_of(suite.curve.subject.others);
+  const std::string of = values.empty() ? "" : values + ": ";
+  std::string text;
+  if (!rate.do_estimates_agree()) {
+    text += fmt::format(
+        "<p class=\"warning\">{}of the rates by law, isotonic and observed shares {}; add the levels "
+        "{}.</p>\n",
+        of, disagreement_in_words(rate), escaped(added_levels_in_words(rate)));
+  }
+  if (!rate.is_decided()) {
+    text += fmt::format("<p class=\"warning\">{}the levels leave {} undecided; add the levels {}.</p>\n", of,
+                        undecided_in_words(rate), escaped(added_levels_in_words(rate)));
   }
   return text;
 }
@@ -254,14 +276,7 @@ std::string basis(const Sheet& sheet) {
                         significant(100.0 * most->share, 2));
   }
   text += "</p>\n";
-  if (!rate.do_estimates_agree()) {
-    text += fmt::format("<p class=\"warning\">The estimates differ by more than 15 %; add the levels {}.</p>\n",
-                        escaped(added_levels_in_words(rate)));
-  }
-  if (!rate.is_decided()) {
-    text += fmt::format("<p class=\"warning\">The levels leave {} % of the rate undecided; add the levels {}.</p>\n",
-                        significant(100.0 * rate.undecided_share, 2), escaped(added_levels_in_words(rate)));
-  }
+  for (const ReportedSuite& suite : sheet.suites) text += warnings(suite);
   return "<h2>What the answer rests on</h2>\n" + text + extrapolated_hazard(sheet);
 }
 

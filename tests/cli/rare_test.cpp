@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 
 #include "cli/program.hpp"
+#include "rocking/output/rare_report.hpp"
 #include "support/json_schema.hpp"
 
 namespace {
@@ -199,7 +200,7 @@ TEST_F(Rare, IsVerifiedFromItsRepetitions) {
   EXPECT_EQ(Json::parse(rocking("verify out --json --sample 11").output)["repetitions_run_again"], 12);
 }
 
-// What --resume makes of a file with a changed repetition is consistent: only a new repetition tells.
+// Each use of the file refuses it; `verify` says what is wrong.
 TEST_F(Rare, IsNotVerifiedWithAChangedRepetition) {
   const std::string options = std::string("rare quick.json -q -o out") + quickly;
   ASSERT_EQ(rocking(options).exit_code, 0);
@@ -208,10 +209,52 @@ TEST_F(Rare, IsNotVerifiedWithAChangedRepetition) {
   estimate = 1.25 * estimate.get<double>();
   write("out/rare.json", json.dump());
   EXPECT_THAT(rocking("verify out").output, HasSubstr("/conditions/1/probability is"));
-  ASSERT_EQ(rocking(options + "--resume").exit_code, 0);
   const auto outcome = rocking("verify out --json --sample 32");
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_THAT(outcome.output, HasSubstr("/conditions/1/repetitions/5/0 is"));
+  const auto resumed = rocking(options + "--resume");
+  EXPECT_EQ(resumed.exit_code, 65);
+  EXPECT_THAT(resumed.errors, HasSubstr("/digest"));
+  EXPECT_EQ(Json::parse(read("out/rare.json")), json) << "it is kept";
+}
+
+// A digit of what follows from the repetitions, of the digest, and of the experiment.
+TEST_F(Rare, IsNotUsedWithAChangedDigit) {
+  Json strong = Json::parse(read("quick.json"));
+  strong["sweep"][0]["values"] = {6.0, 9.0};
+  strong["realisations"] = 4;
+  write("strong.json", strong.dump());
+  write("hazard.csv", "amplitude, annual_rate\n1, 1e-2\n6, 1e-4\n12, 1e-6\n");
+  ASSERT_EQ(rocking("run strong.json -o run -q --no-page").exit_code, 0);
+  ASSERT_EQ(rocking(std::string("rare quick.json -q -o out") + quickly).exit_code, 0);
+  const Json json = Json::parse(read("out/rare.json"));
+  const std::string ask = "fragility run --hazard hazard.csv --peak-tilt 0.5 --rare out";
+  ASSERT_EQ(rocking(ask).exit_code, 0);
+  for (const char* pointer :
+       {"/conditions/0/probability", "/conditions/1/interval/0", "/conditions/0/relative_error", "/digest",
+        "/conditions/1/repetitions/3/0", "/input/sha256", "/input/experiment/block/width_m"}) {
+    Json other = json;
+    Json& value = other[Json::json_pointer(pointer)];
+    value = value.is_string() ? Json(std::string(64, '0')) : Json(1.001 * value.get<double>());
+    write("out/rare.json", other.dump());
+    const auto outcome = rocking(ask);
+    EXPECT_EQ(outcome.exit_code, 65) << pointer;
+    EXPECT_THAT(outcome.errors, AllOf(HasSubstr("rare.json"), HasSubstr("changed or damaged"))) << pointer;
+    EXPECT_EQ(rocking("figure out/rare.json -o drawn").exit_code, 65) << pointer;
+    EXPECT_EQ(rocking(std::string("rare quick.json -q -o out --resume") + quickly).exit_code, 65) << pointer;
+  }
+}
+
+// At the amplitude 4.2 the tilt exceeds 1e-6 in every realisation.
+TEST_F(Rare, IsNotCertainOfAnEventThatAlwaysHappens) {
+  const auto outcome = rocking("rare quick.json -q -o out --particles 40 --relative-error 1 --peak-tilt 1e-6");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+  EXPECT_EQ(objections("rare", read("out/rare.json")), "");
+  const Json sure = Json::parse(read("out/rare.json"))["conditions"][0];
+  ASSERT_EQ(sure["probability"], 1.0);
+  EXPECT_TRUE(sure["relative_error"].is_null());
+  EXPECT_NEAR(sure["interval"][0].get<double>(), std::pow(0.025, 1.0 / 16.0), 1e-6);
+  EXPECT_EQ(rocking("verify out").exit_code, 0);
 }
 
 TEST_F(Rare, IsNotVerifiedWithOtherNumbersOrWithoutSense) {
@@ -328,7 +371,8 @@ TEST_F(Rare, OfASuiteIsTheLowerTailOfItsAnnualRate) {
   EXPECT_THAT(read("drawn/fragility.svg"), HasSubstr("rare estimates"));
   Json part = tail;
   part["conditions"].erase(0);
-  write("part.json", part.dump());
+  const auto& document = rocking::rare_document();
+  write("part.json", document.text(document.read_unchecked(part)));  // with the digest of what is left
   EXPECT_THAT(rocking(ask + "part.json").errors, HasSubstr("1 of the 2 ground motions"));
   experiment["excitation"]["suite"] = "record3*.txt";
   write("one.json", experiment.dump());

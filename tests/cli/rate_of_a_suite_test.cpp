@@ -284,12 +284,28 @@ TEST_F(RateOfASuite, WritesItsAnswerOnASheet) {
   // The wider block against the narrower one, with an interval.
   const Json& comparison = found["comparisons"].at(0);
   EXPECT_EQ(comparison["option"], Json({{"/block/width_m", 0.5}}));
-  const double wide = found["curves"][1]["annual_rate"]["estimates"][1]["value"];
-  const double narrow = found["curves"][0]["annual_rate"]["estimates"][1]["value"];
+  // Factor and rates have one basis.
+  const Json& of_narrow = found["curves"][0]["annual_rate"];
+  const Json& of_wide = found["curves"][1]["annual_rate"];
+  EXPECT_EQ(comparison["from"], of_narrow["from"]);
+  EXPECT_EQ(comparison["from"], of_wide["from"]);
+  const double wide = of_wide["value"], narrow = of_narrow["value"];
   EXPECT_NEAR(comparison["difference"].get<double>(), wide - narrow, 1e-12 * narrow);
   EXPECT_NEAR(comparison["ratio"].get<double>(), wide / narrow, 1e-12);
   EXPECT_LE(comparison["ratio_interval"][0], comparison["ratio"]);
   EXPECT_GE(comparison["ratio_interval"][1], comparison["ratio"]);
+  // Each option is warned of.
+  std::size_t expected = 0, warnings = 0;
+  for (const Json& rate_of_option : {of_narrow, of_wide}) {
+    expected += rate_of_option["undecided_share"] > 0.05 ? 1 : 0;
+    expected += rate_of_option["disagreement"] > 0.15 ? 1 : 0;
+  }
+  for (std::size_t at = sheet.find("class=\"warning\""); at != std::string::npos;
+       at = sheet.find("class=\"warning\"", at + 1)) {
+    ++warnings;
+  }
+  EXPECT_GE(expected, 1U);
+  EXPECT_EQ(warnings, expected);
   // A base that never overturns has no factor; the second option still has a rate.
   wider["sweep"][1]["values"] = {3.0, 0.35};
   write("e.json", wider.dump());

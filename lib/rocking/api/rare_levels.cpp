@@ -23,10 +23,24 @@
 namespace rocking {
 namespace {
 
+/// Throws where motions ended without an answer: the probability is known up to theirs only.
+void check_answers(const RareReport& report) {
+  for (std::size_t i = 0; i < report.conditions.size(); ++i) {
+    const double unresolved = report.conditions[i].estimate.unresolved;
+    if (unresolved == 0.0) continue;
+    throw base::InputError({"/conditions/" + std::to_string(i) + "/unresolved", Json(unresolved).dump(),
+                            "is the probability of motions that ended without an answer, which may all have the event",
+                            "leave the condition out, or avoid what ended them: by a budget of steps, more slip in a "
+                            "cell of friction; by Painleve's paradox, less friction"});
+  }
+}
+
 RareReport report_in(const std::filesystem::path& file) {
   const std::string text = read_file(file);
   try {
-    return rare_document().read(parse_json(text));
+    RareReport report = rare_document().read(parse_json(text));
+    check_answers(report);
+    return report;
   } catch (const base::InputError& error) {
     throw located(error, text, file.string());
   }

@@ -31,7 +31,7 @@ std::vector<std::size_t> evenly_spaced(std::size_t size, std::size_t number) {
 
 InferReport infer_report_in(const std::string& text, const std::filesystem::path& file) {
   try {
-    return infer_document().read(parse_json(text));
+    return infer_document().read_unchecked(parse_json(text));
   } catch (const base::InputError& error) {
     throw located(error, text, file.string());
   }

@@ -21,7 +21,7 @@ namespace {
 
 RareReport rare_report_in(const std::string& text, const std::filesystem::path& file) {
   try {
-    return rare_document().read(parse_json(text));
+    return rare_document().read_unchecked(parse_json(text));
   } catch (const base::InputError& error) {
     throw located(error, text, file.string());
   }

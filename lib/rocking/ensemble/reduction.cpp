@@ -108,6 +108,11 @@ ModeTally Reduction::listed_modes() const {
   return listed;
 }
 
+std::uint64_t Reduction::without_answer() const {
+  const auto unresolved = modes_.find({});
+  return unresolved == modes_.end() ? 0 : validity_.without_answer(unresolved->second);
+}
+
 NonRecurrence Reduction::non_recurrence() const {
   std::vector<std::uint64_t> counts;
   for (const auto& [mode, count] : modes_) counts.push_back(count);
@@ -129,14 +134,16 @@ NonRecurrence Reduction::non_recurrence() const {
 void Reduction::add_anytime_intervals(std::vector<ModeEstimate>& modes) const {
   const stats::StoppingRule rule = stopping_rule(*condition_);
   for (auto& [mode, probability] : modes) {
-    probability.anytime = anytime_interval(rule, mode, probability.counts);
+    probability.anytime =
+        stats::covering(bounds_of(mode, probability.counts, without_answer()),
+                        [&](const stats::Proportion& counts) { return anytime_interval(rule, mode, counts); });
   }
 }
 
 ConditionResult Reduction::result() const {
   ConditionResult result;
   result.realisations = realisations_;
-  result.modes = estimate_modes(listed_modes(), condition_->confidence);
+  result.modes = estimate_modes(listed_modes(), condition_->confidence, without_answer());
   if (realisations_ >= 2) result.non_recurrence = non_recurrence();
   result.peaks = peak_quantiles_ ? *peak_quantiles_ : peaks_.quantiles(*condition_);
   result.exponents = peak_quantiles_ ? found_exponents_ : exponents_.exponents(condition_->confidence);

@@ -54,6 +54,7 @@ class Reduction {
   void add_to_validity(const Summary& summary);
   void add_to_pairs(const Summary& summary);
   [[nodiscard]] ModeTally listed_modes() const;
+  [[nodiscard]] std::uint64_t without_answer() const;
   [[nodiscard]] NonRecurrence non_recurrence() const;
   void add_corrected(std::vector<ModeEstimate>& modes) const;
   void add_anytime_intervals(std::vector<ModeEstimate>& modes) const;

@@ -113,6 +113,12 @@ struct Validity {
   Cases clamped;            ///< had at least one draw clamped
   std::map<section::Reason, Cases> unresolved;  ///< by the reason why the response is unresolved
   Clamps clamps;                                ///< clamped draws of all realisations
+
+  /// Of so many unresolved realisations those that ended before their horizon without an answer
+  /// (Summary::has_no_answer). They may have any response mode.
+  [[nodiscard]] std::uint64_t without_answer(std::uint64_t unresolved_realisations) const {
+    return std::min(painleve.count + stopped.count, unresolved_realisations);
+  }
 };
 
 /// Corrected probability of a mode: estimated from all realisations and from those that were run for longer.
@@ -122,16 +128,18 @@ struct Corrected {
   stats::Interval interval;  ///< covers at least as often as promised, for this mode alone
 };
 
-/// Probability of a mode: counts, estimate and intervals.
+/// Probability of a mode: counts, estimate and intervals. Realisations without an answer count as unresolved, and the
+/// intervals cover every mode that they may have.
 struct Estimate {
   stats::Proportion counts;
   double estimate = 0.0;
   stats::Interval wilson;
   stats::Interval jeffreys;
   stats::Interval clopper_pearson;
-  stats::Interval simultaneous;               ///< Bonferroni-Clopper-Pearson over all possible modes
-  stats::Interval goodman;                    ///< simultaneous over the listed modes
-  std::optional<stats::Interval> sison_glaz;  ///< as goodman; absent if one mode has nearly all realisations
+  stats::Interval simultaneous;  ///< Bonferroni-Clopper-Pearson over all possible modes
+  stats::Interval goodman;       ///< simultaneous over the listed modes
+  /// As goodman; absent if one mode has nearly all realisations, or if some have no answer.
+  std::optional<stats::Interval> sison_glaz;
   /// With `until`: covers for all modes at once, also if the data determined when to stop.
   std::optional<stats::Interval> anytime = std::nullopt;
   std::optional<Corrected> corrected = std::nullopt;  ///< present if labels were checked
@@ -186,6 +194,11 @@ struct ConditionResult {
   [[nodiscard]] const Estimate* estimate_of(const section::ResponseMode& mode) const {
     const auto found = std::ranges::find(modes, mode, &ModeEstimate::mode);
     return found == modes.end() ? nullptr : &found->probability;
+  }
+  /// Validity::without_answer of these realisations.
+  [[nodiscard]] std::uint64_t without_answer() const {
+    const Estimate* unresolved = estimate_of({});
+    return unresolved == nullptr ? 0 : validity.without_answer(unresolved->counts.successes);
   }
 };
 

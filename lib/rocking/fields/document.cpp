@@ -51,15 +51,14 @@ void Document::write_to(const TextSink& sink, const void* value) const {
   sink("\n");
 }
 
-void Document::read_into(void* value, const Json& json, std::vector<base::Problem>& problems) const {
-  const ReadingPlace place{.pointer = "", .problems = &problems};
+void Document::read_into(void* value, const Json& json, const ReadingPlace& place) const {
   if (!json.is_object() || json.value("format", "") != format_) {
     return place.at("format").reject(json, "is missing or another: this is no file of " + std::string(format_));
   }
   Json rest = json;
   rest.erase("format");
   fields_->read(rest, place, value);
-  if (problems.size() > most_problems) problems.resize(most_problems);
+  if (place.problems->size() > most_problems) place.problems->resize(most_problems);
 }
 
 std::string Document::schema_text() const {

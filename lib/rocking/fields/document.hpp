@@ -23,7 +23,7 @@ class Document {
 
  protected:
   void write_to(const TextSink& sink, const void* value) const;
-  void read_into(void* value, const Json& json, std::vector<base::Problem>& problems) const;
+  void read_into(void* value, const Json& json, const ReadingPlace& place) const;
 
  private:
   std::string_view format_;
@@ -51,16 +51,21 @@ class DocumentOf : public Document {
   }
 
   /// Throws base::InputError with every fault: its place, the value, and what would do.
-  [[nodiscard]] T read(const Json& json) const {
+  [[nodiscard]] T read(const Json& json) const { return read(json, true); }
+  /// The same, but a digest, or another value that follows from others, may be any: for checks that tell what is wrong.
+  [[nodiscard]] T read_unchecked(const Json& json) const { return read(json, false); }
+
+ private:
+  [[nodiscard]] T read(const Json& json, bool is_fit_checked) const {
     T value{};
     std::vector<base::Problem> problems;
-    read_into(&value, json, problems);
-    if (problems.empty() && check_ != nullptr) check_(value, {.pointer = "", .problems = &problems});
+    const ReadingPlace place{.pointer = "", .problems = &problems, .is_fit_checked = is_fit_checked};
+    read_into(&value, json, place);
+    if (problems.empty() && check_ != nullptr) check_(value, place);
     if (!problems.empty()) throw base::InputError(std::move(problems));
     return value;
   }
 
- private:
   Check check_;
 };
 

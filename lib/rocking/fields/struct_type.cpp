@@ -48,6 +48,10 @@ void Field::check(const ReadingPlace& place, const void* outermost) const {
   if (owner != nullptr && member != nullptr) type->check(member(owner), place);
 }
 
+void Field::check_fit(const Json& json, const ReadingPlace& place, const void* outermost) const {
+  if (must_fit && derive(owner_of(*this, outermost)) != json) place.reject_changed(json);
+}
+
 void Field::make_owner(void* outermost) const {
   for (const InlinedMember& inlined : inlined_by) outermost = inlined.make(outermost);
 }
@@ -111,6 +115,12 @@ void StructType::read(const Json& json, const ReadingPlace& place, void* value) 
       field.read(*found, inner, value);
     } else if (field.is_needed(value)) {
       place.at(field.key).reject(Json(), "is missing");
+    }
+  }
+  if (!place.problems->empty()) return;
+  for (const Field& field : fields_) {
+    if (const auto found = json.find(std::string(field.key)); found != json.end()) {
+      field.check_fit(*found, place.at(field.key), value);
     }
   }
 }

@@ -34,6 +34,7 @@ struct Field {
   void* (*member)(void* owner) = nullptr;          ///< null: derived
   bool (*has_value)(const void* owner) = nullptr;  ///< of an optional member, or a list
   Json (*derive)(const void* owner) = nullptr;     ///< from other members; written, and not read
+  bool must_fit = false;                           ///< derived, and an error in a document that has another value
   std::vector<InlinedMember> inlined_by = {};      ///< on the way to the owner, from the outermost on
 
   /// Whether a document may lack it.
@@ -45,6 +46,8 @@ struct Field {
   void write(const void* outermost, JsonWriter& out) const;
   /// Gives the optional members on the way a value.
   void make_owner(void* outermost) const;
+  /// Reports a derived value that does not fit what was read.
+  void check_fit(const Json& json, const ReadingPlace& place, const void* outermost) const;
   /// Precondition: make_owner was called.
   void read(const Json& json, const ReadingPlace& place, void* outermost) const;
   void check(const ReadingPlace& place, const void* outermost) const;
@@ -203,6 +206,12 @@ template <class Owner>
 [[nodiscard]] Field of_owner(std::string_view key, std::string_view sentence, const ValueType& type,
                              const Rule& rule = {}) {
   return {.key = key, .sentence = sentence, .rule = rule, .type = &type, .member = [](void* owner) { return owner; }};
+}
+
+/// A derived field that is compared with what was read: of a document that was changed it is an error.
+[[nodiscard]] inline Field fitting(Field derived) {
+  derived.must_fit = true;
+  return derived;
 }
 
 /// A field that follows from others: `derived<[](const Outer& outer) { return ...; }>("ratio", ...)`.

@@ -130,8 +130,13 @@ void ReadingPlace::reject(const Json& value, std::string reason, std::string rem
   problems->push_back({pointer.empty() ? "/" : pointer, brief(value), std::move(reason), std::move(remedy)});
 }
 
+void ReadingPlace::reject_changed(const Json& value) const {
+  if (!is_fit_checked) return;
+  reject(value, "does not fit the rest of the file, which was changed or damaged", "make the file again");
+}
+
 ReadingPlace ReadingPlace::at(std::string_view key) const {
-  return {.pointer = child_pointer(pointer, key), .rule = rule, .problems = problems};
+  return {.pointer = child_pointer(pointer, key), .rule = rule, .problems = problems, .is_fit_checked = is_fit_checked};
 }
 
 ReadingPlace ReadingPlace::at(std::string_view key, const Rule& of_field) const {

@@ -18,8 +18,11 @@ struct ReadingPlace {
   std::string pointer;  ///< JSON pointer
   Rule rule = {};       ///< of the numbers and texts there
   std::vector<base::Problem>* problems;
+  bool is_fit_checked = true;  ///< whether what contradicts the rest of the file is a fault
 
   void reject(const Json& value, std::string reason, std::string remedy = "") const;
+  /// Of a value that contradicts the rest of the file.
+  void reject_changed(const Json& value) const;
   [[nodiscard]] ReadingPlace at(std::string_view key) const;
   /// The same for a field, with its rule.
   [[nodiscard]] ReadingPlace at(std::string_view key, const Rule& of_field) const;

@@ -44,6 +44,22 @@ std::optional<std::string> contact_alarm(const Report& report) {
          first + "). Do not rely on the response modes of these realisations";
 }
 
+std::optional<std::string> answer_alarm(const Report& report) {
+  std::uint64_t count = 0, painleve = 0, all = 0;
+  for (const ReportedCondition& condition : report.conditions) {
+    count += condition.result.without_answer();
+    painleve += condition.result.validity.painleve.count;
+    all += condition.result.realisations;
+  }
+  if (count == 0) return std::nullopt;
+  return std::to_string(count) + " of " + counted(all, "realisation") +
+         " ended before their horizon without an answer" +
+         (painleve > 0 ? ", " + std::to_string(painleve) + " by Painleve's paradox" : "") +
+         ": whether they overturn is not known. They are unresolved, and the upper end of each interval counts them "
+         "as well. The page names the first of them; the remedy for a budget of steps is less slip in a cell of "
+         "friction or in a period (larger /fluctuation/friction/refresh_slip_m)";
+}
+
 std::optional<std::string> clamp_alarm(const Report& report) {
   const auto worst = worst_clamps(report);
   if (!worst) return std::nullopt;
@@ -130,8 +146,8 @@ std::string tolerance_remedy(double tolerance) {
 
 std::vector<std::string> alarms_of(const Report& report) {
   std::vector<std::string> alarms;
-  for (auto& alarm :
-       {left_out_records(report), far_scaled(report.ground_motions), contact_alarm(report), clamp_alarm(report)}) {
+  for (auto& alarm : {left_out_records(report), answer_alarm(report), far_scaled(report.ground_motions),
+                      contact_alarm(report), clamp_alarm(report)}) {
     if (alarm) alarms.push_back(*alarm);
   }
   return alarms;

@@ -15,6 +15,13 @@ struct TypeOf<RateSource> {
   static const ValueType& get() { return the_only<NamedType<all_rate_sources>>(); }
 };
 
+constexpr std::array all_rare_uses{RareUse::below_sure_level, RareUse::below_best_level, RareUse::up_to_highest,
+                                   RareUse::not_used};
+template <>
+struct TypeOf<RareUse> {
+  static const ValueType& get() { return the_only<NamedType<all_rare_uses>>(); }
+};
+
 static const StructType& fields_of(const RateInRange*) {
   static const StructType fields{
       "RateInRange",
@@ -55,6 +62,12 @@ const StructType& fields_of(const AnnualRate*) {
       field<&Rate::rare_below>("rare_below",
                                "below this intensity the rare estimates give the probabilities; absent: there are none",
                                rule::not_negative, WithoutValue::omitted),
+      field<&Rate::rare_use>(
+          "rare_use",
+          "with `--rare`: `below_sure_level`, the lowest with ten events; where no level has so many: "
+          "`below_best_level`, that above the estimates with the most, or `up_to_highest` estimate; "
+          "or `not_used`",
+          {}, WithoutValue::omitted),
       field<&Rate::extrapolated_hazard>("extrapolated_hazard",
                                         "share of `value` from beyond the last point of the hazard curve, where it is "
                                         "continued",
@@ -77,8 +90,9 @@ static const StructType& fields_of(const RateEstimate*) {
       field<&RateEstimate::value>("value", "mean annual rate [1/year]", rule::not_negative),
       field<&RateEstimate::interval>(
           "interval",
-          "by the law by bootstrap over records, null: too few samples with a law; by shares from the least "
-          "rate that the levels allow to the largest one, with a record that is not in the suite",
+          "by the law by bootstrap over records, with what the levels leave undecided outside them, null: too few "
+          "samples with a law; by shares from the least rate that the levels allow to the largest one, with a record "
+          "that is not in the suite",
           rule::not_negative),
   };
   return fields;
@@ -128,12 +142,15 @@ const StructType& fields_of(const RateComparison*) {
       field<&Comparison::base>("base", "values of the other entries of the sweep in the first suite"),
       field<&Comparison::option>("option", "in the one that is compared with it"),
       field<&Comparison::event>("event", "as of a curve"),
-      field<&Comparison::difference>("difference",
-                                     "rate of the option less that of the base, by isotonic shares [1/year]"),
-      field<&Comparison::interval>("interval", "of it by bootstrap over records, the same in both; null: none"),
+      field<&Comparison::source>("from", "what gives the probabilities of both rates, as of `annual_rate`"),
+      field<&Comparison::difference>("difference", "rate of the option less that of the base [1/year]"),
+      field<&Comparison::interval>(
+          "interval",
+          "of it by bootstrap over records, the same in both, with what the levels leave undecided; null: none"),
       field<&Comparison::ratio>("ratio", "rate of the option over that of the base; null: that is 0",
                                 rule::not_negative),
-      field<&Comparison::ratio_interval>("ratio_interval", "of it likewise", rule::not_negative),
+      field<&Comparison::ratio_interval>("ratio_interval", "of it likewise; null: without an upper bound",
+                                         open_interval_type(), rule::not_negative),
   };
   return fields;
 }

@@ -89,19 +89,28 @@ std::string beginning_text(const AnnualRate& rate) {
 std::string level_warnings(const SuiteRate& rate) {
   std::string text;
   if (!rate.do_estimates_agree()) {
-    text += "warning: of the rates by law, isotonic and observed shares " +
-            (rate.disagreement ? "the largest is " + per_cent(*rate.disagreement) + " % above the smallest"
-                               : std::string("one is 0 and another is not")) +
+    text += "warning: of the rates by law, isotonic and observed shares " + disagreement_in_words(rate) +
             "; add the levels " + added_levels_in_words(rate) + '\n';
   }
   if (!rate.is_decided()) {
-    text += "the levels leave " + per_cent(rate.undecided_share) + " % of the rate undecided; add " +
-            added_levels_in_words(rate) + '\n';
+    text += "warning: the levels leave " + undecided_in_words(rate) + " undecided; add " + added_levels_in_words(rate) +
+            '\n';
   }
   return text;
 }
 
 }  // namespace
+
+std::string disagreement_in_words(const SuiteRate& rate) {
+  if (!rate.disagreement) return "one is 0 and another is not";
+  if (*rate.disagreement <= 1.0) return "the largest is " + per_cent(*rate.disagreement) + " % above the smallest";
+  return "the largest is " + significant(1.0 + *rate.disagreement, 3) + " times the smallest";
+}
+
+std::string undecided_in_words(const SuiteRate& rate) {
+  if (rate.undecided_share <= 1.0) return per_cent(rate.undecided_share) + " % of the rate";
+  return "more than the whole rate";
+}
 
 std::string source_in_words(RateSource source) {
   switch (source) {
@@ -132,6 +141,23 @@ std::string added_levels_in_words(const SuiteRate& rate) {
   return text + " (those below " + significant(*end, 6) + " by `rocking rare`)";
 }
 
+std::string rare_use_in_words(const AnnualRate& rate) {
+  if (!rate.rare_use) return "";
+  const std::string end = rate.rare_below ? significant(*rate.rare_below, 6) : "";
+  switch (*rate.rare_use) {
+    case RareUse::below_sure_level: return "below " + end + " by the rare estimates\n";
+    case RareUse::below_best_level:
+      return "below " + end + " by the rare estimates, all of them, since no level has ten events; " + end +
+             " has the most above them\n";
+    case RareUse::up_to_highest:
+      return "up to " + end +
+             " by the rare estimates, all of them, since no level has ten events, and none above them has one\n";
+    case RareUse::not_used: break;
+  }
+  return "the rare estimates are not used: none lies below the lowest level with ten events, or there is only one and "
+         "no level above it has an event\n";
+}
+
 std::string annual_rate_in_words(const AnnualRate& rate, const FragilityEvent& event) {
   std::string text = "mean annual rate of " + words_of(event) + ": " + significant(rate.value, 3);
   if (rate.interval) text += ' ' + interval_in_words(*rate.interval);
@@ -141,8 +167,10 @@ std::string annual_rate_in_words(const AnnualRate& rate, const FragilityEvent& e
         "no function is fitted: the rate is that of the levels, interpolated; its interval assumes that the "
         "probability does not decrease\n";
   }
-  if (rate.rare_below) text += "below " + significant(*rate.rare_below, 6) + " by the rare estimates\n";
-  if (rate.source == RateSource::isotonic) text += "no law holds: the rate is that of the isotonic shares\n";
+  text += rare_use_in_words(rate);
+  if (rate.source == RateSource::isotonic) {
+    text += "no law holds, or not for every option: the rate is that of the isotonic shares\n";
+  }
   return text;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "rocking/base/error.hpp"
+#include "rocking/output/provenance_fields.hpp"
 
 namespace rocking {
 namespace {
@@ -75,6 +76,7 @@ class AnswerCheck {
 }  // namespace
 
 void check_infer_report(const InferReport& report, const ReadingPlace& place) {
+  check_input(report.input, place.at("input"));
   AnswerCheck(report, place).check();
   try {
     static_cast<void>(tests_of(report));

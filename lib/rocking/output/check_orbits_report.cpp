@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <string>
 
+#include "rocking/output/provenance_fields.hpp"
+
 namespace rocking {
 namespace {
 
@@ -74,6 +76,7 @@ void check_curves(const OrbitStudy& study, const ReadingPlace& place) {
 }  // namespace
 
 void check_orbits_report(const OrbitsReport& report, const ReadingPlace& place) {
+  check_input(report.input, place.at("input"));
   const OrbitStudy& study = report.study;
   for (std::size_t i = 0; i < study.conditions.size(); ++i) {
     check_condition_orbits(study.conditions[i], place.at("conditions").at(std::to_string(i)));

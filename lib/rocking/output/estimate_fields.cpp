@@ -36,7 +36,7 @@ static const StructType& fields_of(const Estimate*) {
       field<&Estimate::goodman>("simultaneous_goodman", "the intervals of the listed modes hold at once", rule::share),
       field<&Estimate::sison_glaz>("simultaneous_sison_glaz",
                                    "the same; null if almost all realisations have one mode, because the method is "
-                                   "then not defined",
+                                   "then not defined, and if some have no answer",
                                    rule::share),
       field<&Estimate::corrected>("corrected", "with `check_labels`: from the realisations that were run for longer",
                                   {}, WithoutValue::omitted),

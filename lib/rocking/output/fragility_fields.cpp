@@ -190,6 +190,7 @@ static const StructType& fields_of(const FragilityLevel*) {
                              {}, WithoutValue::omitted),
       field<&Level::overturned, &stats::Proportion::trials>("realisations", "of the condition", Rule{.least = 1.0}),
       field<&Level::overturned, &stats::Proportion::successes>("overturned", "those with the event"),
+      count_if_any<&Level::unresolved>("unresolved", unresolved_sentence),
       field<&Level::estimate>("estimate", "share of them", rule::share),
       field<&Level::exact>("exact", "its interval at this level alone", rule::share),
       field<&Level::simultaneous>("simultaneous", "its interval at all levels at once", rule::share),
@@ -312,20 +313,25 @@ const StructType& fields_of(const FragilityReport*) {
 
 namespace {
 
-void check_level(const stats::Proportion& counted, const ReadingPlace& place) {
-  if (counted.successes <= counted.trials) return;
-  place.at("overturned").reject(Json(counted.successes), "is greater than the number of realisations");
+void check_level(const stats::Proportion& counted, std::uint64_t unresolved, const ReadingPlace& place) {
+  if (counted.successes > counted.trials) {
+    place.at("overturned").reject(Json(counted.successes), "is greater than the number of realisations");
+  } else if (unresolved > counted.trials - counted.successes) {
+    place.at("unresolved").reject(Json(unresolved), "is greater than the number of those without the event");
+  }
 }
 
 void check_curve(const ReportedCurve& reported, const ReadingPlace& place) {
   for (std::size_t i = 0; i < reported.curve.levels.size(); ++i) {
-    check_level(reported.curve.levels[i].overturned, place.at("levels").at(std::to_string(i)));
+    const FragilityLevel& level = reported.curve.levels[i];
+    check_level(level.overturned, level.unresolved, place.at("levels").at(std::to_string(i)));
   }
 }
 
 void check_curve(const ReportedSuite& reported, const ReadingPlace& place) {
   for (std::size_t i = 0; i < reported.curve.levels.size(); ++i) {
-    check_level(reported.curve.levels[i].happened, place.at("levels").at(std::to_string(i)));
+    const SuiteLevel& level = reported.curve.levels[i];
+    check_level(level.happened, level.unresolved, place.at("levels").at(std::to_string(i)));
   }
 }
 

@@ -1,10 +1,17 @@
 #pragma once
 
+#include <string_view>
+
 #include "rocking/fields/struct_type.hpp"
 #include "rocking/output/fragility_report.hpp"
 
 /// How the parts of a fragility report stand in documents.
 namespace rocking {
+
+/// Of the key `unresolved` of a level.
+inline constexpr std::string_view unresolved_sentence =
+    "those without an answer, which ended before their horizon by a budget or by Painleve's paradox; the intervals "
+    "cover that all of them have the event; absent: none";
 
 /// `[low, high]`; an infinite upper end is null.
 [[nodiscard]] const ValueType& open_interval_type();

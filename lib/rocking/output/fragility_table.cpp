@@ -43,6 +43,10 @@ std::string_view words_for(FragilityOutcome outcome) {
     case FragilityOutcome::not_monotone:
       return "no function describes these levels: the share of overturned realisations falls as the intensity "
              "increases,\nwhich contradicts the lognormal function and every other that only rises";
+    case FragilityOutcome::unresolved:
+      return "no function is fitted: some realisations ended without an answer, and whether they overturn is not "
+             "known; "
+             "the\nintervals of the levels cover both";
     case FragilityOutcome::too_little: break;
   }
   return "no function is fitted: this requires two intensities, and two realisations with different random numbers";
@@ -99,6 +103,7 @@ std::string curve_table(const FragilityCurve& curve, Extent extent) {
     for (std::size_t k = beside.size(); k-- > 0;) row.insert(row.begin() + 1, column_cell(shakings[i], beside[k]));
     rows.push_back(std::move(row));
   }
+  add_unresolved(curve.levels, step, rows);
   const std::string common = common_shaking(swept_in(curve), shakings);
   std::string text = law_in_words(curve) + "\nshares at the levels\n" + aligned(rows) +
                      rare_table(curve.rare, curve.subject.parameter) +
@@ -193,16 +198,18 @@ std::string values_of(const std::vector<Parameter>& parameters) {
 
 std::string comparisons_of(const FragilityReport& report) {
   if (report.comparisons.empty()) return "";
-  std::vector<TextRow> rows{{"option", "against", "event", "difference per year", "interval", "ratio", "interval"}};
+  std::vector<TextRow> rows{
+      {"option", "against", "event", "by", "difference per year", "interval", "ratio", "interval"}};
   const auto interval = [](const std::optional<stats::Interval>& found) {
     return found ? interval_in_words(*found) : std::string(".");
   };
   for (const auto& [run, found] : report.comparisons) {
     rows.push_back({values_of(found.option), values_of(found.base), words_of(found.event),
-                    significant(found.difference, 3), interval(found.interval),
+                    source_in_words(found.source), significant(found.difference, 3), interval(found.interval),
                     found.ratio ? significant(*found.ratio, 3) : ".", interval(found.ratio_interval)});
   }
-  return "rates compared, by isotonic shares, with the same records and random numbers\n" + aligned(rows) + '\n';
+  return "rates compared, with the same records and random numbers; intervals hold what the levels leave undecided\n" +
+         aligned(rows) + '\n';
 }
 
 std::string curve_tables(const FragilityReport& report, const Content& content) {

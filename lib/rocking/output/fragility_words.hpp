@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -21,6 +23,17 @@ namespace rocking {
 
 /// A number of years with three digits and without a power of ten: `1910`, `0.25`.
 [[nodiscard]] std::string years_in_words(double years);
+
+/// Adds the column `unresolved` to the table of levels, whose rows follow the heading, if a level has realisations
+/// without an answer.
+template <class Levels>
+void add_unresolved(const Levels& levels, std::size_t step, std::vector<std::vector<std::string>>& rows) {
+  if (std::ranges::none_of(levels, [](const auto& level) { return level.unresolved > 0; })) return;
+  rows.front().emplace_back("unresolved");
+  for (std::size_t row = 1; row < rows.size(); ++row) {
+    rows[row].push_back(std::to_string(levels[(row - 1) * step].unresolved));
+  }
+}
 
 /// `lack of fit: deviance 3.2, p = 0.4 (499 bootstrap samples)`, as a line.
 [[nodiscard]] std::string test_in_words(const stats::LackOfFit& test);

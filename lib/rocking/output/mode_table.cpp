@@ -254,6 +254,7 @@ std::vector<TableRow> table_rows(const Report& report) {
   for (const ReportedCondition& condition : report.conditions) {
     TableRow row{.parameters = condition.parameters,
                  .realisations = condition.result.realisations,
+                 .without_answer = condition.result.without_answer(),
                  .modes = {},
                  .is_random = condition.result.is_random(),
                  .shaking = condition.shaking,
@@ -276,9 +277,11 @@ std::string overturning_line(std::span<const TableRow> conditions) {
   std::size_t overturning = 0;
   std::size_t equal = 0;  // conditions with the largest share
   std::uint64_t realisations = 0;
+  std::uint64_t without_answer = 0;
   double bound = 0.0;
   for (const TableRow& condition : conditions) {
     realisations += condition.realisations;
+    without_answer += condition.without_answer;
     const auto found = std::ranges::find(condition.modes, most.mode, &TableEntry::mode);
     if (found == condition.modes.end()) continue;
     if (found->interval) bound = std::max(bound, found->interval->high);
@@ -292,6 +295,7 @@ std::string overturning_line(std::span<const TableRow> conditions) {
   }
   if (where == nullptr) {
     return "overturning: none in " + counted(realisations, "realisation") +
+           (without_answer > 0 ? ", of which " + std::to_string(without_answer) + " ended without an answer" : "") +
            (bound > 0.0 ? "; at most " + per_cent(bound) + " % in each condition" : "") + '\n';
   }
   const std::string among =

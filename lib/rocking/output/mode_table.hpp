@@ -42,6 +42,7 @@ inline constexpr std::string_view peak_tilt_legend =
 struct TableRow {
   std::vector<Parameter> parameters;  ///< swept; the same pointers in every row
   std::uint64_t realisations = 0;
+  std::uint64_t without_answer = 0;  ///< ConditionResult::without_answer
   std::vector<TableEntry> modes;
   bool is_random = true;  ///< otherwise the single realisation is the response of the condition, with certainty
   std::optional<Shaking> shaking = std::nullopt;  ///< absent under a ground motion

@@ -133,6 +133,21 @@ const StructType& fields_of(const SystemFacts*) {
   return fields;
 }
 
+void check_input(const InputFacts& input, const ReadingPlace& place) {
+  if (input.experiment.is_null() || input.sha256 == base::to_hex(base::sha256(input.experiment.dump()))) return;
+  place.at("sha256").reject_changed(input.sha256);
+}
+
+void check_fit(const Json& read, const Json& right, const ReadingPlace& place) {
+  const Json steps = Json::diff(read, right);
+  if (steps.empty()) return;
+  const auto path = steps.front().at("path").get<std::string>();
+  const Json::json_pointer there(path);
+  ReadingPlace differs = place;
+  differs.pointer += path;
+  differs.reject_changed(read.contains(there) ? read.at(there) : Json());
+}
+
 InputFacts input_of(const Experiment& experiment) {
   const std::string& text = experiment.canonical_text;
   return {.experiment = text.empty() ? Json() : Json::parse(text),

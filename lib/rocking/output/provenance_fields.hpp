@@ -24,6 +24,16 @@ struct TypeOf<base::Sha256> {
 [[nodiscard]] const StructType& fields_of(const InputFacts*);
 [[nodiscard]] const StructType& fields_of(const SystemFacts*);
 
+/// Reports a digest that is not that of the experiment in the same file.
+void check_input(const InputFacts& input, const ReadingPlace& place);
+
+/// Reports where a value differs from what follows from the rest of the file.
+void check_fit(const Json& read, const Json& right, const ReadingPlace& place);
+template <class T>
+void check_fit(const T& read, const T& right, const ReadingPlace& place) {
+  check_fit(type_of<T>().json(&read), type_of<T>().json(&right), place);
+}
+
 /// The name of a response mode, as `(1,3)`.
 template <>
 struct TypeOf<section::ResponseMode> {

@@ -8,6 +8,7 @@
 #include "rocking/output/provenance_fields.hpp"
 #include "rocking/output/rare_report.hpp"
 #include "rocking/output/stats_fields.hpp"
+#include "rocking/studies/rare/summarise.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking {
@@ -34,24 +35,34 @@ struct TypeOf<RareDiagnosis> {
 
 namespace {
 
-/// `[estimate, work, ancestors]`.
+/// `[estimate, work, ancestors]`, and `unresolved` where it is not 0.
 class RepetitionType final : public ValueType {
  public:
   [[nodiscard]] Json json(const void* value) const override {
     const auto& repetition = *static_cast<const rare::Repetition*>(value);
-    return Json::array({repetition.estimate, repetition.work, repetition.ancestors});
+    Json numbers = Json::array({repetition.estimate, repetition.work, repetition.ancestors});
+    if (repetition.unresolved > 0.0) numbers.push_back(repetition.unresolved);
+    return numbers;
   }
   void read(const Json& json, const ReadingPlace& place, void* value) const override {
-    std::array<double, 3> numbers{};
-    type_of<std::array<double, 3>>().read(json, place, &numbers);
+    std::vector<double> numbers;
+    type_of<std::vector<double>>().read(json, place, &numbers);
+    if (numbers.size() != least && numbers.size() != most) return place.reject(json, "must have 3 numbers, or 4");
     auto& repetition = *static_cast<rare::Repetition*>(value);
     repetition.estimate = numbers[0];
     repetition.work = numbers[1];
     repetition.ancestors = static_cast<std::size_t>(numbers[2]);
+    if (numbers.size() == most) repetition.unresolved = numbers[3];
   }
   [[nodiscard]] Json schema(const Rule&) const override {
-    return type_of<std::array<double, 3>>().schema(rule::not_negative);
+    Json schema = type_of<std::vector<double>>().schema(rule::not_negative);
+    schema.update({{"minItems", least}, {"maxItems", most}});
+    return schema;
   }
+
+ private:
+  static constexpr std::size_t least = 3;
+  static constexpr std::size_t most = 4;
 };
 
 }  // namespace
@@ -164,6 +175,16 @@ static const StructType& fields_of(const CommittorMap*) {
 
 }  // namespace rare
 
+static Field unresolved_field() {
+  Field made = field<&ReportedRare::estimate, &RareEstimate::unresolved>(
+      "unresolved",
+      "probability that a motion ends without an answer, by a budget or by Painleve's paradox; the upper end of the "
+      "interval counts these as the event; absent: 0",
+      rule::share, WithoutValue::omitted);
+  made.has_value = [](const void* owner) { return static_cast<const ReportedRare*>(owner)->estimate.unresolved > 0.0; };
+  return made;
+}
+
 static const StructType& fields_of(const ReportedRare*) {
   using Reported = ReportedRare;
   using Found = RareEstimate;
@@ -177,8 +198,10 @@ static const StructType& fields_of(const ReportedRare*) {
           "interval", "of the probability; for a probability 0 its end is an order of magnitude, no bound",
           rule::share),
       field<&Reported::confidence>("confidence", "of the interval", rule::confidence),
+      unresolved_field(),
       field<estimate, &Found::relative_error>(
-          "relative_error", "standard error over the probability; null for a probability 0, and for few repetitions",
+          "relative_error",
+          "standard error over the probability; null for a probability 0, for equal repetitions, and for few",
           rule::not_negative),
       field<estimate, &Found::work>("work", "simulated time with the pilot runs, in realisations to the horizon",
                                     rule::not_negative),
@@ -195,9 +218,10 @@ static const StructType& fields_of(const ReportedRare*) {
           "reached", "share of the particles of that search that reach each level, and the event last", rule::share),
       field<estimate, &Found::pilot_work>("pilot_work", "part of `work` before the first repetition",
                                           rule::not_negative),
-      field<estimate, &Found::repetitions>(
-          "repetitions",
-          "[estimate, work, ancestors] of each; ancestors: first trajectories from which those with the event descend"),
+      field<estimate, &Found::repetitions>("repetitions",
+                                           "[estimate, work, ancestors] of each; ancestors: first trajectories from "
+                                           "which those with the event descend. A "
+                                           "fourth number, where it is not 0: the estimate for `unresolved`"),
       field<estimate, &Found::committor>("committor",
                                          "estimate of the probability of the event from points of the Poincare section "
                                          "at strobe point 1, with V = 0; null: of importance sampling"),
@@ -257,17 +281,40 @@ const StructType& fields_of(const RareReport*) {
       field<&File::input>("input", "what was asked"),
       of_owner<File>("question", "the event", question_fields()),
       of_owner<File>("settings", "of the estimate", settings_fields()),
-      derived<[](const File& report) { return report.digest(); }>("digest",
-                                                                  "SHA-256 over the levels and the repetitions"),
+      fitting(derived<[](const File& report) { return report.digest(); }>(
+          "digest", "SHA-256 over the levels and the repetitions")),
       field<&File::conditions>("conditions", "of the experiment"),
       field<&File::suites>("suites", "probability over the records of a suite; empty if no ground motion is swept"),
   };
   return fields;
 }
 
+namespace {
+
+/// What follows from the repetitions of a condition, and the probabilities of suites from these.
+void check_report(const RareReport& report, const ReadingPlace& place) {
+  check_input(report.input, place.at("input"));
+  std::vector<Condition> conditions;
+  std::vector<RareEstimate> estimates;
+  for (std::size_t i = 0; i < report.conditions.size(); ++i) {
+    const ReportedRare& reported = report.conditions[i];
+    ReportedRare right = reported;
+    rare::summarise_repetitions(right.estimate, right.confidence, report.particles);
+    check_fit(reported, right, place.at("conditions").at(std::to_string(i)));
+    Condition& condition = conditions.emplace_back();
+    condition.parameters = reported.parameters;
+    condition.confidence = reported.confidence;
+    estimates.push_back(reported.estimate);
+  }
+  check_fit(report.suites, rare_suites(conditions, estimates), place.at("suites"));
+}
+
+}  // namespace
+
 const DocumentOf<RareReport>& rare_document() {
   static const DocumentOf<RareReport> document(
-      "rocking.rare/1", "Probabilities of rare overturning. Without a time limit, equal input gives equal bytes.");
+      "rocking.rare/1", "Probabilities of rare overturning. Without a time limit, equal input gives equal bytes.",
+      check_report);
   return document;
 }
 
@@ -278,6 +325,7 @@ base::Sha256 RareReport::digest() const {
     for (const rare::Repetition& repetition : condition.estimate.repetitions) {
       builder.add(repetition.estimate);
       builder.add(repetition.work);
+      if (repetition.unresolved > 0.0) builder.add(repetition.unresolved);
     }
   }
   return builder.finish();

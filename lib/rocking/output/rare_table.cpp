@@ -45,6 +45,12 @@ std::string end_of(const RareEstimate& found) {
   return "";
 }
 
+std::string unresolved_words(const RareEstimate& found) {
+  if (found.unresolved == 0.0) return "";
+  return "motions that ended before their horizon without an answer have the probability " +
+         significant(found.unresolved, 3) + "; the upper end of the interval counts them as the event";
+}
+
 /// A row for each suite; empty without any.
 std::string suite_rows(const std::vector<RareSuite>& suites) {
   if (suites.empty()) return "";
@@ -86,7 +92,7 @@ std::string rare_table(const RareReport& report) {
                 percentage(estimate.relative_error), std::to_string(estimate.repetitions.size()),
                 significant(estimate.work, 3), estimate.crude_work ? significant(*estimate.crude_work, 3) : "-"});
     rows.push_back(std::move(row));
-    for (const std::string& note : {end_of(estimate), warning_about(estimate)}) {
+    for (const std::string& note : {end_of(estimate), warning_about(estimate), unresolved_words(estimate)}) {
       if (note.empty()) continue;
       notes += (conditions.size() > 1 ? "condition " + std::to_string(c) + ": " : "") + note + ".\n";
     }

@@ -32,6 +32,11 @@ double share_in(const TableRow& condition, const ResponseMode& mode) {
   return found == condition.modes.end() ? 0.0 : found->estimate;
 }
 
+/// They may have any response.
+double share_without_answer(const TableRow& condition) {
+  return static_cast<double>(condition.without_answer) / static_cast<double>(condition.realisations);
+}
+
 bool have_equal_values(const TableRow& a, const TableRow& b, std::size_t entries) {
   for (std::size_t i = 0; i < entries; ++i) {
     if (a.parameters[i].value != b.parameters[i].value) return false;
@@ -93,14 +98,16 @@ std::string span_in_per_cent(double low, double high) {
 std::string shares_in(std::span<const TableRow> conditions, const ResponseMode& mode) {
   double low = 1.0, high = 0.0;
   for (const TableRow& condition : conditions) {
-    low = std::min(low, share_in(condition, mode));
-    high = std::max(high, share_in(condition, mode));
+    const double open = share_without_answer(condition);
+    low = std::min(low, share_in(condition, mode) - (mode == ResponseMode{} ? open : 0.0));
+    high = std::max(high, share_in(condition, mode) + (mode == ResponseMode{} ? 0.0 : open));
   }
   return span_in_per_cent(low, high);
 }
 
-bool overturns(std::span<const TableRow> conditions) {
-  return std::ranges::any_of(conditions, [](const TableRow& each) { return share_in(each, overturned) > 0.0; });
+bool may_overturn_in(std::span<const TableRow> conditions) {
+  return std::ranges::any_of(
+      conditions, [](const TableRow& each) { return share_in(each, overturned) > 0.0 || each.without_answer > 0; });
 }
 
 }  // namespace
@@ -110,7 +117,7 @@ std::string run_summary(std::span<const TableRow> conditions, std::size_t most) 
   const Grouping grouping = grouping_of(conditions, most);
   const std::vector<Parameter>& swept = conditions.front().parameters;
   const bool has_range = grouping.entries < swept.size();
-  const bool may_overturn = overturns(conditions);
+  const bool may_overturn = may_overturn_in(conditions);
   TextRow header;
   for (std::size_t i = 0; i < grouping.entries; ++i) header.push_back(last_key(swept[i].pointer));
   if (has_range) header.push_back(last_key(swept[grouping.entries].pointer));
@@ -146,6 +153,7 @@ std::string pooled_summary(std::span<const TableRow> conditions, std::size_t mos
   struct Pooled {
     std::vector<Parameter> others;
     std::vector<double> shares;
+    double open = 0.0;  ///< sum over the conditions of their shares without an answer
     std::uint64_t realisations = 0;
   };
   std::vector<Pooled> groups;
@@ -157,6 +165,7 @@ std::string pooled_summary(std::span<const TableRow> conditions, std::size_t mos
     });
     if (group == groups.end()) group = groups.insert(groups.end(), {.others = std::move(others), .shares = {}});
     group->shares.push_back(share_in(condition, overturned));
+    group->open += share_without_answer(condition);
     group->realisations += condition.realisations;
   }
   if (groups.size() > most) return {};
@@ -170,8 +179,9 @@ std::string pooled_summary(std::span<const TableRow> conditions, std::size_t mos
     double sum = 0.0;
     for (const double share : group.shares) sum += share;
     const auto [low, high] = std::ranges::minmax(group.shares);
+    const auto records = static_cast<double>(group.shares.size());
     row.insert(row.end(), {std::to_string(group.shares.size()), std::to_string(group.realisations),
-                           per_cent(sum / static_cast<double>(group.shares.size())), span_in_per_cent(low, high)});
+                           span_in_per_cent(sum / records, (sum + group.open) / records), span_in_per_cent(low, high)});
   }
   return aligned(rows);
 }

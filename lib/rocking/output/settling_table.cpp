@@ -290,8 +290,11 @@ std::string unresolved_remedy(const Report& report) {
   for (const ReportedCondition& condition : report.conditions) {
     const Estimate* unresolved = condition.result.estimate_of(section::ResponseMode{});
     if (!condition.result.is_random() || condition.result.settling || unresolved == nullptr) continue;
-    if (unresolved->estimate <= largest) continue;
-    largest = unresolved->estimate;
+    // More periods are no help to those that ended before their horizon.
+    const std::uint64_t count = unresolved->counts.successes - condition.result.without_answer();
+    const double share = static_cast<double>(count) / static_cast<double>(condition.result.realisations);
+    if (share <= largest) continue;
+    largest = share;
     worst = &condition;
   }
   const auto horizon = worst == nullptr ? std::nullopt : fixed_horizon(report, *worst);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string_view>
 #include <vector>
 
 #include "rocking/fields/struct_type.hpp"
@@ -8,6 +9,16 @@
 
 /// How values of statistics stand in documents.
 namespace rocking {
+
+/// A count that stands in a document only where it is not 0.
+template <auto member>
+[[nodiscard]] Field count_if_any(std::string_view key, std::string_view sentence) {
+  Field made = field<member>(key, sentence, {}, WithoutValue::omitted);
+  made.has_value = [](const void* owner) {
+    return static_cast<const typename detail::OwnerOf<decltype(member)>::Type*>(owner)->*member > 0;
+  };
+  return made;
+}
 
 /// `[low, high]`.
 template <>

@@ -113,6 +113,7 @@ static const StructType& fields_of(const SuiteLevel*) {
       field<&Level::records>("records", "at this intensity", Rule{.least = 1.0}),
       field<&Level::happened, &stats::Proportion::trials>("realisations", "sum over the records", Rule{.least = 1.0}),
       field<&Level::happened, &stats::Proportion::successes>("overturned", "those with the event"),
+      count_if_any<&Level::unresolved>("unresolved", unresolved_sentence),
       field<&Level::estimate>("estimate", "mean over the records of their shares", rule::share),
       field<&Level::fitted>("fitted", "by the law of the suite; null: no law", rule::share),
       field<&Level::band>("band", "of `fitted` by bootstrap over records; null: too few samples with a law",

@@ -18,6 +18,9 @@ std::string_view words_for_suite(stats::FragilityOutcome outcome) {
     case stats::FragilityOutcome::separated:
       return "every record has its threshold between the same levels, so the scatter may be 0; add intensities between";
     case stats::FragilityOutcome::does_not_rise: return "the share does not clearly increase with intensity";
+    case stats::FragilityOutcome::unresolved:
+      return "some realisations ended without an answer, and whether they have the event is not known; bands cover "
+             "both";
     default: break;
   }
   return "this requires two records and two intensities";
@@ -67,6 +70,7 @@ std::string level_table_of(const SuiteCurve& curve) {
     if (!has_law) rows.back().back() = per_cent(level.isotonic_band);
     if (has_law && level.band) rows.back().back() = per_cent(*level.band);
   }
+  add_unresolved(curve.levels, 1, rows);
   return "\nshares of the records at each level\n" + aligned(rows);
 }
 

@@ -28,6 +28,7 @@ constexpr double steepest_line = 1e6;
 struct CentredSuite {
   double centre = 0.0;
   std::vector<RecordCounts> records;
+  bool is_unresolved = false;  ///< the outcome of some trial is not known
 };
 
 CentredSuite centred(const SuiteLevels& suite) {
@@ -37,6 +38,7 @@ CentredSuite centred(const SuiteLevels& suite) {
     for (const RecordLevel& level : record) {
       ROCKING_EXPECT(level.intensity > 0.0 && level.happened.trials > 0);
       found.centre += std::log(level.intensity);
+      found.is_unresolved = found.is_unresolved || level.unresolved > 0;
       levels += 1.0;
     }
   }
@@ -115,6 +117,7 @@ SuiteFit fit_mixed(const std::vector<RecordCounts>& records, double centre, cons
 
 /// `start`: of the search where not every record is a step; null: several.
 SuiteFit fit_centred(const CentredSuite& suite, const MixedProbitStart* start = nullptr) {
+  if (suite.is_unresolved) return without_law(FragilityOutcome::unresolved);
   const std::vector<ProbitCounts> pooled = pooled_counts(suite.records);
   if (distinct_records(suite.records) < 2 || !has_two_intensities(pooled)) {
     return without_law(FragilityOutcome::too_little);
@@ -139,6 +142,7 @@ std::optional<MixedProbitStart> start_at(const CentredSuite& suite, const SuiteL
 }
 
 std::optional<PooledLaw> pooled_law(const CentredSuite& suite) {
+  if (suite.is_unresolved) return std::nullopt;
   const std::vector<ProbitCounts> counts = pooled_counts(suite.records);
   if (counts.size() < 2 || shape_of(counts) != ProbitShape::has_maximum) return std::nullopt;
   const ProbitLine line = most_likely_line(counts);
@@ -410,7 +414,10 @@ double percentile(const std::vector<double>& sorted, double share) {
   const double place = std::clamp(share * static_cast<double>(sorted.size() + 1) - 1.0, 0.0, last);
   const auto index = static_cast<std::size_t>(place);
   const std::size_t next = std::min(index + 1, sorted.size() - 1);
-  return sorted[index] + (place - static_cast<double>(index)) * (sorted[next] - sorted[index]);
+  const double part = place - static_cast<double>(index);
+  // Beside an infinite value the difference may be none.
+  if (part == 0.0 || sorted[next] == sorted[index]) return sorted[index];
+  return sorted[index] + part * (sorted[next] - sorted[index]);
 }
 
 bool are_enough(const std::vector<double>& values, std::uint64_t samples) {

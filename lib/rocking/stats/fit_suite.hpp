@@ -14,8 +14,9 @@ namespace rocking::stats {
 
 /// Trials of one record at one intensity.
 struct RecordLevel {
-  double intensity = 0.0;  ///< > 0
-  Proportion happened;     ///< at least one trial
+  double intensity = 0.0;        ///< > 0
+  Proportion happened;           ///< at least one trial
+  std::uint64_t unresolved = 0;  ///< trials whose outcome is not known, and stands as not happened
 };
 
 /// Levels of each record; records may have different intensities.

@@ -138,6 +138,7 @@ std::string_view to_string(FragilityOutcome outcome) {
     case FragilityOutcome::no_scatter: return "no_scatter";
     case FragilityOutcome::rejected: return "rejected";
     case FragilityOutcome::not_monotone: return "not_monotone";
+    case FragilityOutcome::unresolved: return "unresolved";
     case FragilityOutcome::too_little: break;
   }
   return "too_little";
@@ -191,6 +192,9 @@ FragilityFit fit_lognormal(const std::vector<IntensityLevel>& levels, double con
   for (const IntensityLevel& level : levels) {
     ROCKING_EXPECT(level.intensity > 0.0 && !level.happened.empty());
     law.centre += std::log(level.intensity) / static_cast<double>(levels.size());
+  }
+  if (std::ranges::any_of(levels, [](const IntensityLevel& level) { return level.unresolved > 0; })) {
+    return {.outcome = FragilityOutcome::unresolved, .law = std::nullopt};
   }
   const std::vector<ProbitCounts> counts = counted(levels, law.centre);
   if (are_one_intensity(counts) || trial_numbers(levels) < 2) {

@@ -16,8 +16,9 @@ namespace rocking::stats {
 /// several intensities use common random numbers and are therefore dependent; trials with different numbers are
 /// independent.
 struct IntensityLevel {
-  double intensity = 0.0;      ///< > 0
-  std::vector<bool> happened;  ///< may have different lengths at different intensities
+  double intensity = 0.0;        ///< > 0
+  std::vector<bool> happened;    ///< may have different lengths at different intensities
+  std::uint64_t unresolved = 0;  ///< trials whose outcome is not known, and stands as not happened
 };
 
 /// Count of the trials at this level whose event happened.
@@ -37,12 +38,14 @@ enum class FragilityOutcome : std::uint8_t {
   too_little,     ///< fewer than two intensities, or at most one trial at each
   rejected,       ///< the test of fit rejects the lognormal law
   not_monotone,   ///< the shares contradict every probability that does not decrease with the intensity
+  unresolved,     ///< the outcome of some trial is not known
 };
 
-inline constexpr std::array all_fragility_outcomes{
-    FragilityOutcome::fitted,     FragilityOutcome::never_happened, FragilityOutcome::always_happened,
-    FragilityOutcome::separated,  FragilityOutcome::does_not_rise,  FragilityOutcome::no_scatter,
-    FragilityOutcome::too_little, FragilityOutcome::rejected,       FragilityOutcome::not_monotone};
+inline constexpr std::array all_fragility_outcomes{FragilityOutcome::fitted,          FragilityOutcome::never_happened,
+                                                   FragilityOutcome::always_happened, FragilityOutcome::separated,
+                                                   FragilityOutcome::does_not_rise,   FragilityOutcome::no_scatter,
+                                                   FragilityOutcome::too_little,      FragilityOutcome::rejected,
+                                                   FragilityOutcome::not_monotone,    FragilityOutcome::unresolved};
 
 /// The name of its enumerator.
 [[nodiscard]] std::string_view to_string(FragilityOutcome outcome);

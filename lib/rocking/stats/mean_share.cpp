@@ -46,4 +46,9 @@ Interval korn_graubard(const ClusteredProportion& proportion, double confidence)
   return {std::clamp(low, 0.0, p), std::clamp(high, p, 1.0)};
 }
 
+Interval interval_of_equal_shares(double share, std::uint64_t clusters, double confidence) {
+  const double sum = share * static_cast<double>(clusters);
+  return korn_graubard({.clusters = clusters, .trials_each = 1, .successes = sum, .squares = sum * share}, confidence);
+}
+
 }  // namespace rocking::stats

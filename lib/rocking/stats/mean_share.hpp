@@ -35,4 +35,8 @@ struct ClusteredProportion {
 /// Source: Korn & Graubard (1998), Surv. Methodol. 24, 193-201.
 [[nodiscard]] Interval korn_graubard(const ClusteredProportion& proportion, double confidence);
 
+/// Of the expected share of a cluster where those of all clusters are `share`: nothing is known of their scatter, and
+/// each counts as one trial. [0, 0.308] for 0 of 10 at 95 %.
+[[nodiscard]] Interval interval_of_equal_shares(double share, std::uint64_t clusters, double confidence);
+
 }  // namespace rocking::stats

@@ -5,7 +5,7 @@
 
 namespace rocking::stats {
 
-RecordShares::RecordShares(const SuiteLevels& suite) {
+RecordShares::RecordShares(const SuiteLevels& suite, Unresolved unresolved) {
   ROCKING_EXPECT(!suite.empty());
   for (const RecordLevel& level : suite.front()) intensities_.push_back(level.intensity);
   for (const auto& record : suite) {
@@ -13,7 +13,8 @@ RecordShares::RecordShares(const SuiteLevels& suite) {
     std::vector<double>& shares = shares_.emplace_back();
     for (std::size_t k = 0; k < record.size(); ++k) {
       ROCKING_EXPECT(record[k].intensity == intensities_[k]);
-      shares.push_back(static_cast<double>(record[k].happened.successes) /
+      const std::uint64_t more = unresolved == Unresolved::as_happened ? record[k].unresolved : 0;
+      shares.push_back(static_cast<double>(record[k].happened.successes + more) /
                        static_cast<double>(record[k].happened.trials));
     }
   }

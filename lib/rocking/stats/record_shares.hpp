@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "rocking/stats/fit_suite.hpp"
@@ -10,8 +11,11 @@ namespace rocking::stats {
 /// Shares of the trials of each record with the event, and their means over records: without a law.
 class RecordShares {
  public:
+  /// What trials whose outcome is not known count as.
+  enum class Unresolved : std::uint8_t { as_not_happened, as_happened };
+
   /// Of a suite whose records have the same intensities, by growing intensity.
-  explicit RecordShares(const SuiteLevels& suite);
+  explicit RecordShares(const SuiteLevels& suite, Unresolved unresolved = Unresolved::as_not_happened);
 
   [[nodiscard]] std::size_t records() const { return shares_.size(); }
   [[nodiscard]] const std::vector<double>& intensities() const { return intensities_; }

@@ -7,10 +7,13 @@
 #include "rocking/base/elementary.hpp"
 #include "rocking/base/error.hpp"
 #include "rocking/base/natural_logarithm.hpp"
+#include "rocking/stats/mean_share.hpp"
 #include "rocking/stats/student_law.hpp"
 
 namespace rocking::stats {
 namespace {
+
+constexpr double rounding_of_mean = 1e-14;  ///< of a mean
 
 /// Student's interval for the logarithm.
 Interval interval_about(double mean, double relative_error, double degrees_of_freedom, double confidence) {
@@ -59,6 +62,10 @@ RepeatedEstimate mean_of_repetitions(std::span<const double> estimates, double c
   result.relative_error = error;
   result.degrees_of_freedom = count - 1.0;
   result.interval = interval_about(result.mean, error, result.degrees_of_freedom, confidence);
+  if (error <= rounding_of_mean) {
+    result.relative_error = 0.0;
+    result.interval = interval_of_equal_shares(std::min(1.0, result.mean), estimates.size(), confidence);
+  }
   return result;
 }
 

@@ -7,7 +7,7 @@
 
 namespace rocking::stats {
 
-/// The mean of independent, unbiased, non-negative estimates of one number > 0.
+/// The mean of independent, unbiased, non-negative estimates of a probability > 0.
 struct RepeatedEstimate {
   double mean = 0.0;
   std::optional<double> relative_error;  ///< standard error over the mean; absent for a mean of 0 or one estimate
@@ -23,7 +23,8 @@ struct RepeatedEstimate {
 /// Of skewed estimates s is too small, and the mean with it, until one of the rare large ones has come; the logarithms
 /// tell their scatter before. Student's interval for the logarithm of the mean, by the delta method: the error of estimates of a small probability
 /// is nearer to lognormal than to normal, and the lower end stays positive. The coverage is measured in
-/// lib/docs/rare.md. `confidence` in (0, 1). Requires an estimate.
+/// lib/docs/rare.md. `confidence` in (0, 1). Requires an estimate. Where all are equal, as those of an event that always
+/// happens, nothing is known of their scatter: each counts as one trial (interval_of_equal_shares).
 [[nodiscard]] RepeatedEstimate mean_of_repetitions(std::span<const double> estimates, double confidence);
 
 /// An independent estimate of a number > 0.

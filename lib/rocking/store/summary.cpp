@@ -44,6 +44,11 @@ bool Summary::was_clamped() const {
   return std::ranges::any_of(clamp_kinds, [this](const ClampKind& kind) { return clamps.*kind.count > 0; });
 }
 
+bool Summary::has_no_answer() const {
+  using enum dynamics::Termination;
+  return (termination == painleve || termination == stopped) && mode.kind == section::ResponseKind::unresolved;
+}
+
 Summary summarise(const RealisationResult& result, std::uint64_t realisation) {
   Summary summary = summary_at_fixed_horizon(result, realisation);
   if (!result.settling) return summary;

@@ -48,6 +48,8 @@ struct Summary {
   std::optional<section::ModeCounts> long_run;  ///< absent without a long run
 
   [[nodiscard]] bool was_clamped() const;
+  /// Whether the motion ended before its horizon without an answer: by a budget, or by Painleve's paradox.
+  [[nodiscard]] bool has_no_answer() const;
 };
 
 [[nodiscard]] Summary summarise(const RealisationResult& result, std::uint64_t realisation);

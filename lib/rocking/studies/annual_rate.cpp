@@ -19,15 +19,10 @@ LognormalCapacity capacity_of(const stats::LognormalFragility& law) {
 }
 
 /// Rare estimates of the lower tail and what they add to a rate.
-struct Tail {
-  std::vector<double> y;             ///< ln x of its nodes, of which the last belongs to the levels; empty: no tail
-  std::vector<RareLevel> estimates;  ///< at the nodes but the last
+struct Tail : UsedRare {
+  std::vector<double> y;  ///< ln x of its nodes; empty: no tail
 
-  explicit Tail(const FragilityCurve& curve) : estimates(rare_below_levels(curve)) {
-    if (estimates.empty()) return;
-    for (const RareLevel& level : estimates) y.push_back(std::log(level.intensity));
-    y.push_back(std::log(lowest_sure_level(curve.levels).value()));
-  }
+  explicit Tail(const FragilityCurve& curve) : UsedRare(used_rare(curve)), y(nodes()) {}
 
   /// The probabilities, after a change of one.
   template <class Get>
@@ -39,7 +34,23 @@ struct Tail {
   [[nodiscard]] std::vector<double> probabilities() const {
     return probabilities([this](std::size_t i) { return estimates[i].probability; });
   }
+  /// The probabilities of levels above the tail. Where the highest of its own, `last`, ends it, they are no smaller.
+  [[nodiscard]] KnownProbabilities above(KnownProbabilities levels, double last) const {
+    if (end || y.empty()) return levels;
+    KnownProbabilities found{.y = {y.back()}, .probabilities = {last}, .between = levels.between};
+    for (std::size_t i = 0; i < levels.y.size(); ++i) {
+      if (levels.y[i] <= y.back()) continue;
+      found.y.push_back(levels.y[i]);
+      found.probabilities.push_back(std::max(last, levels.probabilities[i]));
+    }
+    return found;
+  }
 };
+
+/// Levels, whose lowest part is a tail with these probabilities.
+WithTail<KnownProbabilities> joined(const Tail& tail, const std::vector<double>& of_tail, KnownProbabilities levels) {
+  return {tail.y, of_tail, tail.above(std::move(levels), of_tail.empty() ? 0.0 : of_tail.back())};
+}
 
 AnnualRate rate_by_law(const FragilityCurve& curve, const CountedHazard& counted, const Tail& tail) {
   const stats::LognormalFragility& law = curve.law.value().function;
@@ -96,15 +107,13 @@ AnnualRate rate_by_levels(const FragilityCurve& curve, const CountedHazard& coun
     highs.push_back(level.simultaneous.high);
   }
   for (std::size_t i = highs.size() - 1; i-- > 0;) highs[i] = std::min(highs[i], highs[i + 1]);
-  AnnualRate found = disaggregated(
-      counted, WithTail(tail.y, tail.probabilities(), KnownProbabilities{y, std::move(estimates), linear}));
+  AnnualRate found = disaggregated(counted, joined(tail, tail.probabilities(), {y, std::move(estimates), linear}));
   found.source = RateSource::levels;
   const std::vector<HazardPiece> pieces = pieces_between(counted.hazard, counted.start);
   const auto low = tail.probabilities([&](std::size_t i) { return tail.estimates[i].interval.low; });
   const auto high = tail.probabilities([&](std::size_t i) { return tail.estimates[i].interval.high; });
-  found.interval = stats::Interval{
-      .low = rate_of(WithTail(tail.y, low, KnownProbabilities{y, std::move(lows), last_known}), pieces),
-      .high = rate_of(WithTail(tail.y, high, KnownProbabilities{y, std::move(highs), next_known}), pieces)};
+  found.interval = stats::Interval{.low = rate_of(joined(tail, low, {y, std::move(lows), last_known}), pieces),
+                                   .high = rate_of(joined(tail, high, {y, std::move(highs), next_known}), pieces)};
   return found;
 }
 
@@ -120,7 +129,8 @@ AnnualRate annual_rate(const FragilityCurve& curve, const HazardCurve& hazard) {
     std::ranges::sort(what.levels);
   }
   AnnualRate found = curve.law ? rate_by_law(curve, what, tail) : rate_by_levels(curve, what, tail);
-  if (!tail.y.empty()) found.rare_below = lowest_sure_level(curve.levels);
+  found.rare_below = tail.reach();
+  found.rare_use = tail.use;
   return found;
 }
 

@@ -5,6 +5,7 @@
 
 #include "rocking/base/error.hpp"
 #include "rocking/random/draws.hpp"
+#include "rocking/stats/covering.hpp"
 #include "rocking/stats/isotonic.hpp"
 #include "rocking/stats/lack_of_fit.hpp"
 
@@ -17,8 +18,13 @@ FragilityLevel estimated(const stats::IntensityLevel& data, const FragilityCurve
   level.overturned = stats::proportion_at(data);
   level.estimate = static_cast<double>(level.overturned.successes) / static_cast<double>(level.overturned.trials);
   const double confidence = curve.subject.confidence;
-  level.exact = stats::clopper_pearson(level.overturned, confidence);
-  level.simultaneous = stats::bonferroni_clopper_pearson(level.overturned, confidence, levels);
+  level.unresolved = data.unresolved;
+  const stats::CountBounds bounds = stats::bounds_of(level.overturned, level.unresolved);
+  level.exact = stats::covering(
+      bounds, [&](const stats::Proportion& counted) { return stats::clopper_pearson(counted, confidence); });
+  level.simultaneous = stats::covering(bounds, [&](const stats::Proportion& counted) {
+    return stats::bonferroni_clopper_pearson(counted, confidence, levels);
+  });
   if (!curve.law) return level;
   level.fitted = curve.law->function.probability(level.intensity);
   level.band = curve.law->function.band(level.intensity, confidence);

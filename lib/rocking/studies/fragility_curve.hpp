@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "rocking/scene/experiment.hpp"
@@ -18,6 +19,9 @@ struct FragilityLevel {
   double intensity = 0.0;
   std::optional<Shaking> shaking = std::nullopt;  ///< of the condition; absent under a ground motion
   stats::Proportion overturned;
+  /// Realisations without an answer (Summary::has_no_answer). They count as not overturned in `overturned` and
+  /// `estimate`; the intervals also cover that all of them overturn.
+  std::uint64_t unresolved = 0;
   double estimate = 0.0;                        ///< share of the realisations that overturned
   stats::Interval exact = {};                   ///< Clopper-Pearson, of this level alone
   stats::Interval simultaneous = {};            ///< Bonferroni-Clopper-Pearson over the levels of the curve
@@ -40,6 +44,16 @@ struct RareLevel {
   double relative_error = 0.0;      ///< standard error over the probability
   double degrees_of_freedom = 1.0;  ///< of the error
 };
+
+/// How far rare estimates give the probabilities of a rate.
+enum class RareUse : std::uint8_t {
+  below_sure_level,  ///< below the lowest level with ten events
+  below_best_level,  ///< no level has so many: below the one above the estimates that has the most
+  up_to_highest,     ///< no level above the estimates has an event: up to the highest estimate
+  not_used,          ///< none lies below a level with ten events, or there is one alone and no level with an event
+};
+/// The name of its enumerator.
+[[nodiscard]] std::string_view to_string(RareUse use);
 
 /// The fitted function of a curve, and what follows from it at the curve's confidence and levels.
 struct FittedLaw {

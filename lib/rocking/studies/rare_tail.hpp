@@ -28,13 +28,44 @@ template <class Levels>
   return found == levels.end() ? std::nullopt : std::optional(found->intensity);
 }
 
-/// The rare estimates of a curve, of one motion or of a suite, below its lowest level with `least_events_of_level`.
-template <class Curve>
-[[nodiscard]] std::vector<RareLevel> rare_below_levels(const Curve& curve) {
-  std::vector<RareLevel> used;
-  for (const RareLevel& level : curve.rare) {
-    if (level.intensity < lowest_sure_level(curve.levels).value_or(0.0)) used.push_back(level);
+/// The rare estimates that give the lower tail of a curve, of one motion or of a suite.
+struct UsedRare {
+  std::vector<RareLevel> estimates;  ///< by growing intensity; empty: none is used
+  std::optional<double> end;         ///< the level from which on the levels count; absent: the highest estimate ends it
+  std::optional<RareUse> use;        ///< absent: the curve has no estimates
+
+  /// ln x of the nodes: of the estimates, and of the end.
+  [[nodiscard]] std::vector<double> nodes() const {
+    std::vector<double> y;
+    for (const RareLevel& level : estimates) y.push_back(std::log(level.intensity));
+    if (end) y.push_back(std::log(*end));
+    return y;
   }
+  /// Up to this intensity the estimates give the probabilities.
+  [[nodiscard]] std::optional<double> reach() const {
+    return end || estimates.empty() ? end : std::optional(estimates.back().intensity);
+  }
+};
+
+/// Those below the lowest level with `least_events_of_level`; all, where no level has so many. These end at the level
+/// above them that has the most events, or, where none has any, at the highest of at least two.
+template <class Curve>
+[[nodiscard]] UsedRare used_rare(const Curve& curve) {
+  if (curve.rare.empty()) return {};
+  UsedRare used{.estimates = curve.rare, .end = lowest_sure_level(curve.levels), .use = RareUse::below_sure_level};
+  if (used.end) {
+    std::erase_if(used.estimates, [&](const RareLevel& level) { return level.intensity >= *used.end; });
+  } else {
+    std::uint64_t most = 0;
+    for (const auto& level : curve.levels) {
+      if (level.intensity <= curve.rare.back().intensity || events_at(level) <= most) continue;
+      most = events_at(level);
+      used.end = level.intensity;
+    }
+    used.use = used.end ? RareUse::below_best_level : RareUse::up_to_highest;
+    if (!used.end && used.estimates.size() < 2) used.estimates.clear();
+  }
+  if (used.estimates.empty()) used = {.estimates = {}, .end = std::nullopt, .use = RareUse::not_used};
   return used;
 }
 
@@ -45,15 +76,15 @@ using TailPiece = std::variant<LognormalCapacity, KnownProbabilities>;
 [[nodiscard]] TailPiece tail_piece(double y_low, double p_low, double y_high, double p_high);
 
 /// A probability that passes through rare estimates at low intensities, and from the highest node on is `upper`. Below
-/// the first node the first piece goes on. Without nodes it is `upper`.
+/// the first node the first piece goes on. Without nodes it is `upper`; else there are at least two.
 template <class Upper>
 class WithTail {
  public:
-  /// `y`: ln x of the nodes, rising; the last one belongs to `upper`. `probabilities`: of the nodes but the last.
+  /// `y`: ln x of the nodes, rising. `probabilities`: of the nodes; without that of the last one it belongs to `upper`.
   WithTail(const std::vector<double>& y, std::vector<double> probabilities, Upper upper)
       : y_(y), upper_(std::move(upper)) {
     if (y_.empty()) return;
-    probabilities.push_back(upper_.probability(y_.back()));
+    if (probabilities.size() < y_.size()) probabilities.push_back(upper_.probability(y_.back()));
     for (std::size_t i = 0; i + 1 < y_.size(); ++i) {
       pieces_.push_back(tail_piece(y_[i], probabilities[i], y_[i + 1], probabilities[i + 1]));
     }

@@ -79,13 +79,30 @@ class Progress {
   std::uint64_t all_ = 0, done_ = 0, finished_ = 0;
 };
 
+/// The rates of suites. Those about one event have one basis: a law that does not hold for each of them is none.
+void set_rates(const HazardCurve& hazard, RunFragility& run) {
+  const auto has_no_law = [](const ShownSuite& shown) {
+    return shown.curve.outcome != stats::FragilityOutcome::fitted;
+  };
+  for (ShownSuite& shown : run.suites) {
+    const bool is_by_law = std::ranges::none_of(run.suites, [&](const ShownSuite& other) {
+      return other.curve.subject.event == shown.curve.subject.event && has_no_law(other);
+    });
+    shown.rate = annual_rate(shown.curve, hazard, is_by_law ? RateBasis::law_if_fitted : RateBasis::isotonic);
+  }
+}
+
+RateBasis basis_of(const ShownSuite& shown) {
+  return shown.rate.value().chosen.source == RateSource::law ? RateBasis::law_if_fitted : RateBasis::isotonic;
+}
+
 /// Each suite of a later group with that of the first one about the same event.
 void compare(const HazardCurve& hazard, RunFragility& run) {
   for (const ShownSuite& shown : run.suites) {
     const auto base = std::ranges::find_if(
         run.suites, [&](const ShownSuite& other) { return other.curve.subject.event == shown.curve.subject.event; });
     if (&*base == &shown) continue;
-    run.comparisons.push_back(compared_rates(base->curve, shown.curve, hazard));
+    run.comparisons.push_back(compared_rates(base->curve, shown.curve, hazard, basis_of(shown)));
   }
 }
 
@@ -124,7 +141,6 @@ void add_curve(const StripeGroup& group, const FragilityEvent& event, const Frag
     ShownSuite& shown = run.suites.emplace_back(
         ShownSuite{.curve = suite_curve(group, event, run.experiment.seed, question.metadata, how)});
     add_rare(question.rare, shown.curve);
-    if (question.hazard) shown.rate = annual_rate(shown.curve, *question.hazard);
   } else {
     ShownCurve& shown = run.curves.emplace_back(ShownCurve{.curve = fragility(group, event, run.experiment.seed, how)});
     add_rare(question.rare, shown.curve);
@@ -171,7 +187,10 @@ RunFragility run_fragility(const Experiment& experiment, const std::vector<Strip
     throw base::InputError(
         {"rare", "", "has no estimate of an event that is asked for", "ask for the same --peak-tilt"});
   }
-  if (question.hazard) compare(*question.hazard, run);
+  if (question.hazard) {
+    set_rates(*question.hazard, run);
+    compare(*question.hazard, run);
+  }
   if (!question.metadata.empty() && run.suites.empty()) {
     throw base::InputError({"metadata", "", "needs a suite of ground motions", "omit it, or give a run of a suite"});
   }

@@ -50,6 +50,7 @@ struct AnnualRate {
   double probability_at_first = 0.0;  ///< at the lowest intensity of the hazard curve, below which nothing is counted
   /// Below this intensity rare estimates give the probabilities, on a probit scale linear in ln x; absent: nowhere.
   std::optional<double> rare_below;
+  std::optional<RareUse> rare_use;   ///< absent: there are no rare estimates
   double extrapolated_hazard = 0.0;  ///< share of `value` from beyond the last point of the hazard curve
   double within_hazard = 0.0;        ///< the rest of `value` [1/year]
 };
@@ -58,8 +59,8 @@ struct AnnualRate {
 struct RateEstimate {
   RateSource source = RateSource::law;
   double value = 0.0;  ///< [1/year]
-  /// By the law: of its bootstrap samples over records. By shares: what the levels allow, with a record that is not in
-  /// the suite (stats/unseen_record.hpp).
+  /// By the law: of its bootstrap samples over records, with what the levels leave undecided outside them. By shares:
+  /// what the levels allow, with a record that is not in the suite (stats/unseen_record.hpp).
   std::optional<stats::Interval> interval;
 };
 
@@ -79,7 +80,7 @@ inline constexpr double most_disagreement = 0.15;
 /// Mean annual rate of a suite, in several ways, and what decides it. Below the least intensity that lifts the block the
 /// probability is 0 in each; above the levels `isotonic` and `observed` stay at the last one.
 struct SuiteRate {
-  AnnualRate chosen;                    ///< by the law; without one, or where it is rejected, by `isotonic`
+  AnnualRate chosen;                    ///< by the RateBasis
   std::vector<RateEstimate> estimates;  ///< by law (if there is one), isotonic, observed, at_least, at_most
   /// Largest over smallest of law, isotonic and observed, less 1. Absent if the smallest is 0 and the largest is not.
   std::optional<double> disagreement;
@@ -96,15 +97,17 @@ struct SuiteRate {
 };
 
 /// The rate of a suite with other values of the rest of the sweep, as another width or friction of the block, against
-/// that with the first ones. Both by the isotonic shares.
+/// that with the first ones: both by the same probabilities, and sample by sample of the bootstrap of their records. The
+/// intervals hold what the levels of both leave undecided.
 struct RateComparison {
   std::vector<Parameter> base;
   std::vector<Parameter> option;
   FragilityEvent event;
+  RateSource source = RateSource::isotonic;                ///< of both rates
   double difference = 0.0;                                 ///< rate of the option less that of the base [1/year]
   std::optional<stats::Interval> interval = std::nullopt;  ///< of the difference, by bootstrap over records
   std::optional<double> ratio = std::nullopt;  ///< rate of the option over that of the base; absent if that is 0
-  std::optional<stats::Interval> ratio_interval = std::nullopt;
+  std::optional<stats::Interval> ratio_interval = std::nullopt;  ///< its upper end may be infinite
 };
 
 /// Integral of P(x) |dH(x)| of a curve of one motion. With a fitted function the interval is that of the logarithm of the
@@ -112,8 +115,16 @@ struct RateComparison {
 /// that the probability does not decrease: below the lowest level 0 and above the highest 1 are possible.
 [[nodiscard]] AnnualRate annual_rate(const FragilityCurve& curve, const HazardCurve& hazard);
 
-/// Of a suite. The intervals are those of its bootstrap samples over records.
-[[nodiscard]] SuiteRate annual_rate(const SuiteCurve& curve, const HazardCurve& hazard);
+/// What gives the probabilities of the rate of a suite.
+enum class RateBasis : std::uint8_t {
+  law_if_fitted,  ///< the law, unless there is none or it is rejected; then the isotonic shares
+  isotonic,       ///< these, as where the law does not hold for every option
+};
+
+/// Of a suite. The intervals are those of its bootstrap samples over records, and hold what the levels leave undecided
+/// (lib/docs/fragility.md).
+[[nodiscard]] SuiteRate annual_rate(const SuiteCurve& curve, const HazardCurve& hazard,
+                                    RateBasis basis = RateBasis::law_if_fitted);
 
 /// The swept intensity with the periods that the experiment states, as a hazard curve names it: `sa_g[0.5]`; empty if
 /// none is swept.

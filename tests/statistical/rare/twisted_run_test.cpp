@@ -384,4 +384,27 @@ TEST(RepeatedEstimate, HasNoIntervalWithoutTheEventOrFromOneEstimate) {
   EXPECT_FALSE(rocking::stats::mean_of_repetitions(std::vector<double>{0.1}, 0.95).interval);
 }
 
+// Of the points half have no answer, and no score leads to them.
+TEST(ImportanceSampling, KeepsThePointsWithoutAnAnswerApart) {
+  class HalfOpen {
+   public:
+    [[nodiscard]] static std::size_t dimensions() { return 1; }
+    [[nodiscard]] static std::vector<double> scores(const std::vector<Point>& points) {
+      std::vector<double> scores;
+      for (const Point& p : points) {
+        scores.push_back(p[0] < 0.0 ? rocking::rare::unresolved_score : p[0] > 1.0 ? event_score : p[0]);
+      }
+      return scores;
+    }
+  };
+  const rocking::rare::ImportancePlan plan{.seed = 3, .particles = 400};
+  const auto search = rocking::rare::find_event(HalfOpen(), plan, 1);
+  ASSERT_EQ(search.end, rocking::rare::SearchEnd::reached);
+  const rocking::rare::Proposal own(1);
+  const Repetition found = rocking::rare::repeat_importance(HalfOpen(), plan, own, 2);
+  // Six standard deviations of a share of 400: a false alarm has the probability 2e-9.
+  EXPECT_NEAR(found.unresolved, 0.5, 6.0 * 0.5 / 20.0);
+  EXPECT_NEAR(found.estimate, 0.1587, 6.0 * 0.366 / 20.0);
+}
+
 }  // namespace

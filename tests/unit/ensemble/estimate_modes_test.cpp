@@ -73,4 +73,20 @@ TEST(EstimateModes, SaysWhatItCanOfOneModeAndOfOneRealisation) {
   }
 }
 
+// Two of the five unresolved realisations ended without an answer: they may have any mode.
+TEST(EstimateModes, CoversEveryModeThatRealisationsWithoutAnAnswerMayHave) {
+  const ResponseMode overturned{.kind = ResponseKind::overturned};
+  const ModeTally tally{{section::periodic(1, 1), 30}, {overturned, 0}, {ResponseMode{}, 5}};
+  const auto modes = estimate_modes(tally, 0.95, 2);
+  const Estimate none = of(modes, overturned);
+  EXPECT_EQ(none.estimate, 0.0);
+  expect_same(none.clopper_pearson, {0.0, stats::clopper_pearson({2, 35}, 0.95).high});
+  expect_same(none.simultaneous, {0.0, stats::bonferroni_clopper_pearson({2, 35}, 0.95, 7).high});
+  expect_same(of(modes, section::periodic(1, 1)).wilson,
+              {stats::wilson({30, 35}, 0.95).low, stats::wilson({32, 35}, 0.95).high});
+  expect_same(of(modes, ResponseMode{}).clopper_pearson,
+              {stats::clopper_pearson({3, 35}, 0.95).low, stats::clopper_pearson({5, 35}, 0.95).high});
+  EXPECT_FALSE(none.sison_glaz);
+}
+
 }  // namespace

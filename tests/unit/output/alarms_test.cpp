@@ -84,4 +84,14 @@ TEST(ToleranceRemedy, NamesTheKeyAndItsValueDownToDoublePrecision) {
   EXPECT_THAT(tolerance_remedy(1e-15), HasSubstr("due to rounding"));
 }
 
+TEST(Alarms, TellOfRealisationsWithoutAnAnswer) {
+  Report report = calm();
+  ConditionResult& result = report.conditions[1].result;
+  for (std::uint64_t i = 0; i < 3; ++i) result.validity.stopped.add(i);
+  EXPECT_THAT(alarms_of(report), IsEmpty()) << "they have a response mode, and ended while it was watched";
+  result.modes.emplace_back().probability.counts = {.successes = 5, .trials = 1000};
+  EXPECT_THAT(alarms_of(report),
+              ElementsAre(HasSubstr("3 of 2000 realisations ended before their horizon without an answer")));
+}
+
 }  // namespace

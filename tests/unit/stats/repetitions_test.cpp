@@ -100,4 +100,13 @@ TEST(SumOfStrata, HasNoWidthWithoutErrors) {
   EXPECT_EQ(sum.relative_error, 0.0);
 }
 
+// An event that always happens: the probability of 16 repetitions of 16 is 1 - 0.025 at 0.025^(1/16).
+TEST(MeanOfRepetitions, HasTheExactIntervalWhereAllAreEqual) {
+  const std::vector<double> estimates(16, 1.0);
+  const auto mean = mean_of_repetitions(estimates, 0.95);
+  EXPECT_EQ(mean.mean, 1.0);
+  EXPECT_NEAR(mean.interval->low, std::pow(0.025, 1.0 / 16.0), 1e-12);
+  EXPECT_EQ(mean.interval->high, 1.0);
+}
+
 }  // namespace

@@ -133,5 +133,31 @@ TEST(FragilityCurve, HasNoFittedProbabilityWithoutAFit) {
   EXPECT_EQ(curve.missed_levels(), 0U);
 }
 
+// Whether a realisation without an answer has the event is not known: no law, and intervals that cover both.
+TEST(FragilityCurve, CoversBothOutcomesOfRealisationsWithoutAnAnswer) {
+  stats::IntensityLevel open = level(2.0, 12, 20);
+  open.unresolved = 5;
+  const FragilityCurve curve = fragility_curve({level(1.0, 5, 20), open, level(3.0, 18, 20)}, 0.9, seed);
+  EXPECT_EQ(curve.outcome, stats::FragilityOutcome::unresolved);
+  EXPECT_FALSE(curve.law);
+  EXPECT_EQ(curve.levels[1].unresolved, 5U);
+  EXPECT_EQ(curve.levels[1].exact.low, stats::clopper_pearson({12, 20}, 0.9).low);
+  EXPECT_EQ(curve.levels[1].exact.high, stats::clopper_pearson({17, 20}, 0.9).high);
+  EXPECT_EQ(curve.levels[1].simultaneous.high, stats::bonferroni_clopper_pearson({17, 20}, 0.9, 3).high);
+  EXPECT_EQ(curve.levels[0].exact.high, stats::clopper_pearson({5, 20}, 0.9).high);
+}
+
+TEST(FragilityCurve, KnowsTheEventOfARealisationThatExceededTheTiltBeforeItEnded) {
+  const Stripe stripe{.record = "",
+                      .intensity = 1.0,
+                      .overturned = {false, false, true, false},
+                      .peak_tilts = {0.6, 0.2, 3.0, 0.4},
+                      .without_answer = {true, true, false, false}};
+  EXPECT_EQ(level_of(stripe, {}).unresolved, 2U);
+  const stats::IntensityLevel tilted = level_of(stripe, {.peak_tilt = 0.5});
+  EXPECT_EQ(tilted.unresolved, 1U);
+  EXPECT_EQ(stats::proportion_at(tilted).successes, 2U);
+}
+
 }  // namespace
 }  // namespace rocking

@@ -121,11 +121,54 @@ TEST(RareTail, BoundsARateOfLevels) {
   EXPECT_LT(with.value, with.interval->high);
 }
 
-TEST(RareTail, IsNotUsedWithoutALevelOfTenEvents) {
+void set_events(const std::vector<std::uint64_t>& events, FragilityCurve& curve) {
+  for (std::size_t i = 0; i < events.size(); ++i) curve.levels[i].overturned.successes = events[i];
+}
+
+// Without a level of ten events all are used: up to the level above them with the most.
+TEST(RareTail, IsUsedEverywhereWithoutALevelOfTenEvents) {
   FragilityCurve curve = curve_with_law();
-  for (auto& level : curve.levels) level.overturned.successes = 9;
-  curve.rare = {rare_level(0.3, 1e-3)};
-  EXPECT_FALSE(annual_rate(curve, hazard_of_tails()).rare_below);
+  set_events({0, 1, 2, 9}, curve);
+  const AnnualRate without = annual_rate(curve, hazard_of_tails());
+  curve.rare = {rare_level(0.3, 2.0 * lognormal(0.3)), rare_level(0.5, 2.0 * lognormal(0.5))};
+  const AnnualRate rate = annual_rate(curve, hazard_of_tails());
+  EXPECT_EQ(rate.rare_below, 1.6);
+  EXPECT_EQ(rate.rare_use, rocking::RareUse::below_best_level);
+  EXPECT_GT(std::abs(rate.value / without.value - 1.0), 0.05);
+  FragilityCurve sure = curve;
+  set_events({0, 1, 2, 10}, sure);
+  EXPECT_EQ(annual_rate(sure, hazard_of_tails()).value, rate.value) << "an event more changes nothing";
+  EXPECT_EQ(annual_rate(sure, hazard_of_tails()).rare_use, rocking::RareUse::below_sure_level);
+}
+
+// No level above the estimates has an event: the probability stays at the highest one.
+TEST(RareTail, EndsAtItsHighestEstimateWhereNoLevelAboveHasAnEvent) {
+  FragilityCurve curve = curve_with_law();
+  curve.law.reset();
+  set_events({0, 0, 0, 0}, curve);
+  for (auto& level : curve.levels) level.simultaneous = {0.0, 0.05};
+  curve.rare = {rare_level(0.5, 1e-5), rare_level(1.0, 1e-3)};
+  const AnnualRate rate = annual_rate(curve, hazard_of_tails());
+  EXPECT_EQ(rate.rare_use, rocking::RareUse::up_to_highest);
+  EXPECT_EQ(rate.rare_below, 1.0);
+  ASSERT_TRUE(rate.interval);
+  const double above = 1e-3 * 1e-3;  // H(1) = 1e-3
+  EXPECT_GT(rate.value, above);
+  EXPECT_LT(rate.value, 3.0 * above);
+  EXPECT_GT(rate.interval->low, 0.5 * above);
+  EXPECT_GT(rate.interval->high, rate.value);
+  curve.rare.pop_back();
+  EXPECT_EQ(annual_rate(curve, hazard_of_tails()).rare_use, rocking::RareUse::not_used);
+  curve.rare.clear();
+  EXPECT_FALSE(annual_rate(curve, hazard_of_tails()).rare_use);
+}
+
+TEST(RareTail, SaysThatItIsNotUsed) {
+  FragilityCurve curve = curve_with_law();
+  curve.rare = {rare_level(0.9, 0.3)};
+  const AnnualRate rate = annual_rate(curve, hazard_of_tails());
+  EXPECT_EQ(rate.rare_use, rocking::RareUse::not_used);
+  EXPECT_FALSE(rate.rare_below);
 }
 
 }  // namespace

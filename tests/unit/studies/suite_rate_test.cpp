@@ -11,6 +11,7 @@
 #include "rocking/stats/normal_law.hpp"
 #include "rocking/studies/run_fragility.hpp"
 #include "rocking/studies/suite/suite_fragility.hpp"
+#include "rocking/studies/suite/suite_rate.hpp"
 #include "rocking/studies/suite/undecided.hpp"
 
 namespace rocking {
@@ -372,6 +373,154 @@ TEST(SuiteRate, DoesNotRiseWhereHazardIsTakenAway) {
   const auto below = rates_with(isotonic, without_below(uplift * (1.0 - 1e-6)));
   const auto above = rates_with(isotonic, without_below(uplift * (1.0 + 1e-6)));
   for (std::size_t k = 0; k < above.size(); ++k) EXPECT_NEAR(above[k], below[k], 1e-4 * below[k]) << k;
+}
+
+/// `count` of ten records overturn in all of their trials at each level, the others in none.
+StripeGroup group_of_records(const std::vector<std::size_t>& counts) {
+  std::vector<std::vector<int>> all(10, std::vector<int>(intensities.size(), 0));
+  for (std::size_t k = 0; k < counts.size(); ++k) {
+    for (std::size_t r = 0; r < counts[k]; ++r) all[r][k] = 10;
+  }
+  return group_of(all);
+}
+
+// Records are the units of sampling: 0 of 10 is [0, 30.8 %], as 10 of 10 is [69.2 %, 1].
+TEST(SuiteLevels, HaveTheExactIntervalOfTheirRecordsWhereTheseAreAllAlike) {
+  const SuiteCurve found = suite_curve(group_of_records({0, 0, 10, 10, 10}), {}, 1);
+  const stats::Interval none = found.levels[1].isotonic_band, all = found.levels[3].isotonic_band;
+  EXPECT_EQ(none.low, 0.0);
+  EXPECT_NEAR(none.high, 0.30850, 1e-5);
+  EXPECT_NEAR(all.low, 0.69150, 1e-5);
+  EXPECT_EQ(all.high, 1.0);
+}
+
+// Each record stands at all levels but the last, and the hazard ends where twice the intensity is among those: the unseen
+// record may overturn nevertheless.
+TEST(SuiteRate, IsNotKnownToBeZeroWhereRecordsAreAllAlike) {
+  const HazardCurve weak{
+      .name = "", .intensity = "", .header_line = 0, .points = {{0.25, 1e-2}, {0.27, 5e-3}, {0.29, 0.0}}};
+  const SuiteCurve found = suite_curve(group_of_records({0, 0, 0, 0, 10}), {}, 1);
+  std::vector<double> unseen;
+  for (const std::vector<double>& shares : found.bootstrap.with_unseen) unseen.push_back(shares.back());
+  const double most = stats::percentile_interval(unseen, unseen.size(), 0.95)->high;
+  EXPECT_NEAR(most, 1.0 - std::pow(0.025, 0.1), 0.08);  // Clopper-Pearson's of 0 of 10, by 499 samples: 4 errors
+  const SuiteRate rate = annual_rate(found, weak);
+  for (const RateSource source : {RateSource::isotonic, RateSource::observed, RateSource::at_most}) {
+    const auto each = std::ranges::find(rate.estimates, source, &RateEstimate::source);
+    EXPECT_EQ(each->value, 0.0);
+    ASSERT_TRUE(each->interval);
+    EXPECT_EQ(each->interval->low, 0.0);
+    EXPECT_NEAR(each->interval->high, 1e-2 * most, 1e-14) << to_string(source);
+  }
+}
+
+// Of each record one more trial may have overturned at 0.6.
+TEST(SuiteRate, CoversBothOutcomesOfRealisationsWithoutAnAnswer) {
+  StripeGroup group = group_of(outcomes), more = group;
+  for (Stripe& stripe : group.stripes) {
+    if (stripe.intensity != 0.6) continue;
+    stripe.without_answer.assign(10, false);
+    for (std::size_t j = 9; j < 10 && !stripe.overturned[j]; ++j) stripe.without_answer[j] = true;
+  }
+  for (Stripe& stripe : more.stripes) {
+    if (stripe.intensity == 0.6) stripe.overturned[9] = true;
+  }
+  const SuiteCurve found = suite_curve(group, {}, 1);
+  EXPECT_EQ(found.outcome, stats::FragilityOutcome::unresolved);
+  EXPECT_FALSE(found.pooled);
+  EXPECT_EQ(found.levels[3].unresolved, 5U);
+  const SuiteRate open = annual_rate(found, hazard());
+  const SuiteRate least = annual_rate(curve(), hazard());
+  const SuiteRate most = annual_rate(suite_curve(more, {}, 1), hazard());
+  EXPECT_EQ(open.chosen.source, RateSource::isotonic);
+  const auto interval_of = [](const SuiteRate& rate) {
+    return rate.estimates[rate.estimates.size() - 4].interval.value();
+  };
+  EXPECT_EQ(open.chosen.interval->low, interval_of(least).low);
+  EXPECT_EQ(open.chosen.interval->high, interval_of(most).high);
+  EXPECT_GT(open.chosen.interval->high, interval_of(least).high);
+  EXPECT_EQ(estimate(open, RateSource::at_most), estimate(most, RateSource::at_most));
+  EXPECT_EQ(estimate(open, RateSource::at_least), estimate(least, RateSource::at_least));
+  EXPECT_GT(open.undecided_share, least.undecided_share);
+}
+
+// The same for a suite of which no level has an event: the mean estimates, and from the highest one on that.
+TEST(SuiteRateWithRare, IsThatOfTheEstimatesWhereNoLevelHasAnEvent) {
+  SuiteCurve found =
+      suite_curve(group_of(std::vector(outcomes.size(), std::vector<int>(intensities.size(), 0))), {}, 1);
+  for (std::size_t k = 0; k < rare_at.size(); ++k) {
+    for (std::size_t r = 0; r < unlike.size(); ++r) {
+      if (unlike[r][k] > 0.0)
+        found.records[r].curve.rare.push_back({.intensity = rare_at[k], .probability = unlike[r][k]});
+    }
+    found.rare.push_back({.intensity = rare_at[k], .probability = k == 0 ? 2.41e-4 / 6.0 : 7.52e-3 / 6.0});
+  }
+  const SuiteRate rate = annual_rate(found, hazard());
+  EXPECT_EQ(rate.chosen.rare_use, RareUse::up_to_highest);
+  EXPECT_EQ(rate.chosen.rare_below, 0.3);
+  const boost::math::normal_distribution<double> normal;
+  const double z_low = quantile(normal, 2.41e-4 / 6.0), z_high = quantile(normal, 7.52e-3 / 6.0);
+  const double expected = by_midpoints([&](double x) {
+    if (x >= 0.3) return 7.52e-3 / 6.0;
+    return stats::normal_cdf(z_low + (z_high - z_low) * std::log(x / 0.25) / std::log(0.3 / 0.25));
+  });
+  EXPECT_NEAR(estimate(rate, RateSource::observed), expected, 1e-6 * expected);
+  EXPECT_NEAR(rate.chosen.value, expected, 1e-6 * expected);
+  double sum = 0.0;
+  for (const RateOfRecord& record : rate.by_record) sum += record.rate / static_cast<double>(unlike.size());
+  EXPECT_NEAR(sum, expected, 1e-6 * expected);
+}
+
+// Levels that end at a share of a half: above them it lies between that and 1, whatever the law says.
+TEST(SuiteRate, HasAnIntervalThatHoldsWhatTheLevelsLeaveUndecided) {
+  StripeGroup low = group_of(outcomes);
+  std::erase_if(low.stripes, [](const Stripe& stripe) { return stripe.intensity > 0.5; });
+  const SuiteCurve few = suite_curve(low, {}, 1);
+  ASSERT_EQ(few.outcome, stats::FragilityOutcome::fitted);
+  const SuiteRate part = annual_rate(few, hazard());
+  const SuiteRate whole = annual_rate(curve(), hazard());
+  EXPECT_FALSE(part.is_decided());
+  const double above = hazard_at(0.4);
+  double share = 0.0;
+  for (const double each : {2.0, 6.0, 9.0, 0.0, 3.0, 5.0}) share += each / 60.0;
+  for (const RateEstimate& each : part.estimates) {
+    if (each.source == RateSource::at_least || each.source == RateSource::at_most) continue;
+    EXPECT_GT(each.interval->high, above) << to_string(each.source) << ": 1 above the last level is possible";
+    EXPECT_LT(each.interval->low, share * above + 1e-6) << to_string(each.source);
+  }
+  EXPECT_GE(whole.chosen.value, part.chosen.interval->low);
+  EXPECT_LE(whole.chosen.value, part.chosen.interval->high);
+}
+
+// The second option stands again at stronger shaking: its law is rejected, and both rates are those of the shares.
+TEST(RateComparison, HasTheBasisOfTheRates) {
+  SuiteCurve other = suite_curve(
+      group_of(
+          {{0, 0, 1, 5, 10}, {0, 1, 3, 8, 10}, {0, 2, 6, 4, 7}, {0, 0, 0, 2, 6}, {0, 1, 2, 6, 9}, {0, 0, 3, 7, 10}}),
+      {}, 1);
+  ASSERT_EQ(other.outcome, stats::FragilityOutcome::fitted);
+  const auto ratio = [&](RateBasis basis) {
+    return annual_rate(other, hazard(), basis).chosen.value / annual_rate(curve(), hazard(), basis).chosen.value;
+  };
+  const RateComparison by_law = compared_rates(curve(), other, hazard());
+  EXPECT_EQ(by_law.source, RateSource::law);
+  EXPECT_NEAR(*by_law.ratio, ratio(RateBasis::law_if_fitted), 1e-12);
+  EXPECT_LT(by_law.ratio_interval->low, *by_law.ratio);
+  EXPECT_GT(by_law.ratio_interval->high, *by_law.ratio);
+  other.outcome = stats::FragilityOutcome::rejected;
+  const RateComparison by_shares = compared_rates(curve(), other, hazard());
+  EXPECT_EQ(by_shares.source, RateSource::isotonic);
+  EXPECT_NEAR(*by_shares.ratio, ratio(RateBasis::isotonic), 1e-12);
+}
+
+// An option that never overturned is not known to have the rate 0.
+TEST(RateComparison, IsNotCertainOfAnOptionThatNeverOverturned) {
+  const SuiteCurve calm =
+      suite_curve(group_of(std::vector(outcomes.size(), std::vector<int>(intensities.size(), 0))), {}, 1);
+  const RateComparison found = compared_rates(curve(), calm, hazard());
+  EXPECT_EQ(*found.ratio, 0.0);
+  EXPECT_EQ(found.ratio_interval->low, 0.0);
+  EXPECT_GT(found.ratio_interval->high, 0.4) << "0 of 6 records: up to 54 % at each level";
 }
 
 }  // namespace

@@ -174,9 +174,11 @@ std::vector<double> BlockPoints::scores(const std::vector<Point>& points) const 
     lanes.run(pointers, [this] { paths_->halt.check(); });
     paths_->note_work(static_cast<double>(pointers.size()));
     for (const StrobedMotion* motion : pointers) {
-      const bool has_event = fate_of(motion->motion(), paths_->event) == Image::Fate::event;
       const Motion& ended = motion->motion();
-      scores.push_back(has_event ? event_score : ended.peaks().tilt / ended.setting().block.shape_angle);
+      const Image::Fate fate = fate_of(ended, paths_->event);
+      scores.push_back(fate == Image::Fate::event  ? event_score
+                       : fate == Image::Fate::ends ? unresolved_score
+                                                   : ended.peaks().tilt / ended.setting().block.shape_angle);
     }
   }
   return scores;

@@ -23,6 +23,9 @@ struct Repetition {
   double estimate = 0.0;
   std::size_t ancestors = 0;  ///< first trajectories from which those that had the event descend
   double work = 0.0;          ///< simulated time, in realisations to the horizon
+  /// Estimate of the probability that a motion ends before its horizon without an answer: by a budget of steps, or by
+  /// Painleve's paradox.
+  double unresolved = 0.0;
 };
 
 /// A point of the Poincare section of a path.
@@ -96,7 +99,9 @@ enum class RareMethod : std::uint8_t {
 struct RareEstimate {
   std::optional<double> probability;     ///< absent if no repetition was finished when the time was up
   std::optional<double> relative_error;  ///< standard error over the probability; absent for 0, and of few repetitions
-  stats::Interval interval;              ///< for a probability 0: see rare.md
+  /// For a probability 0: see rare.md. Its upper end is that of the probability with `unresolved`.
+  stats::Interval interval;
+  double unresolved = 0.0;  ///< mean of Repetition::unresolved
   RareMethod method = RareMethod::twisted_run;
   std::vector<double> levels;   ///< of the search for the event, rising; empty for a twisted run
   std::vector<double> reached;  ///< share of its particles at each level, and the event last

@@ -21,9 +21,11 @@ namespace rocking::rare {
 
 /// The score of a trajectory that had the event.
 inline constexpr double event_score = std::numeric_limits<double>::infinity();
+/// That of one that ended before its horizon without an answer.
+inline constexpr double unresolved_score = -std::numeric_limits<double>::infinity();
 
 /// scores: of the trajectories with these numbers, each to its horizon: how near it came to the event, event_score if
-/// it had it. They depend on the point alone.
+/// it had it, unresolved_score if it ended before. They depend on the point alone.
 template <class Model>
 concept PointModel = requires(const Model& model, const std::vector<Point>& points) {
   { model.dimensions() } -> std::same_as<std::size_t>;
@@ -236,11 +238,13 @@ template <PointModel Model>
   Repetition result;
   result.work = static_cast<double>(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
+    if (scores[i] == unresolved_score) result.unresolved += proposal.likelihood_ratio(points[i]);
     if (scores[i] != event_score) continue;
     ++result.ancestors;
     result.estimate += proposal.likelihood_ratio(points[i]);
   }
   result.estimate /= static_cast<double>(points.size());
+  result.unresolved /= static_cast<double>(points.size());
   return result;
 }
 

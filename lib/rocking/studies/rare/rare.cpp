@@ -15,6 +15,7 @@
 #include "rocking/scene/check_condition.hpp"
 #include "rocking/stats/repetitions.hpp"
 #include "rocking/studies/rare/estimator.hpp"
+#include "rocking/studies/rare/summarise.hpp"
 #include "rocking/studies/rare/typical_paths.hpp"
 
 namespace rocking {
@@ -28,9 +29,6 @@ constexpr std::size_t least_repetitions = 16;
 /// Of importance sampling that has seen the event: rare large weights make intervals from fewer too short
 /// (reports/evidence/rare.md).
 constexpr std::size_t least_with_weights = 64;
-/// Before the share of a condition in the time counts. An interval from fewer has not been tested.
-constexpr std::size_t repetitions_at_any_rate = 8;
-
 /// Of the first `count`.
 std::vector<double> estimates_of(const std::vector<Repetition>& repetitions, std::size_t count) {
   std::vector<double> estimates;
@@ -220,7 +218,7 @@ class ConditionStudy {
           settings_->threads,
           [&](unsigned) {
             for (std::size_t i = next++; i < slots.size(); i = next++) {
-              if (from + i >= repetitions_at_any_rate && halt.ends_within(longest_, share_)) return;
+              if (from + i >= rare::least_with_interval && halt.ends_within(longest_, share_)) return;
               const double start = halt.elapsed();
               const Repetition found = estimator_->repeat(from + i + 1);
               const std::lock_guard lock(mutex);
@@ -242,32 +240,13 @@ class ConditionStudy {
     return true;
   }
 
-  /// Everything that follows from the repetitions.
   void summarise(RareEstimate& result) const {
-    const std::vector<Repetition>& repetitions = result.repetitions;
-    result.work = result.pilot_work;
-    for (const Repetition& repetition : repetitions) result.work += repetition.work;
-    const bool is_few = repetitions.size() < repetitions_at_any_rate;
-    result.interval = {0.0, 1.0};
-    if (is_few) result.diagnosis = RareDiagnosis::few_repetitions;
-    if (repetitions.empty()) return;
-    const auto estimate =
-        stats::mean_of_repetitions(estimates_of(repetitions, repetitions.size()), condition_->confidence);
-    result.probability = estimate.mean;
-    if (is_few) return;
-    result.relative_error = estimate.relative_error;
-    result.interval = estimate.interval ? *estimate.interval : interval_of_none(repetitions.size());
-    result.interval.high = std::min(1.0, result.interval.high);
-    if (estimate.relative_error && *estimate.relative_error > 0.0) {
-      result.crude_work = (1.0 - estimate.mean) / (estimate.mean * *estimate.relative_error * *estimate.relative_error);
+    rare::summarise_repetitions(result, condition_->confidence, settings_->particles);
+    if (result.repetitions.size() < rare::least_with_interval) {
+      result.diagnosis = RareDiagnosis::few_repetitions;
+    } else {
+      diagnose(result);
     }
-    diagnose(result);
-  }
-
-  /// As if each particle were a realisation. It is one where the pilot runs have not seen the event.
-  [[nodiscard]] stats::Interval interval_of_none(std::size_t repetitions) const {
-    const std::uint64_t trials = repetitions * settings_->particles;
-    return stats::clopper_pearson({.successes = 0, .trials = trials}, condition_->confidence);
   }
 
   void diagnose(RareEstimate& result) const {

@@ -43,13 +43,13 @@ RareSuite suite_of(const Records& records) {
   suite.confidence = records.confidence;
   std::vector<stats::Stratum> strata;
   double sum = 0.0;
-  double low = 0.0;   // of the records whose error is not known
+  double low = 0.0;   // of the records whose error is not known, or with motions without an answer
   double high = 0.0;  // likewise
   bool is_known = true;
   for (const RareEstimate* estimate : records.estimates) {
     is_known = is_known && estimate->probability.has_value();
     sum += estimate->probability.value_or(0.0);
-    if (estimate->relative_error) {
+    if (estimate->relative_error && estimate->unresolved == 0.0) {
       strata.push_back({.mean = *estimate->probability,
                         .standard_error = *estimate->probability * *estimate->relative_error,
                         .degrees_of_freedom = static_cast<double>(estimate->repetitions.size()) - 1.0});

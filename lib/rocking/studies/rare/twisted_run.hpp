@@ -94,6 +94,7 @@ class TwistedRun {
       population_->advance();
     }
     result_.estimate /= static_cast<double>(weights_.size());
+    result_.unresolved /= static_cast<double>(weights_.size());
     std::ranges::sort(found_, {}, &Found::ancestor);
     for (std::size_t i = 0; i < found_.size(); ++i) {
       if (i == 0 || found_[i].ancestor != found_[i - 1].ancestor) ++result_.ancestors;
@@ -118,6 +119,8 @@ class TwistedRun {
         if constexpr (requires { population_->note_event(i, weights_[i]); }) population_->note_event(i, weights_[i]);
         result_.estimate += weights_[i];
         found_.push_back({ancestors_[i], weights_[i]});
+      } else {
+        result_.unresolved += weights_[i];
       }
       weights_[i] = 0.0;
       population_->leave(i);

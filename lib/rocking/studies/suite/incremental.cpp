@@ -12,11 +12,15 @@ namespace rocking {
 namespace {
 
 constexpr double beyond_every_tilt = std::numeric_limits<double>::infinity();
+/// A realisation without an answer: its tilt may be any.
+constexpr double not_known = std::numeric_limits<double>::max();
 
 std::vector<double> tilts_of(const Stripe& stripe) {
   std::vector<double> tilts;
   for (std::size_t j = 0; j < stripe.overturned.size(); ++j) {
-    tilts.push_back(stripe.overturned[j] ? beyond_every_tilt : stripe.peak_tilts[j]);
+    tilts.push_back(stripe.overturned[j]      ? beyond_every_tilt
+                    : stripe.has_no_answer(j) ? not_known
+                                              : stripe.peak_tilts[j]);
   }
   return tilts;
 }
@@ -28,7 +32,7 @@ PeakTiltLevel tilt_level(double intensity, std::vector<double> tilts) {
   for (std::size_t i = 0; i < peak_tilt_shares.size(); ++i) {
     const double place = std::ceil(peak_tilt_shares[i] * static_cast<double>(tilts.size()));
     const double tilt = tilts[static_cast<std::size_t>(std::max(1.0, place)) - 1];
-    if (tilt < beyond_every_tilt) level.quantiles[i] = tilt;
+    if (tilt < not_known) level.quantiles[i] = tilt;
   }
   return level;
 }
@@ -44,7 +48,7 @@ Resurrections resurrections_in(std::span<const Stripe> stripes) {
     for (const Stripe& stripe : stripes) {
       if (j >= stripe.overturned.size()) continue;
       if (stripe.overturned[j]) has_overturned = true;
-      if (!stripe.overturned[j] && has_overturned) stands_again = true;
+      if (!stripe.overturned[j] && !stripe.has_no_answer(j) && has_overturned) stands_again = true;
     }
     found.of += has_overturned ? 1 : 0;
     found.trials += stands_again ? 1 : 0;

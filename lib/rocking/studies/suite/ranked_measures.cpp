@@ -63,8 +63,10 @@ stats::SuiteLevels levels_of_records(const std::vector<Stripe>& stripes, const F
   for (const Stripe& stripe : stripes) {
     const auto [place, is_new] = places.try_emplace(stripe.record, suite.size());
     if (is_new) suite.emplace_back();
+    const stats::IntensityLevel level = level_of(stripe, event);
     suite[place->second].push_back({.intensity = measure ? stripe.measure(*measure).value() : stripe.intensity,
-                                    .happened = stats::proportion_at(level_of(stripe, event))});
+                                    .happened = stats::proportion_at(level),
+                                    .unresolved = level.unresolved});
   }
   return suite;
 }

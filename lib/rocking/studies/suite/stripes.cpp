@@ -119,6 +119,7 @@ std::vector<Stripe> filled(const Experiment& experiment, const Store& store) {
     const std::uint64_t realisations = effective_realisations(experiment.conditions[i]);
     stripes[i].overturned.resize(realisations);
     stripes[i].peak_tilts.resize(realisations);
+    stripes[i].without_answer.resize(realisations);
     missing += realisations;
   }
   store.for_each([&](const RealisationKey& key, const Summary& summary) {
@@ -126,6 +127,7 @@ std::vector<Stripe> filled(const Experiment& experiment, const Store& store) {
     Stripe& stripe = stripes[key.condition];
     stripe.overturned[key.realisation] = summary.mode.kind == section::ResponseKind::overturned;
     stripe.peak_tilts[key.realisation] = summary.peaks.tilt;
+    stripe.without_answer[key.realisation] = summary.has_no_answer();
     --missing;
   });
   if (missing > 0) {
@@ -183,9 +185,11 @@ CurveSubject subject_of(const StripeGroup& group, const FragilityEvent& event) {
 
 stats::IntensityLevel level_of(const Stripe& stripe, const FragilityEvent& event) {
   stats::IntensityLevel level{.intensity = stripe.intensity, .happened = stripe.overturned};
-  if (!event.peak_tilt) return level;
-  for (std::size_t j = 0; j < level.happened.size(); ++j) {
+  for (std::size_t j = 0; event.peak_tilt && j < level.happened.size(); ++j) {
     level.happened[j] = level.happened[j] || stripe.peak_tilts[j] > *event.peak_tilt;
+  }
+  for (std::size_t j = 0; j < stripe.without_answer.size(); ++j) {
+    level.unresolved += stripe.without_answer[j] && !level.happened[j] ? 1 : 0;
   }
   return level;
 }

@@ -58,9 +58,13 @@ struct Stripe {
   std::array<std::optional<double>, all_intensity_measures.size()> measures = {};  ///< by IntensityMeasure
   std::vector<bool> overturned;                                                    ///< by number of the realisation
   std::vector<double> peak_tilts;                                                  ///< likewise
-  std::optional<Shaking> shaking = std::nullopt;                                   ///< of its scene
-  std::optional<double> uplift = std::nullopt;  ///< rocking::least_uplift of its scene
+  std::vector<bool> without_answer = {};          ///< likewise: Summary::has_no_answer; empty: none
+  std::optional<Shaking> shaking = std::nullopt;  ///< of its scene
+  std::optional<double> uplift = std::nullopt;    ///< rocking::least_uplift of its scene
 
+  [[nodiscard]] bool has_no_answer(std::size_t realisation) const {
+    return !without_answer.empty() && without_answer[realisation];
+  }
   [[nodiscard]] std::optional<double> measure(IntensityMeasure which) const {
     return measures[static_cast<std::size_t>(which)];
   }
@@ -83,7 +87,8 @@ struct StripeGroup {
 
 [[nodiscard]] CurveSubject subject_of(const StripeGroup& group, const FragilityEvent& event);
 
-/// Outcomes of a stripe. An overturned block has exceeded every peak tilt.
+/// Outcomes of a stripe. An overturned block has exceeded every peak tilt. A realisation without an answer had the event
+/// if its tilt exceeded that of the event before it ended; else its outcome is not known.
 [[nodiscard]] stats::IntensityLevel level_of(const Stripe& stripe, const FragilityEvent& event);
 
 /// The one of them that an experiment sweeps; empty where it sweeps none.

@@ -47,12 +47,13 @@ struct SimpleLaw {
 struct SuiteLevel {
   double intensity = 0.0;
   std::size_t records = 0;
-  stats::Proportion happened;
-  double estimate = 0.0;                ///< mean over the records of their shares
-  std::optional<double> fitted;         ///< by the law of the suite
-  std::optional<stats::Interval> band;  ///< of `fitted`, by bootstrap over records
-  double isotonic = 0.0;                ///< the nearest to the estimates of all levels that does not decrease
-  stats::Interval isotonic_band;        ///< of `isotonic`, by bootstrap over records
+  stats::Proportion happened = {};
+  std::uint64_t unresolved = 0;                        ///< FragilityLevel::unresolved, likewise
+  double estimate = 0.0;                               ///< mean over the records of their shares
+  std::optional<double> fitted = std::nullopt;         ///< by the law of the suite
+  std::optional<stats::Interval> band = std::nullopt;  ///< of `fitted`, by bootstrap over records
+  double isotonic = 0.0;               ///< the nearest to the estimates of all levels that does not decrease
+  stats::Interval isotonic_band = {};  ///< of `isotonic`, by bootstrap over records
 };
 
 /// The curve of one record.
@@ -85,10 +86,16 @@ struct SuiteCurve {
   std::vector<RankedMeasure> measures;  ///< best first; empty where the motions have none
   stats::RecordBootstrap bootstrap;     ///< of the records
 
+  [[nodiscard]] std::size_t records_in_sample() const {
+    return bootstrap.weights.empty() ? 0 : bootstrap.weights.front().size();
+  }
   /// Of bootstrap samples over the records, in any order, at the curve's confidence.
   [[nodiscard]] std::optional<stats::Interval> interval_of(std::vector<double> samples) const;
   /// The same with bias-corrected percentiles, for an estimate whose samples are biased.
   [[nodiscard]] std::optional<stats::Interval> interval_about(double estimate, std::vector<double> samples) const;
+  /// The same of a mean of shares, `value`. Where all samples are equal, as where no record has the event, it is the exact
+  /// one of as many records: Clopper-Pearson's, since no law of a share has a larger variance than that of 0 and 1.
+  [[nodiscard]] stats::Interval interval_of_share(double value, std::vector<double> samples) const;
 
  private:
   [[nodiscard]] double confidence_of_percentiles() const;
@@ -97,8 +104,8 @@ struct SuiteCurve {
 /// Quantiles of the peak tilt: 16, 50 and 84 %, about a standard deviation around the median of a lognormal number.
 inline constexpr std::array<double, 3> peak_tilt_shares{0.16, 0.5, 0.84};
 
-/// Quantiles of the peak tilt at one intensity, abs(Theta) [-]. An overturned block counts as beyond every tilt: absent
-/// where the quantile is one.
+/// Quantiles of the peak tilt at one intensity, abs(Theta) [-]. An overturned block, and a realisation without an answer,
+/// counts as beyond every tilt: absent where the quantile is one.
 struct PeakTiltLevel {
   double intensity = 0.0;
   std::size_t trials = 0;

@@ -9,6 +9,7 @@
 #include "rocking/base/error.hpp"
 #include "rocking/random/draws.hpp"
 #include "rocking/stats/fit_suite.hpp"
+#include "rocking/stats/mean_share.hpp"
 #include "rocking/stats/record_shares.hpp"
 #include "rocking/stats/suite_lack_of_fit.hpp"
 #include "rocking/studies/fragility.hpp"
@@ -86,6 +87,7 @@ std::vector<SuiteLevel> pooled_levels(const stats::SuiteLevels& suite, const Sui
       ++level.records;
       level.happened.successes += found.happened.successes;
       level.happened.trials += found.happened.trials;
+      level.unresolved += found.unresolved;
       level.estimate += static_cast<double>(found.happened.successes) / static_cast<double>(found.happened.trials);
     }
   }
@@ -102,18 +104,35 @@ std::vector<SuiteLevel> pooled_levels(const stats::SuiteLevels& suite, const Sui
   return list;
 }
 
-/// Means of the shares of the records, each counted by its weight, at the levels.
-void set_isotonic(const stats::SuiteLevels& suite, SuiteCurve& curve) {
-  const stats::RecordShares shares(suite);
+struct Banded {
+  double value = 0.0;
+  stats::Interval band;
+};
+
+/// Isotonic means of the shares of the records at the levels.
+std::vector<Banded> isotonic_of(const stats::SuiteLevels& suite, stats::RecordShares::Unresolved unresolved,
+                                const SuiteCurve& curve) {
+  const stats::RecordShares shares(suite, unresolved);
   const std::vector<double> whole = shares.isotonic(std::vector<double>(suite.size(), 1.0));
   std::vector<std::vector<double>> samples(whole.size());
   for (const std::vector<double>& weights : curve.bootstrap.weights) {
     const std::vector<double> sample = shares.isotonic(weights);
     for (std::size_t k = 0; k < samples.size(); ++k) samples[k].push_back(sample[k]);
   }
+  std::vector<Banded> found;
   for (std::size_t k = 0; k < whole.size(); ++k) {
-    curve.levels[k].isotonic = whole[k];
-    curve.levels[k].isotonic_band = curve.interval_of(std::move(samples[k])).value();
+    found.push_back({whole[k], curve.interval_of_share(whole[k], std::move(samples[k]))});
+  }
+  return found;
+}
+
+void set_isotonic(const stats::SuiteLevels& suite, SuiteCurve& curve) {
+  using enum stats::RecordShares::Unresolved;
+  const std::vector<Banded> least = isotonic_of(suite, as_not_happened, curve);
+  const std::vector<Banded> most = isotonic_of(suite, as_happened, curve);
+  for (std::size_t k = 0; k < least.size(); ++k) {
+    curve.levels[k].isotonic = least[k].value;
+    curve.levels[k].isotonic_band = {.low = least[k].band.low, .high = most[k].band.high};
   }
 }
 
@@ -135,8 +154,7 @@ std::vector<RecordCurve> curves_of_records(const StripeGroup& group, const Fragi
 }  // namespace
 
 double SuiteCurve::confidence_of_percentiles() const {
-  return stats::expanded_confidence(subject.confidence,
-                                    bootstrap.weights.empty() ? 0 : bootstrap.weights.front().size());
+  return stats::expanded_confidence(subject.confidence, records_in_sample());
 }
 
 std::optional<stats::Interval> SuiteCurve::interval_of(std::vector<double> samples) const {
@@ -145,6 +163,13 @@ std::optional<stats::Interval> SuiteCurve::interval_of(std::vector<double> sampl
 
 std::optional<stats::Interval> SuiteCurve::interval_about(double estimate, std::vector<double> samples) const {
   return stats::bias_corrected_interval(std::move(samples), estimate, bootstrap.samples, confidence_of_percentiles());
+}
+
+stats::Interval SuiteCurve::interval_of_share(double value, std::vector<double> samples) const {
+  constexpr double rounding = 1e-12;
+  const stats::Interval found = interval_of(std::move(samples)).value();
+  if (found.high - found.low > rounding) return found;
+  return stats::interval_of_equal_shares(value, records_in_sample(), subject.confidence);
 }
 
 stats::SuiteLaw PooledSuite::law() const {

@@ -12,6 +12,7 @@
 #include "rocking/stats/unseen_record.hpp"
 #include "rocking/studies/counted_hazard.hpp"
 #include "rocking/studies/rare_tail.hpp"
+#include "rocking/studies/suite/shares_and_hazard.hpp"
 #include "rocking/studies/suite/suite_tail.hpp"
 #include "rocking/studies/suite/undecided.hpp"
 
@@ -26,141 +27,40 @@ stats::SuiteLevels levels_of(const std::vector<RecordCurve>& records) {
   stats::SuiteLevels suite;
   for (const RecordCurve& record : records) {
     auto& levels = suite.emplace_back();
-    for (const FragilityLevel& level : record.curve.levels) levels.push_back({level.intensity, level.overturned});
+    for (const FragilityLevel& level : record.curve.levels)
+      levels.push_back({level.intensity, level.overturned, level.unresolved});
   }
   return suite;
 }
 
+constexpr double rounding_of_rate = 1e-12;  ///< of a rate, relative
+
 /// What is counted of a hazard curve; the rare estimates take the place of the levels below the end of the tail.
 CountedHazard counted_with_tail(const HazardCurve& hazard, const SuiteCurve& curve, const SuiteTail& tail) {
   CountedHazard counted = counted_hazard(hazard, curve.levels, curve.subject.least_uplift);
-  if (!tail.end()) return counted;
-  std::erase_if(counted.levels, [&tail](double level) { return level < *tail.end(); });
-  counted.levels.insert(counted.levels.begin(), tail.intensities().begin(), tail.intensities().end());
+  if (tail.size() == 0) return counted;
+  const UsedRare& used = tail.used();
+  std::erase_if(counted.levels,
+                [&used](double level) { return used.end ? level < *used.end : level <= *used.reach(); });
+  std::vector<double> levels;
+  for (const RareLevel& level : used.estimates) levels.push_back(level.intensity);
+  levels.insert(levels.end(), counted.levels.begin(), counted.levels.end());
+  counted.levels = std::move(levels);
   return counted;
 }
 
-/// Rare estimates, and shares at the levels that can lift the block, as probabilities that are integrated over the
-/// hazard.
-class SharesAndHazard {
- public:
-  SharesAndHazard(const CountedHazard& counted, const stats::RecordShares& shares, const SuiteTail& tail)
-      : hazard_(counted.hazard),
-        tail_(tail),
-        start_(counted.start),
-        least_uplift_(counted.least_uplift),
-        pieces_(counted.pieces()) {
-    const std::vector<double>& all = shares.intensities();
-    skipped_ = all.size() - (counted.levels.size() - tail.size());
-    // A suite without a level that lifts the block does not overturn up to there.
-    intensities_ = counted.levels.empty() ? std::vector<double>{start_} : counted.levels;
-    is_below_uplift_ = counted.levels.empty();
-    for (std::size_t k = 0; k < intensities_.size(); ++k) {
-      std::vector<double> unit(intensities_.size(), 0.0);
-      unit[k] = 1.0;
-      weights_.push_back(rate_of(known(unit), pieces_));
-      ranges_.push_back(hazard_between(k == 0 ? start_ : intensities_[k - 1], intensities_[k]));
-    }
-    ranges_.push_back(hazard_between(intensities_.back(), std::nullopt));
-  }
+/// From the lower end of one to the upper end of the other.
+std::optional<stats::Interval> between(const std::optional<stats::Interval>& lows,
+                                       const std::optional<stats::Interval>& highs) {
+  if (!lows || !highs) return std::nullopt;
+  return stats::Interval{.low = lows->low, .high = highs->high};
+}
 
-  /// The probabilities of the tail, and the shares without those of the levels below it or below the least uplift.
-  [[nodiscard]] std::vector<double> counted_of(std::vector<double> shares, const std::vector<double>& tail) const {
-    if (is_below_uplift_) return {0.0};
-    shares.erase(shares.begin(), shares.begin() + static_cast<std::ptrdiff_t>(skipped_));
-    shares.insert(shares.begin(), tail.begin(), tail.end());
-    return shares;
-  }
-  [[nodiscard]] WithTail<KnownProbabilities> probability(const std::vector<double>& counted) const {
-    return {tail_.y(), {counted.begin(), counted.begin() + static_cast<std::ptrdiff_t>(tail_.size())}, known(counted)};
-  }
-  /// The rate of these probabilities; without a tail it is linear in them.
-  [[nodiscard]] double rate(const std::vector<double>& shares) const {
-    if (tail_.end()) return rate_of(probability(shares), pieces_);
-    double sum = 0.0;
-    for (std::size_t k = 0; k < weights_.size(); ++k) sum += weights_[k] * shares[k];
-    return sum;
-  }
-  /// Without the ranges between levels before number `from`.
-  [[nodiscard]] double at_least(const std::vector<double>& shares, std::size_t from = 1) const {
-    double sum = shares.back() * ranges_.back();
-    for (std::size_t k = from; k < shares.size(); ++k) {
-      sum += std::min(shares[k - 1], shares[k]) * ranges_[k];
-    }
-    return sum;
-  }
-  [[nodiscard]] double at_most(const std::vector<double>& shares, std::size_t from = 1) const {
-    double sum = shares.front() * ranges_.front() + ranges_.back();
-    for (std::size_t k = from; k < shares.size(); ++k) {
-      sum += std::max(shares[k - 1], shares[k]) * ranges_[k];
-    }
-    return sum;
-  }
-  /// The least and the largest rate that the levels allow; between rare estimates that of the lines.
-  [[nodiscard]] double least_allowed(const std::vector<double>& shares) const {
-    return in_tail(shares) + at_least(shares, tail_.size() + 1);
-  }
-  [[nodiscard]] double most_allowed(const std::vector<double>& shares) const {
-    return in_tail(shares) + at_most(shares, tail_.size() + 1);
-  }
-  /// Of a record that is not in the suite, at worst: the largest probability of any record at up to twice the intensity,
-  /// or at the next level; 1 where that lies above the levels.
-  [[nodiscard]] std::vector<double> worst_unseen(const std::vector<std::vector<double>>& counted_of_records) const {
-    std::vector<double> worst(intensities_.size(), 1.0);
-    for (std::size_t k = 0; k + 1 < intensities_.size() && 2.0 * intensities_[k] <= intensities_.back(); ++k) {
-      const auto beyond = std::ranges::upper_bound(intensities_, 2.0 * intensities_[k]);
-      const std::size_t last =
-          std::max<std::size_t>(static_cast<std::size_t>(beyond - intensities_.begin()) - 1, k + 1);
-      worst[k] = 0.0;
-      for (const std::vector<double>& record : counted_of_records) {
-        worst[k] = std::max(worst[k],
-                            *std::max_element(record.begin(), record.begin() + static_cast<std::ptrdiff_t>(last) + 1));
-      }
-    }
-    return worst;
-  }
-  [[nodiscard]] std::vector<LevelShare> levels(const std::vector<double>& shares, double half_trial) const {
-    std::vector<LevelShare> list;
-    for (std::size_t k = 0; k < shares.size(); ++k) {
-      // A rare estimate is told from 0.
-      const double least = k < tail_.size() ? std::min(half_trial, shares[k]) : half_trial;
-      list.push_back({intensities_[k], shares[k], least});
-    }
-    return list;
-  }
-
- private:
-  [[nodiscard]] double in_tail(const std::vector<double>& shares) const {
-    if (!tail_.end()) return 0.0;
-    return rate_of(probability(shares), pieces_within(pieces_, tail_.y().front(), tail_.y().back()));
-  }
-  /// Linear in ln x; 0 at the least uplift where that is known, wherever the hazard begins, and beyond the levels as at
-  /// the last one.
-  [[nodiscard]] KnownProbabilities known(const std::vector<double>& shares) const {
-    KnownProbabilities found;
-    const bool has_zero = least_uplift_ && *least_uplift_ < intensities_.front();
-    if (has_zero) found = {.y = {std::log(*least_uplift_)}, .probabilities = {0.0}};
-    for (const double intensity : intensities_) found.y.push_back(std::log(intensity));
-    found.probabilities.insert(found.probabilities.end(), shares.begin(), shares.end());
-    return found;
-  }
-  [[nodiscard]] double hazard_between(double from, std::optional<double> to) const {
-    const std::vector<HazardPiece> pieces = pieces_between(hazard_, std::max(from, start_), to);
-    return rate_of(KnownProbabilities{.y = {0.0}, .probabilities = {1.0}}, pieces);
-  }
-
-  const HazardCurve& hazard_;
-  const SuiteTail& tail_;
-  double start_;
-  std::optional<double>
-      least_uplift_;  ///< also where the hazard begins above it, so that less hazard is no higher rate
-  std::vector<HazardPiece> pieces_;
-  bool is_below_uplift_ = false;
-  std::size_t skipped_ = 0;
-  std::vector<double> intensities_;
-  std::vector<double> weights_;  ///< derivatives of the rate by the shares
-  std::vector<double> ranges_;   ///< hazard from the start to the first level, between levels, and beyond the last
-};
+RateSource source_of(RateBasis basis, const SuiteCurve& curve) {
+  const bool is_by_law =
+      basis == RateBasis::law_if_fitted && curve.outcome == stats::FragilityOutcome::fitted && curve.pooled;
+  return is_by_law ? RateSource::law : RateSource::isotonic;
+}
 
 /// The rates of one suite and one hazard curve.
 class SuiteRates {
@@ -169,33 +69,64 @@ class SuiteRates {
       : curve_(curve),
         suite_(levels_of(curve.records)),
         shares_(suite_),
+        most_shares_(suite_, stats::RecordShares::Unresolved::as_happened),
         tail_(curve),
         counted_(counted_with_tail(hazard, curve, tail_)),
         pieces_(counted_.pieces()),
-        rates_(counted_, shares_, tail_) {}
+        rates_(counted_, shares_.intensities().size(), tail_) {}
 
-  /// By shares, of records with these weights.
+  /// By shares, of records with these weights; trials without an answer have the event at most.
   [[nodiscard]] double rate_by(RateSource source, const std::vector<double>& weights) const {
-    const std::vector<double> shares = counted_shares(source, weights);
-    if (source == RateSource::at_least) return rates_.at_least(shares);
-    if (source == RateSource::at_most) return rates_.at_most(shares);
-    return rates_.rate(shares);
+    const bool is_most = source == RateSource::at_most;
+    return rate_of_shares(source, counted_shares(source, is_most ? most_shares_ : shares_, weights));
   }
 
-  [[nodiscard]] SuiteRate all() const {
+  /// Of bootstrap sample i, by the law or by isotonic shares, in which trials without an answer may have the event; absent
+  /// where the sample has no law.
+  [[nodiscard]] std::optional<AllowedRate> allowed_in_sample(RateSource source, std::size_t i) const {
+    const stats::RecordBootstrap& bootstrap = curve_.bootstrap;
+    const std::vector<double>& weights = bootstrap.weights[i];
+    if (source == RateSource::law) {
+      const auto place = std::ranges::lower_bound(bootstrap.samples_with_law, i);
+      if (place == bootstrap.samples_with_law.end() || *place != i) return std::nullopt;
+      return allowed_by_law(bootstrap.laws[static_cast<std::size_t>(place - bootstrap.samples_with_law.begin())],
+                            weights);
+    }
+    AllowedRate found = allowed(shares_, weights);
+    const AllowedRate most = allowed(most_shares_, weights);
+    found.linear.high = most.linear.high;
+    found.lognormal.high = most.lognormal.high;
+    return found;
+  }
+  /// By the law or by isotonic shares: the rate of the suite with its interval.
+  [[nodiscard]] RateEstimate estimate_of(RateSource source) const {
+    return source == RateSource::law ? by_law() : by_shares(source);
+  }
+  /// Whether the shares of bootstrap samples give different rates.
+  [[nodiscard]] bool scatters() const {
+    if (curve_.bootstrap.weights.empty()) return false;
+    const auto rate = [this](const std::vector<double>& weights) { return rate_by(RateSource::isotonic, weights); };
+    const double first = rate(curve_.bootstrap.weights.front());
+    return std::ranges::any_of(curve_.bootstrap.weights, [&](const auto& weights) {
+      return std::abs(rate(weights) - first) > rounding_of_rate * first;
+    });
+  }
+
+  [[nodiscard]] SuiteRate all(RateBasis basis) const {
     SuiteRate found;
     if (curve_.pooled) found.estimates.push_back(by_law());
     for (const RateSource source :
          {RateSource::isotonic, RateSource::observed, RateSource::at_least, RateSource::at_most}) {
       found.estimates.push_back(by_shares(source));
     }
-    const bool is_by_law = curve_.outcome == stats::FragilityOutcome::fitted;
-    found.chosen = is_by_law
-                       ? disaggregated(counted_, by_law_of(curve_.pooled->law(), equal_weights()))
-                       : disaggregated(counted_, rates_.probability(rates_.counted_of(shares_.isotonic(equal_weights()),
-                                                                                      tail_.means(equal_weights()))));
+    const bool is_by_law = source_of(basis, curve_) == RateSource::law;
+    found.chosen =
+        is_by_law ? disaggregated(counted_, by_law_of(curve_.pooled->law(), equal_weights()))
+                  : disaggregated(counted_,
+                                  rates_.probability(counted_shares(RateSource::isotonic, shares_, equal_weights())));
     found.chosen.source = is_by_law ? RateSource::law : RateSource::isotonic;
-    found.chosen.rare_below = tail_.end();
+    found.chosen.rare_below = tail_.used().reach();
+    found.chosen.rare_use = tail_.used().use;
     if (curve_.pooled) found.chosen.impossible = impossible();
     for (const RateEstimate& estimate : found.estimates) {
       if (estimate.source == found.chosen.source) found.chosen.interval = estimate.interval;
@@ -207,6 +138,12 @@ class SuiteRates {
   }
 
  private:
+  /// Half of one trial over all trials of a level.
+  [[nodiscard]] double half_trial() const {
+    std::uint64_t trials = 0;
+    for (const auto& record : suite_) trials += record.front().happened.trials;
+    return 0.5 / static_cast<double>(trials);
+  }
   [[nodiscard]] std::vector<double> equal_weights() const { return std::vector<double>(suite_.size(), 1.0); }
   /// Of records with these weights, whose law it is.
   [[nodiscard]] WithTail<LognormalCapacity> by_law_of(const stats::SuiteLaw& law,
@@ -215,7 +152,7 @@ class SuiteRates {
   }
   /// Of the observed shares.
   [[nodiscard]] std::vector<double> observed() const {
-    return rates_.counted_of(shares_.mean(equal_weights()), tail_.means(equal_weights()));
+    return counted_shares(RateSource::observed, shares_, equal_weights());
   }
 
   [[nodiscard]] double impossible() const {
@@ -224,55 +161,72 @@ class SuiteRates {
   }
 
   [[nodiscard]] RateEstimate by_law() const {
-    std::vector<double> samples;
-    const stats::RecordBootstrap& bootstrap = curve_.bootstrap;
-    for (std::size_t i = 0; i < bootstrap.laws.size(); ++i) {
-      const std::vector<double>& weights = bootstrap.weights[bootstrap.samples_with_law[i]];
-      samples.push_back(rate_of(by_law_of(bootstrap.laws[i], weights), pieces_));
+    std::vector<double> lows, highs;
+    for (const std::size_t i : curve_.bootstrap.samples_with_law) {
+      const AllowedRate found = allowed_in_sample(RateSource::law, i).value();
+      lows.push_back(found.low());
+      highs.push_back(found.high());
     }
     return {RateSource::law, rate_of(by_law_of(curve_.pooled->law(), equal_weights()), pieces_),
-            curve_.interval_of(std::move(samples))};
+            between(curve_.interval_of(std::move(lows)), curve_.interval_of(std::move(highs)))};
   }
 
-  [[nodiscard]] std::vector<double> counted_shares(RateSource source, const std::vector<double>& weights) const {
+  /// Of records with these weights, at the levels that count: isotonic, or the means.
+  [[nodiscard]] std::vector<double> counted_shares(RateSource source, const stats::RecordShares& of,
+                                                   const std::vector<double>& weights) const {
     const bool is_isotonic = source == RateSource::isotonic;
-    return rates_.counted_of(is_isotonic ? shares_.isotonic(weights) : shares_.mean(weights), tail_.means(weights));
+    return rates_.counted_of(is_isotonic ? of.isotonic(weights) : of.mean(weights), tail_.means(weights));
+  }
+  [[nodiscard]] double rate_of_shares(RateSource source, const std::vector<double>& counted) const {
+    if (source == RateSource::at_least) return rates_.at_least(counted);
+    if (source == RateSource::at_most) return rates_.at_most(counted);
+    return rates_.rate(counted);
+  }
+  [[nodiscard]] AllowedRate allowed(const stats::RecordShares& of, const std::vector<double>& weights) const {
+    return rates_.allowed(counted_shares(RateSource::isotonic, of, weights), half_trial());
+  }
+  /// Of records with these weights, whose law it is.
+  [[nodiscard]] AllowedRate allowed_by_law(const stats::SuiteLaw& law, const std::vector<double>& weights) const {
+    const auto by_law = by_law_of(law, weights);
+    const stats::Interval found = rates_.allowed_outside(by_law, rate_of(by_law, pieces_),
+                                                         counted_shares(RateSource::isotonic, shares_, weights));
+    return {.linear = found, .lognormal = found};
   }
 
-  [[nodiscard]] std::vector<double> counted_of_record(std::size_t record) const {
-    return rates_.counted_of(shares_.of_record(record), tail_.of_record(record));
+  [[nodiscard]] std::vector<double> counted_of_record(const stats::RecordShares& of, std::size_t record) const {
+    return rates_.counted_of(of.of_record(record), tail_.of_record(record));
   }
 
   [[nodiscard]] RateEstimate by_shares(RateSource source) const {
-    return {source, rate_by(source, equal_weights()), interval_by_shares(source)};
+    std::vector<std::vector<double>> of_records;
+    for (std::size_t r = 0; r < suite_.size(); ++r) of_records.push_back(counted_of_record(most_shares_, r));
+    const std::vector<double> worst = rates_.worst_unseen(of_records);
+    auto interval = interval_with_unseen(source, worst);
+    // Records that are all alike say nothing of how much another one may differ.
+    if (interval && interval->high - interval->low <= rounding_of_rate * interval->high) {
+      interval = interval_with_unseen(source, std::vector<double>(worst.size(), 1.0));
+    }
+    return {source, rate_by(source, equal_weights()), interval};
   }
 
   /// From the least rate that the levels allow, with an unseen record that never overturns, to the largest one, with one
-  /// that does so at its worst; of a bound that bound itself.
-  [[nodiscard]] std::optional<stats::Interval> interval_by_shares(RateSource source) const {
-    std::vector<std::vector<double>> of_records;
-    for (std::size_t r = 0; r < suite_.size(); ++r) of_records.push_back(counted_of_record(r));
-    const std::vector<double> worst = rates_.worst_unseen(of_records);
+  /// that does so as in `worst`; of a bound that bound itself. Trials without an answer have the event at the upper end.
+  [[nodiscard]] std::optional<stats::Interval> interval_with_unseen(RateSource source,
+                                                                    const std::vector<double>& worst) const {
+    const bool is_bound = source == RateSource::at_least || source == RateSource::at_most;
     const std::vector<double> best(worst.size(), 0.0);
     std::vector<double> lows, highs;
     for (std::vector<double> weights : curve_.bootstrap.with_unseen) {
       const double unseen = weights.back();
       weights.pop_back();
-      const std::vector<double> shares = counted_shares(source, weights);
-      const std::vector<double> low = stats::mean_with_unseen(shares, unseen, best);
-      const std::vector<double> high = stats::mean_with_unseen(shares, unseen, worst);
-      lows.push_back(source == RateSource::at_least  ? rates_.at_least(low)
-                     : source == RateSource::at_most ? rates_.at_most(low)
-                                                     : rates_.least_allowed(low));
-      highs.push_back(source == RateSource::at_least  ? rates_.at_least(high)
-                      : source == RateSource::at_most ? rates_.at_most(high)
-                                                      : rates_.most_allowed(high));
+      const auto low = stats::mean_with_unseen(counted_shares(source, shares_, weights), unseen, best);
+      const auto high = stats::mean_with_unseen(counted_shares(source, most_shares_, weights), unseen, worst);
+      lows.push_back(is_bound ? rate_of_shares(source, low) : rates_.least_allowed(low));
+      highs.push_back(is_bound ? rate_of_shares(source, high) : rates_.most_allowed(high));
     }
     const double confidence = curve_.subject.confidence;
-    const auto low = stats::percentile_interval(std::move(lows), curve_.bootstrap.samples, confidence);
-    const auto high = stats::percentile_interval(std::move(highs), curve_.bootstrap.samples, confidence);
-    if (!low || !high) return std::nullopt;
-    return stats::Interval{.low = low->low, .high = high->high};
+    return between(stats::percentile_interval(std::move(lows), curve_.bootstrap.samples, confidence),
+                   stats::percentile_interval(std::move(highs), curve_.bootstrap.samples, confidence));
   }
 
   static void set_disagreement(SuiteRate& found) {
@@ -302,12 +256,12 @@ class SuiteRates {
   /// The mean over the records is the observed rate. A range of the tail is shared out by the mean of the shares that a
   /// record has in the probabilities at its two ends.
   [[nodiscard]] double rate_of_record(std::size_t record) const {
-    const std::vector<double> own = counted_of_record(record);
-    if (!tail_.end()) return rates_.rate(own);
+    const std::vector<double> own = counted_of_record(shares_, record);
+    if (tail_.size() == 0) return rates_.rate(own);
     const std::vector<double> means = observed();
     const auto of_all = rates_.probability(means);
     double rate = rate_of(rates_.probability(own), pieces_within(pieces_, tail_.y().back(), HUGE_VAL));
-    for (std::size_t i = 0; i < tail_.size(); ++i) {
+    for (std::size_t i = 0; i + 1 < tail_.y().size(); ++i) {
       const double low = i == 0 ? -HUGE_VAL : tail_.y()[i];
       const double share = 0.5 * (own[i] / means[i] + own[i + 1] / means[i + 1]);
       rate += share * rate_of(of_all, pieces_within(pieces_, low, tail_.y()[i + 1]));
@@ -340,18 +294,19 @@ class SuiteRates {
     for (const double rate : rates) mean += std::log(rate) / count;
     for (const double rate : rates) squares += (std::log(rate) - mean) * (std::log(rate) - mean);
     const double error = std::sqrt((count - 1.0) / count * squares);
+    if (error <= rounding_of_rate) return;  // equal rates say nothing of their scatter
     const double factor = std::exp(stats::two_sided_t_quantile(curve_.subject.confidence, count - 1.0) * error);
     found.jackknife = stats::Interval{.low = found.chosen.value / factor, .high = found.chosen.value * factor};
   }
 
   void set_undecided(SuiteRate& found) const {
     const std::vector<double> means = observed();
-    std::uint64_t trials = 0;
-    for (const auto& record : suite_) trials += record.front().happened.trials;
-    const std::vector<LevelShare> levels = rates_.levels(means, 0.5 / static_cast<double>(trials));
+    const std::vector<LevelShare> levels = rates_.levels(means, half_trial());
     const double rate = rates_.rate(means);
     double open = 0.0;
     for (const UndecidedRange& range : undecided_ranges(levels, counted_.hazard, counted_.start)) open += range.rate;
+    open +=
+        rates_.rate(counted_shares(RateSource::observed, most_shares_, equal_weights())) - rate;  // without an answer
     found.undecided_share = rate > 0.0 ? open / rate : (open > 0.0 ? 1.0 : 0.0);
     const auto between = rates_.probability(means);
     found.add_levels =
@@ -383,7 +338,8 @@ class SuiteRates {
 
   const SuiteCurve& curve_;
   stats::SuiteLevels suite_;
-  stats::RecordShares shares_;
+  stats::RecordShares shares_;       ///< trials without an answer did not have the event
+  stats::RecordShares most_shares_;  ///< they had it
   SuiteTail tail_;
   CountedHazard counted_;
   std::vector<HazardPiece> pieces_;
@@ -404,32 +360,51 @@ std::string_view to_string(RateSource source) {
   return "at_most";
 }
 
-RateComparison compared_rates(const SuiteCurve& base, const SuiteCurve& option, const HazardCurve& hazard) {
+RateComparison compared_rates(const SuiteCurve& base, const SuiteCurve& option, const HazardCurve& hazard,
+                              RateBasis basis) {
   ROCKING_EXPECT(base.records.size() == option.records.size());
   const SuiteRates of_base(base, hazard), of_option(option, hazard);
   RateComparison found{.base = base.subject.others, .option = option.subject.others, .event = option.subject.event};
-  const std::vector<double> equal(base.records.size(), 1.0);
-  const double before = of_base.rate_by(RateSource::isotonic, equal);
-  const double after = of_option.rate_by(RateSource::isotonic, equal);
+  const bool have_law = source_of(basis, base) == RateSource::law && source_of(basis, option) == RateSource::law;
+  found.source = have_law ? RateSource::law : RateSource::isotonic;
+  const RateEstimate of_first = of_base.estimate_of(found.source), of_second = of_option.estimate_of(found.source);
+  const double before = of_first.value, after = of_second.value;
   found.difference = after - before;
   if (before > 0.0) found.ratio = after / before;
-  std::vector<double> differences, ratios;
-  for (const std::vector<double>& weights : base.bootstrap.weights) {
-    const double first = of_base.rate_by(RateSource::isotonic, weights);
-    const double second = of_option.rate_by(RateSource::isotonic, weights);
-    differences.push_back(second - first);
-    if (first > 0.0) ratios.push_back(second / first);
+  std::vector<double> low_differences, high_differences, low_ratios, high_ratios;
+  const auto ratio_of = [](double part, double whole) {
+    return whole > 0.0 ? part / whole : std::numeric_limits<double>::infinity();
+  };
+  // The curve between the levels is the same one in both.
+  const auto compare = [&](const AllowedRate& first, const AllowedRate& second) {
+    const auto& [a, b] = first;
+    const auto& [c, d] = second;
+    low_differences.push_back(std::min(c.low - a.high, d.low - b.high));
+    high_differences.push_back(std::max(c.high - a.low, d.high - b.low));
+    low_ratios.push_back(first.high() > 0.0 ? std::min(ratio_of(c.low, a.high), ratio_of(d.low, b.high)) : 0.0);
+    high_ratios.push_back(std::max(ratio_of(c.high, a.low), ratio_of(d.high, b.low)));
+  };
+  // Where the samples of one do not scatter, its own interval says more than they do.
+  const bool have_samples = of_base.scatters() && of_option.scatters();
+  for (std::size_t i = 0; i < base.bootstrap.weights.size(); ++i) {
+    const auto first = of_base.allowed_in_sample(found.source, i);
+    const auto second = of_option.allowed_in_sample(found.source, i);
+    if (have_samples && first && second) compare(*first, *second);
+    if (!have_samples && of_first.interval && of_second.interval) {
+      compare({*of_first.interval, *of_first.interval}, {*of_second.interval, *of_second.interval});
+    }
   }
-  found.interval = base.interval_of(std::move(differences));
-  if (found.ratio) {
-    found.ratio_interval = base.interval_of(std::move(ratios));
-  }
+  const auto interval_of = [&base](std::vector<double> lows, std::vector<double> highs) {
+    return between(base.interval_of(std::move(lows)), base.interval_of(std::move(highs)));
+  };
+  found.interval = interval_of(std::move(low_differences), std::move(high_differences));
+  if (found.ratio) found.ratio_interval = interval_of(std::move(low_ratios), std::move(high_ratios));
   return found;
 }
 
-SuiteRate annual_rate(const SuiteCurve& curve, const HazardCurve& hazard) {
+SuiteRate annual_rate(const SuiteCurve& curve, const HazardCurve& hazard, RateBasis basis) {
   ROCKING_EXPECT(!curve.records.empty() && !curve.levels.empty());
-  return SuiteRates(curve, hazard).all();
+  return SuiteRates(curve, hazard).all(basis);
 }
 
 }  // namespace rocking

@@ -1,26 +1,18 @@
 #include "rocking/studies/suite/suite_tail.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "rocking/base/error.hpp"
-#include "rocking/studies/rare_tail.hpp"
 
 namespace rocking {
 
-SuiteTail::SuiteTail(const SuiteCurve& curve) {
-  for (const RareLevel& level : rare_below_levels(curve)) intensities_.push_back(level.intensity);
-  if (!intensities_.empty()) {
-    end_ = lowest_sure_level(curve.levels);
-    for (const double intensity : intensities_) y_.push_back(std::log(intensity));
-    y_.push_back(std::log(*end_));
-  }
+SuiteTail::SuiteTail(const SuiteCurve& curve) : used_(used_rare(curve)), y_(used_.nodes()) {
   for (const RecordCurve& record : curve.records) {
     std::vector<double>& probabilities = of_records_.emplace_back(size(), 0.0);
     for (const RareLevel& level : record.curve.rare) {
-      const auto node = std::ranges::find(intensities_, level.intensity);
-      if (node != intensities_.end()) {
-        probabilities[static_cast<std::size_t>(node - intensities_.begin())] = level.probability;
+      const auto node = std::ranges::find(used_.estimates, level.intensity, &RareLevel::intensity);
+      if (node != used_.estimates.end()) {
+        probabilities[static_cast<std::size_t>(node - used_.estimates.begin())] = level.probability;
       }
     }
   }

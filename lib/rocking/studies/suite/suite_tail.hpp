@@ -1,23 +1,21 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <vector>
 
+#include "rocking/studies/rare_tail.hpp"
 #include "rocking/studies/suite/suite_curve.hpp"
 
 namespace rocking {
 
-/// Rare estimates of a suite below its lowest level with ten events, record by record: sampling that is stratified by
+/// The rare estimates that give the lower tail of a suite (used_rare), record by record: sampling that is stratified by
 /// records, each with its weight.
 class SuiteTail {
  public:
   explicit SuiteTail(const SuiteCurve& curve);
 
-  [[nodiscard]] std::size_t size() const { return intensities_.size(); }
-  [[nodiscard]] const std::vector<double>& intensities() const { return intensities_; }
-  /// The level from which on the shares count; absent: there is no tail.
-  [[nodiscard]] std::optional<double> end() const { return end_; }
+  [[nodiscard]] std::size_t size() const { return used_.estimates.size(); }
+  [[nodiscard]] const UsedRare& used() const { return used_; }
   /// ln x of the estimates, and of the end; empty without a tail.
   [[nodiscard]] const std::vector<double>& y() const { return y_; }
   /// Of one record; 0 where it has no estimate.
@@ -26,8 +24,7 @@ class SuiteTail {
   [[nodiscard]] std::vector<double> means(const std::vector<double>& weights) const;
 
  private:
-  std::vector<double> intensities_;
-  std::optional<double> end_;
+  UsedRare used_;
   std::vector<double> y_;
   std::vector<std::vector<double>> of_records_;
 };

@@ -27,8 +27,9 @@ double rate_between(const LevelShare& low, const LevelShare& high, const std::ve
                  pieces);
 }
 
-/// Difference between the linear and the lognormal curve through two shares.
-double open_between(const LevelShare& low, const LevelShare& high, const HazardCurve& hazard) {
+}  // namespace
+
+double lognormal_less_linear(const LevelShare& low, const LevelShare& high, const HazardCurve& hazard) {
   const double rise = probit(high) - probit(low);
   const double length = std::log(high.intensity / low.intensity);
   if (!(rise > 0.0) || !(length > 0.0)) return 0.0;
@@ -36,8 +37,10 @@ double open_between(const LevelShare& low, const LevelShare& high, const HazardC
   const LognormalCapacity lognormal{.centre = std::log(low.intensity) - probit(low) * dispersion,
                                     .dispersion = dispersion};
   const std::vector<HazardPiece> pieces = pieces_between(hazard, low.intensity, high.intensity);
-  return std::abs(rate_of(lognormal, pieces) - rate_between(low, high, pieces));
+  return rate_of(lognormal, pieces) - rate_between(low, high, pieces);
 }
+
+namespace {
 
 double hazard_between(const HazardCurve& hazard, double from, std::optional<double> to) {
   return rate_of(KnownProbabilities{.y = {std::log(from)}, .probabilities = {1.0}}, pieces_between(hazard, from, to));
@@ -62,7 +65,8 @@ std::vector<UndecidedRange> undecided_ranges(const std::vector<LevelShare>& leve
     ranges.push_back({start, first.intensity, first.share * hazard_between(hazard, start, first.intensity)});
   }
   for (std::size_t k = 1; k < levels.size(); ++k) {
-    ranges.push_back({levels[k - 1].intensity, levels[k].intensity, open_between(levels[k - 1], levels[k], hazard)});
+    ranges.push_back({levels[k - 1].intensity, levels[k].intensity,
+                      std::abs(lognormal_less_linear(levels[k - 1], levels[k], hazard))});
   }
   ranges.push_back({last.intensity, std::nullopt,
                     (1.0 - last.share) * hazard_between(hazard, std::max(start, last.intensity), std::nullopt)});

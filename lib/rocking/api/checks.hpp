@@ -90,7 +90,8 @@ struct RunCheck {
 [[nodiscard]] ROCKING_API std::vector<base::ArithmeticCheck> check_arithmetic();
 
 /// Two-sided confidence intervals of a probability, as in reports: within [0, 1], and [0, 1] without trials. `confidence`
-/// is between 0 and 1. They throw base::InputError for another confidence, or for more successes than trials.
+/// is at least 1e-6 and below 1. They throw base::InputError for another one, for more than 1e9 trials, or for more
+/// successes than trials.
 ///
 /// Exact interval: covers the true value at least as often as promised.
 /// Source: Clopper & Pearson (1934), Biometrika 26, 404-413.

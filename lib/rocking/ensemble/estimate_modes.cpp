@@ -30,8 +30,8 @@ std::vector<ModeEstimate> estimate_modes(const ModeTally& listed, double confide
     estimate.jeffreys = covering([&](const stats::Proportion& each) { return stats::jeffreys(each, confidence); });
     estimate.clopper_pearson =
         covering([&](const stats::Proportion& each) { return stats::clopper_pearson(each, confidence); });
-    estimate.simultaneous =
-        covering([&](const stats::Proportion& each) { return simultaneous_interval(mode, each, confidence); });
+    estimate.simultaneous = covering(
+        [&, &mode = mode](const stats::Proportion& each) { return simultaneous_interval(mode, each, confidence); });
     estimate.goodman =
         covering([&](const stats::Proportion& each) { return stats::goodman(each, confidence, listed.size()); });
     if (of_sison_and_glaz) estimate.sison_glaz = of_sison_and_glaz->at(modes.size());

@@ -134,9 +134,9 @@ NonRecurrence Reduction::non_recurrence() const {
 void Reduction::add_anytime_intervals(std::vector<ModeEstimate>& modes) const {
   const stats::StoppingRule rule = stopping_rule(*condition_);
   for (auto& [mode, probability] : modes) {
-    probability.anytime =
-        stats::covering(bounds_of(mode, probability.counts, without_answer()),
-                        [&](const stats::Proportion& counts) { return anytime_interval(rule, mode, counts); });
+    probability.anytime = stats::covering(
+        bounds_of(mode, probability.counts, without_answer()),
+        [&, &mode = mode](const stats::Proportion& counts) { return anytime_interval(rule, mode, counts); });
   }
 }
 

@@ -284,6 +284,15 @@ TEST_F(Suite, HasEachSeriesOnceWhateverItsFormatUnitOrName) {
   EXPECT_EQ(refusal_of(experiment(R"(["one.at2", "six.at2", "seven.at2", "eight.at2"])")), "accepted");
 }
 
+// All constants have one shape, so that they are the same only if they are equal.
+TEST_F(Suite, MayHaveConstantsThatAreNearlyEqual) {
+  files_["one.txt"] = "0 0.3\n6 0.3\n";
+  files_["two.txt"] = "0 0.3003\n6 0.3003\n";
+  files_["again.txt"] = "0.0 0.30\n6.0 0.30\n";
+  EXPECT_EQ(refusal_of(experiment(R"(["one.txt", "two.txt"])")), "accepted");
+  EXPECT_THAT(refusal_of(experiment(R"(["one.txt", "again.txt"])")), HasSubstr("has the same series as \"one.txt\""));
+}
+
 TEST_F(Suite, RefusesVerticalComponentsByNameAndByHeader) {
   const auto with_component = [](const std::string& component) {
     std::string text = support::peer_at2({0.3, 0.1, -0.2, 0.1}, ".01");

@@ -158,8 +158,9 @@ TEST(BadNumber, InAnyPlaceOfAGroundMotionIsRefusedWithItsLineOrIsANumber) {
         for (const auto& line : changed) text << line[0] << ' ' << line[1] << ' ' << line[2] << '\n';
         const std::string what = "line " + std::to_string(row + 1) + ": " + word;
         Problems problems;
-        const auto motion =
-            read_ground_motion(text.str(), {.name = "record.txt", .time_step = {}, .gravity = 9.81}, problems);
+        GroundMotionReading how{.name = "record.txt", .time_step = {}, .gravity = 9.81};
+        how.columns = {RecordColumn::time, RecordColumn::horizontal, RecordColumn::vertical};
+        const auto motion = read_ground_motion(text.str(), how, problems);
         ASSERT_EQ(motion.has_value(), problems.empty()) << what;
         for (const base::Problem& problem : problems) {
           EXPECT_EQ(problem.place, "record.txt, line " + std::to_string(row + 1)) << what;

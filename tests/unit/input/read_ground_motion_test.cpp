@@ -225,7 +225,7 @@ TEST(GroundMotionFault, OfTheColumnsPointsAtTheTimeStep) {
 TEST(GroundMotionFault, IsAColumnThatIsNotNamed) {
   const auto problem = [](std::string_view text, std::optional<double> time_step = {}, const Columns& columns = {}) {
     const auto problems = problems_of_record(text, time_step, columns);
-    return base::InputError({problems.at(0)}).what();
+    return std::string(base::InputError({problems.at(0)}).what());
   };
   EXPECT_THAT(problem("0 1 2\n1 2 3\n"), HasSubstr("line 1 = \"0 1 2\": has 3 columns; what they are is not guessed"));
   EXPECT_THAT(problem("0.1 0.2\n-0.3 0.1\n", 0.01), HasSubstr("2 columns beside \"time_step_s\""));

@@ -275,9 +275,14 @@ std::string basis(const Sheet& sheet) {
     text += fmt::format(" The record that contributes most, {}, has {} % of the rate.", escaped(last_part(most->name)),
                         significant(100.0 * most->share, 2));
   }
-  text += "</p>\n";
+  return "<h2>What the answer rests on</h2>\n" + text + "</p>\n";
+}
+
+/// What limits the answer, beside the hazard and the records.
+std::string limits(const Sheet& sheet) {
+  std::string text = extrapolated_hazard(sheet) + scale_warning(sheet);
   for (const ReportedSuite& suite : sheet.suites) text += warnings(suite);
-  return "<h2>What the answer rests on</h2>\n" + text + extrapolated_hazard(sheet);
+  return text;
 }
 
 std::string assumptions(const Sheet& sheet) {
@@ -314,7 +319,7 @@ std::string sheet_text(const Sheet& sheet) {
              "<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n<h1>{}</h1>\n",
              policy_hash(sheet_style()), escaped(title), sheet_style(), escaped(title)) +
          answer(sheet) + "<div class=\"top\">\n<div class=\"object\">\n" + drawing(sheet.run) + motions(sheet) +
-         "</div>\n<div class=\"question\">\n<h2>Question</h2>\n" + question_in_brief(sheet.run) + scale_warning(sheet) +
+         limits(sheet) + "</div>\n<div class=\"question\">\n<h2>Question</h2>\n" + question_in_brief(sheet.run) +
          basis(sheet) + "</div>\n</div>\n" + curve(sheet) + rates(sheet) + assumptions(sheet) + footer(sheet) +
          "</body>\n</html>\n";
 }

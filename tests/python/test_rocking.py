@@ -623,8 +623,8 @@ class Errors(unittest.TestCase):
 
     def test_bad_measurements_of_cost_are_refused(self):
         for arguments, pointer in (({"sample": 0}, "sample"), ({"sample": 10**6}, "sample"),
-                                   ({"seconds": 0.0}, "seconds"), ({"tolerances": [1.0]}, "tolerances"),
-                                   ({"tolerances": [float("nan")]}, "tolerances"),
+                                   ({"seconds": 0.0}, "seconds"), ({"tolerances": [1.0]}, "tolerances/0"),
+                                   ({"tolerances": [float("nan")]}, "tolerances/0"),
                                    ({"tolerances": [1e-8]}, "tolerances")):
             with self.assertRaises(rocking.InputError, msg=arguments) as caught:
                 rocking.cost(SLAB, **arguments)

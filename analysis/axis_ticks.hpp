@@ -1,6 +1,6 @@
 #pragma once
 
-#include "analysis/figure.hpp"
+#include "rocking/figures/figure.hpp"
 
 namespace rocking::analysis {
 

@@ -40,20 +40,6 @@ std::string header_of(const Table& table) {
 
 }  // namespace
 
-std::string number_text(double number) {
-  char text[32];
-  const auto [end, error] = std::to_chars(text, text + sizeof text, number);
-  ROCKING_EXPECT(error == std::errc());
-  static_cast<void>(error);
-  return {text, end};
-}
-
-std::string cell_text(const Cell& cell) {
-  if (const double* number = std::get_if<double>(&cell)) return number_text(*number);
-  if (const std::string* text = std::get_if<std::string>(&cell)) return *text;
-  return "NaN";
-}
-
 std::string data_text(const Figure& figure) {
   std::string text = "# " + harmless(figure.title) + '\n';
   for (const std::string& line : {figure.subtitle, figure.caption}) {

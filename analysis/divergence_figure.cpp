@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <map>
 
-#include "analysis/palette.hpp"
-#include "analysis/sweep_view.hpp"
+#include "rocking/figures/palette.hpp"
+#include "rocking/figures/sweep_view.hpp"
 
 namespace rocking::analysis {
 namespace {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "analysis/figure.hpp"
+#include "rocking/figures/figure.hpp"
 #include "rocking/output/report.hpp"
 #include "rocking/store/store.hpp"
 

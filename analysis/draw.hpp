@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "analysis/figure.hpp"
 #include "analysis/gnuplot.hpp"
 #include "analysis/look.hpp"
+#include "rocking/figures/figure.hpp"
 
 namespace rocking::analysis {
 

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "analysis/figure.hpp"
 #include "analysis/look.hpp"
+#include "rocking/figures/figure.hpp"
 
 namespace rocking::analysis {
 

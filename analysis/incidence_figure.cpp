@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/palette.hpp"
-#include "analysis/sweep_view.hpp"
+#include "rocking/figures/palette.hpp"
+#include "rocking/figures/sweep_view.hpp"
 #include "rocking/output/mode_table.hpp"
 #include "rocking/output/settling_table.hpp"
 

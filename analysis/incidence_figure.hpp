@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "analysis/figure.hpp"
+#include "rocking/figures/figure.hpp"
 #include "rocking/output/report.hpp"
 
 namespace rocking::analysis {

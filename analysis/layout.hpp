@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "analysis/figure.hpp"
 #include "analysis/look.hpp"
+#include "rocking/figures/figure.hpp"
 
 /// Positions of the parts of a drawn figure, in pixels from its lower left corner.
 namespace rocking::analysis {

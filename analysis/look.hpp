@@ -3,7 +3,7 @@
 #include <array>
 #include <cstdint>
 
-#include "analysis/figure.hpp"
+#include "rocking/figures/figure.hpp"
 
 namespace rocking::analysis {
 

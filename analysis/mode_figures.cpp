@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "analysis/data_file.hpp"
-#include "analysis/palette.hpp"
-#include "analysis/sweep_view.hpp"
+#include "rocking/figures/palette.hpp"
+#include "rocking/figures/sweep_view.hpp"
 #include "rocking/output/mode_table.hpp"
 
 namespace rocking::analysis {

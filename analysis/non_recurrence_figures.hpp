@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "analysis/figure.hpp"
+#include "rocking/figures/figure.hpp"
 #include "rocking/output/report.hpp"
 
 /// Figures of non-recurrence: different responses under equal conditions. Absent if no condition has two realisations.

@@ -7,8 +7,8 @@
 
 #include "analysis/data_file.hpp"
 #include "analysis/mode_figures.hpp"
-#include "analysis/palette.hpp"
-#include "analysis/sweep_view.hpp"
+#include "rocking/figures/palette.hpp"
+#include "rocking/figures/sweep_view.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking::analysis {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "analysis/figure.hpp"
+#include "rocking/figures/figure.hpp"
 #include "rocking/output/report.hpp"
 
 /// How far the block tilts and slips, as quantiles over the realisations of each condition.

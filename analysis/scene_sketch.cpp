@@ -6,7 +6,7 @@
 
 #include "analysis/data_file.hpp"
 #include "analysis/quantity.hpp"
-#include "analysis/sweep_view.hpp"
+#include "rocking/figures/sweep_view.hpp"
 #include "rocking/input/quantities_in_text.hpp"
 #include "rocking/output/text_table.hpp"
 #include "rocking/text/number_text.hpp"

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "analysis/figure.hpp"
+#include "rocking/figures/figure.hpp"
 #include "rocking/output/report.hpp"
 #include "rocking/output/shaking_text.hpp"
 #include "rocking/text/json.hpp"

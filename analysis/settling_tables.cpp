@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "analysis/data_file.hpp"
-#include "analysis/sweep_view.hpp"
 #include "analysis/table_text.hpp"
+#include "rocking/figures/sweep_view.hpp"
 #include "rocking/output/long_run_table.hpp"
 #include "rocking/output/settling_table.hpp"
 #include "rocking/text/number_text.hpp"

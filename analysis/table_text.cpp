@@ -4,8 +4,8 @@
 #include <map>
 
 #include "analysis/data_file.hpp"
-#include "analysis/sweep_view.hpp"
 #include "rocking/base/error.hpp"
+#include "rocking/figures/sweep_view.hpp"
 #include "rocking/output/shaking_text.hpp"
 
 namespace rocking::analysis {

@@ -10,8 +10,8 @@
 
 #include "analysis/data_file.hpp"
 #include "analysis/mode_figures.hpp"
-#include "analysis/sweep_view.hpp"
 #include "analysis/table_text.hpp"
+#include "rocking/figures/sweep_view.hpp"
 #include "rocking/output/mode_table.hpp"
 #include "rocking/output/settling_table.hpp"
 #include "rocking/output/shaking_text.hpp"

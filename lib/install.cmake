@@ -10,6 +10,7 @@ foreach(room ${rooms})
   list(APPEND room_objects $<TARGET_OBJECTS:rocking_${room}>)
   list(APPEND room_headers $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include/${room}>)
 endforeach()
+list(APPEND room_headers $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include/door>)
 if(ROCKING_PAGES)
   list(APPEND room_objects
     $<TARGET_OBJECTS:rocking_pages> $<TARGET_OBJECTS:rocking_page> $<TARGET_OBJECTS:rocking_analysis>)

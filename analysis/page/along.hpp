@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "analysis/page/words.hpp"
-#include "analysis/sweep_view.hpp"
+#include "rocking/figures/sweep_view.hpp"
 #include "rocking/output/mode_table.hpp"
 #include "rocking/output/report.hpp"
 

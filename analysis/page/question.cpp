@@ -15,7 +15,7 @@
 #include "analysis/page/html.hpp"
 #include "analysis/page/words.hpp"
 #include "analysis/quantity.hpp"
-#include "analysis/sweep_view.hpp"
+#include "rocking/figures/sweep_view.hpp"
 #include "rocking/input/excitation_words.hpp"
 #include "rocking/input/quantities_in_text.hpp"
 #include "rocking/output/impacts_text.hpp"

@@ -10,7 +10,7 @@
 
 #include "analysis/page/html.hpp"
 #include "analysis/page/words.hpp"
-#include "analysis/sweep_view.hpp"
+#include "rocking/figures/sweep_view.hpp"
 #include "rocking/output/text_table.hpp"
 #include "rocking/text/number_text.hpp"
 

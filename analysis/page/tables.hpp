@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/figure.hpp"
+#include "rocking/figures/figure.hpp"
 #include "rocking/output/report.hpp"
 
 namespace rocking::analysis {

@@ -3,7 +3,7 @@
 #include <array>
 
 #include "analysis/page/html.hpp"
-#include "analysis/sweep_view.hpp"
+#include "rocking/figures/sweep_view.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking::analysis {

@@ -8,6 +8,7 @@
 
 #include "exit_code.hpp"
 #include "process_pool.hpp"
+#include "rocking/study/study.hpp"
 
 namespace rocking::program {
 
@@ -21,19 +22,12 @@ void add_resume(CLI::App& app, Action& action, const ProcessPool& pool);
 void add_status(CLI::App& app, Action& action);
 void add_merge(CLI::App& app, Action& action);
 void add_verify(CLI::App& app, Action& action);
-void add_compare(CLI::App& app, Action& action);
-void add_bifurcation(CLI::App& app, Action& action);
-void add_orbits(CLI::App& app, Action& action);
-void add_infer(CLI::App& app, Action& action);
-void add_rare(CLI::App& app, Action& action);
-void add_cost(CLI::App& app, Action& action);
-void add_fragility(CLI::App& app, Action& action);
-void add_motion(CLI::App& app, Action& action);
+/// The command of a study of the list.
+void add_study(CLI::App& app, Action& action, const Study& study);
 void add_figure(CLI::App& app, Action& action);
 void add_report(CLI::App& app, Action& action);
 void add_trajectory(CLI::App& app, Action& action);
 void add_replay(CLI::App& app, Action& action);
-void add_check_normal(CLI::App& app, Action& action);
 void add_validate(CLI::App& app, Action& action);
 void add_schema(CLI::App& app, Action& action);
 void add_doctor(CLI::App& app, Action& action);

@@ -8,16 +8,12 @@
 #include <fmt/format.h>
 
 #include "analysis/draw.hpp"
-#include "analysis/infer_figures.hpp"
-#include "analysis/rare_figures.hpp"
 #include "analysis/run_figures.hpp"
 #include "interrupt.hpp"
 #include "machine.hpp"
 #include "output.hpp"
-#include "pages/suite_figures.hpp"
 #include "rocking/base/error.hpp"
-#include "rocking/output/infer_report.hpp"
-#include "rocking/output/rare_report.hpp"
+#include "rocking/studies/studies.hpp"
 #include "rocking/text/files.hpp"
 #include "rocking/text/locate.hpp"
 #include "rocking/text/parse_json.hpp"
@@ -32,7 +28,7 @@ void add_suite(const Store& store, const std::optional<HazardCurve>& hazard, std
   };
   try {
     for (analysis::Figure& figure :
-         pages::suite_figures(experiment_of(store.identity()), store, available_threads(), hazard)) {
+         figures_of_studies({experiment_of(store.identity()), store, available_threads(), hazard})) {
       figures.push_back(std::move(figure));
     }
   } catch (const base::InputError& error) {
@@ -44,19 +40,18 @@ void add_suite(const Store& store, const std::optional<HazardCurve>& hazard, std
 }
 
 /// Those of the file of a study beside the report, if there is one about the same experiment.
-template <class Study>
-void add_study(const std::filesystem::path& path, const DocumentOf<Study>& document,
-               std::vector<analysis::Figure> (&draw)(const Study&), const Report& report,
+void add_study(const Study& study, const std::filesystem::path& path, const Report& report,
                std::vector<analysis::Figure>& figures) {
   if (!std::filesystem::exists(path)) return;
   const std::string text = input_of([&] { return read_file(path); });
   try {
-    const Study study = document.read(parse_json(text));
-    if (study.input.sha256 != report.input.sha256) {
+    const Json document = parse_json(text);
+    std::vector<analysis::Figure> drawn = study.figures(document, {});
+    if (document.at("input").at("sha256") != report.input.sha256) {
       print_notice(path.string() + ": is about another experiment than the run, and is not drawn");
       return;
     }
-    for (analysis::Figure& figure : draw(study)) figures.push_back(std::move(figure));
+    for (analysis::Figure& figure : drawn) figures.push_back(std::move(figure));
   } catch (const base::InputError& error) {
     throw located(error, text, path.string());
   }
@@ -70,13 +65,14 @@ std::vector<analysis::Figure> figures_of(const RunFolder& folder, const Report& 
   if (folder.has_store()) {
     const Store store = folder.open_valid_store();
     figures = analysis::run_figures(report, &store);
-    if (pages::is_suite(report.swept)) add_suite(store, hazard, figures);
+    if (sweeps_records(report)) add_suite(store, hazard, figures);
   } else {
     figures = analysis::run_figures(report);
   }
   const std::filesystem::path path = folder.name();
-  add_study(path / "rare.json", rare_document(), analysis::rare_figures, report, figures);
-  add_study(path / "infer.json", infer_document(), analysis::infer_figures, report, figures);
+  for (const Study* study : studies()) {
+    if (study->is_shown_with_run) add_study(*study, path / study->file, report, figures);
+  }
   return figures;
 }
 

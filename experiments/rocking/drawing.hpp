@@ -10,10 +10,10 @@
 
 #include <CLI/CLI.hpp>
 
-#include "analysis/figure.hpp"
 #include "analysis/gnuplot.hpp"
 #include "analysis/look.hpp"
 #include "exit_code.hpp"
+#include "rocking/figures/figure.hpp"
 #include "rocking/output/report.hpp"
 #include "rocking/scene/hazard.hpp"
 #include "run_folder.hpp"

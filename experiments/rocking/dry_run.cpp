@@ -5,6 +5,7 @@
 #include "ground_motion_notes.hpp"
 #include "interrupt.hpp"
 #include "machine.hpp"
+#include "rocking/output/ground_motion_facts.hpp"
 #include "rocking/output/plan_text.hpp"
 #include "study_file.hpp"
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "campaign.hpp"
+#include "rocking/plan/plan.hpp"
 #include "rocking/scene/experiment.hpp"
-#include "rocking/studies/plan/plan.hpp"
 
 namespace rocking::program {
 

@@ -7,11 +7,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "analysis/output_figures.hpp"
 #include "commands.hpp"
 #include "drawing.hpp"
 #include "output.hpp"
 #include "rocking/output/write_facts.hpp"
+#include "rocking/studies/output_figures.hpp"
 #include "rocking/text/files.hpp"
 
 namespace rocking::program {

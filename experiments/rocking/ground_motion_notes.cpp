@@ -10,7 +10,7 @@
 #include "output.hpp"
 #include "rocking/input/suite.hpp"
 #include "rocking/output/ground_motion_facts.hpp"
-#include "rocking/studies/motion/motion.hpp"
+#include "rocking/plan/thresholds.hpp"
 #include "rocking/text/json.hpp"
 #include "rocking/text/number_text.hpp"
 
@@ -80,14 +80,6 @@ std::vector<std::string> ground_motion_notes(const Experiment& experiment) {
                     (used.uplift_scale ? significant(*used.uplift_scale, 4) : "infinity") + " on");
   }
   return notes;
-}
-
-std::string ground_motion_text(const Experiment& experiment) {
-  const std::vector<UsedGroundMotion> motions = used_ground_motions(experiment.conditions);
-  std::string text;
-  for (const std::string& line : ground_motion_lines(motions)) text += line + '\n';
-  if (const auto far = far_scaled(motions)) text += "warning: " + *far + '\n';
-  return text;
 }
 
 void tell_ground_motion_notes(const Experiment& experiment) {

@@ -11,9 +11,6 @@ namespace rocking::program {
 /// readers, and the motions that do not lift the block at any scale of the run.
 [[nodiscard]] std::vector<std::string> ground_motion_notes(const Experiment& experiment);
 
-/// How the files were read, and their scale factors, with a warning where these are large, a line each.
-[[nodiscard]] std::string ground_motion_text(const Experiment& experiment);
-
 /// Prints the notes on standard error.
 void tell_ground_motion_notes(const Experiment& experiment);
 

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "exit_code.hpp"
-#include "rocking/api/studies.hpp"
 #include "rocking/base/number_text.hpp"
+#include "rocking/studies/fragility/question.hpp"
 
 namespace rocking::program {
 

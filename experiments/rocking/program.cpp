@@ -4,6 +4,7 @@
 #include <exception>
 #include <memory>
 #include <new>
+#include <span>
 #include <string_view>
 #include <system_error>
 
@@ -18,6 +19,7 @@
 #include "rocking/base/error.hpp"
 #include "rocking/base/stop_request.hpp"
 #include "rocking/store/sqlite.hpp"
+#include "rocking/studies/studies.hpp"
 #include "standard_streams.hpp"
 #include "usage.hpp"
 
@@ -36,29 +38,20 @@ struct NamedCommand {
   AddCommand add;
 };
 
-/// In the order of `rocking --help`.
-constexpr std::array<NamedCommand, 22> commands{{{"run", add_run},
-                                                 {"resume", add_resume},
-                                                 {"status", alone<add_status>},
-                                                 {"merge", alone<add_merge>},
-                                                 {"verify", alone<add_verify>},
-                                                 {"compare", alone<add_compare>},
-                                                 {"bifurcation", alone<add_bifurcation>},
-                                                 {"orbits", alone<add_orbits>},
-                                                 {"rare", alone<add_rare>},
-                                                 {"infer", alone<add_infer>},
-                                                 {"cost", alone<add_cost>},
-                                                 {"fragility", alone<add_fragility>},
-                                                 {"motion", alone<add_motion>},
-                                                 {"figure", alone<add_figure>},
-                                                 {"report", alone<add_report>},
-                                                 {"trajectory", alone<add_trajectory>},
-                                                 {"replay", alone<add_replay>},
-                                                 {"check-normal", alone<add_check_normal>},
-                                                 {"validate", alone<add_validate>},
-                                                 {"schema", alone<add_schema>},
-                                                 {"doctor", alone<add_doctor>},
-                                                 {"completion", alone<add_completion>}}};
+/// In the order of `rocking --help`, where the studies of the list stand between them.
+constexpr std::array<NamedCommand, 5> before_studies{{{"run", add_run},
+                                                      {"resume", add_resume},
+                                                      {"status", alone<add_status>},
+                                                      {"merge", alone<add_merge>},
+                                                      {"verify", alone<add_verify>}}};
+constexpr std::array<NamedCommand, 8> after_studies{{{"figure", alone<add_figure>},
+                                                     {"report", alone<add_report>},
+                                                     {"trajectory", alone<add_trajectory>},
+                                                     {"replay", alone<add_replay>},
+                                                     {"validate", alone<add_validate>},
+                                                     {"schema", alone<add_schema>},
+                                                     {"doctor", alone<add_doctor>},
+                                                     {"completion", alone<add_completion>}}};
 
 /// Adds the command that `word` names, because describing all of them takes a sixth of the instructions of a short run;
 /// otherwise all, also for `completion`, which lists them.
@@ -70,11 +63,21 @@ void add_commands(CLI::App& app, Action& action, const ProcessPool& pool, std::s
       "`rocking COMMAND --help` describes a command, with an example.\n"
       "Exit codes: 0 done, 1 a check failed, 64 usage, 65 bad input file, 66 missing input, 70 bug of rocking,\n"
       "74 input or output, 75 stopped early, 130 interrupted (`rocking resume` continues the run after both).\n");
-  const auto named = std::ranges::find(commands, word, &NamedCommand::name);
-  const bool one = named != commands.end() && word != "completion";
-  for (const NamedCommand& command : commands) {
-    if (!one || command.name == word) command.add(app, action, pool);
+  const auto is_named = [word](const NamedCommand& command) { return command.name == word; };
+  const auto is_study = [word](const Study* study) { return study->command() == word; };
+  const bool one = word != "completion" &&
+                   (std::ranges::any_of(before_studies, is_named) || std::ranges::any_of(studies(), is_study) ||
+                    std::ranges::any_of(after_studies, is_named));
+  const auto add_all = [&](std::span<const NamedCommand> commands) {
+    for (const NamedCommand& command : commands) {
+      if (!one || is_named(command)) command.add(app, action, pool);
+    }
+  };
+  add_all(before_studies);
+  for (const Study* study : studies()) {
+    if (!one || is_study(study)) add_study(app, action, *study);
   }
+  add_all(after_studies);
 }
 
 ExitCode fail(ExitCode code, std::string_view message) {

@@ -12,7 +12,6 @@
 
 #include "analysis/table_files.hpp"
 #include "page.hpp"
-#include "pages/suite_figures.hpp"
 #include "rocking/output/exponent_table.hpp"
 #include "rocking/output/mode_table.hpp"
 #include "rocking/output/settling_table.hpp"
@@ -58,7 +57,7 @@ ExitCode report_again(const ReportRequest& request) {
   const analysis::FigureLook look = look_for(request.style);
   const RunFolder folder(request.folder);
   const Report report = load_report(folder);
-  if (request.hazard.is_given() && !pages::is_suite(report.swept)) {
+  if (request.hazard.is_given() && !sweeps_records(report)) {
     throw UsageError("--hazard: " + request.folder + " has no suite of ground motions");
   }
   const std::optional<HazardCurve> hazard = request.hazard.read();

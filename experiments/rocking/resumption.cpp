@@ -13,9 +13,9 @@
 #include "rocking/base/build_info.hpp"
 #include "rocking/ensemble/extension.hpp"
 #include "rocking/ensemble/run.hpp"
+#include "rocking/plan/plan.hpp"
 #include "rocking/store/results_version.hpp"
 #include "rocking/store/salvage.hpp"
-#include "rocking/studies/plan/plan.hpp"
 #include "rocking/text/number_text.hpp"
 #include "run_folder.hpp"
 

@@ -1,12 +1,19 @@
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "commands.hpp"
 #include "output.hpp"
-#include "rocking/output/documents.hpp"
+#include "rocking/rocking.hpp"
+#include "rocking/studies/documents.hpp"
 #include "usage.hpp"
 
 namespace rocking::program {
+namespace {
+
+constexpr const char* list_of_studies = "studies";
+
+}  // namespace
 
 void add_schema(CLI::App& app, Action& action) {
   const auto name = std::make_shared<std::string>();
@@ -14,7 +21,9 @@ void add_schema(CLI::App& app, Action& action) {
   command->footer(
       "Example: rocking schema experiment > experiment.schema.json\n"
       "An editor that supports JSON Schema then completes and checks experiment files.");
-  command->add_option("NAME", *name, "Format")->required()->check(one_of(format_names()));
+  std::vector<std::string> names = format_names();
+  names.emplace_back(list_of_studies);
+  command->add_option("NAME", *name, "Format; studies: what each study is asked")->required()->check(one_of(names));
   const auto as_table = std::make_shared<bool>(false);
   command->add_flag("--keys", *as_table, "Print a table of the keys and what they mean, in Markdown");
   const auto loudness = std::make_shared<Loudness>();
@@ -22,7 +31,7 @@ void add_schema(CLI::App& app, Action& action) {
   command->final_callback([&action, name, as_table, loudness] {
     action = [name, as_table] {
       if (*as_table && !keys_of(*name)) throw UsageError("schema " + *name + ": there is no table of its keys");
-      print_result(*as_table ? *keys_of(*name) : *schema_of(*name));
+      print_result(*as_table ? *keys_of(*name) : *name == list_of_studies ? studies_text() : *schema_of(*name));
       return ExitCode::done;
     };
   });

@@ -9,7 +9,7 @@
 #include "experiment_argument.hpp"
 #include "output.hpp"
 #include "pages/animation.hpp"
-#include "rocking/api/studies.hpp"
+#include "rocking/api/trajectory.hpp"
 #include "rocking/api/trajectory_extent.hpp"
 #include "rocking/output/write_facts.hpp"
 #include "rocking/random/draws.hpp"

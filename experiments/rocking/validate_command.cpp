@@ -7,6 +7,7 @@
 #include "ground_motion_notes.hpp"
 #include "machine.hpp"
 #include "output.hpp"
+#include "rocking/output/ground_motion_facts.hpp"
 #include "rocking/output/plan_text.hpp"
 #include "rocking/output/write_facts.hpp"
 

@@ -1,10 +1,10 @@
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
@@ -16,6 +16,7 @@
 #include "rocking/api/checks.hpp"
 #include "rocking/output/write_facts.hpp"
 #include "rocking/random/draws.hpp"
+#include "rocking/studies/studies.hpp"
 #include "rocking/text/number_text.hpp"
 #include "run_folder.hpp"
 #include "study_file.hpp"
@@ -30,32 +31,29 @@ struct VerifyRequest {
   ExecutionOptions execution{.threads = available_threads(), .max_time = {}, .loudness = {}};
 };
 
-using Verify = RunCheck(const std::filesystem::path& folder, std::optional<std::uint64_t> sample,
-                        const Execution& execution);
+/// The studies in a folder that can be verified, beside the run or without one.
+std::vector<const Study*> studies_in(const std::filesystem::path& folder) {
+  std::vector<const Study*> found;
+  for (const Study* study : studies()) {
+    if (study->verification.verify != nullptr && std::filesystem::exists(folder / study->file)) found.push_back(study);
+  }
+  return found;
+}
 
-/// A study in a folder, beside the run or without one.
-struct StudyCheck {
-  const char* file;
-  const char* progress;   ///< what progress counts
-  const char* unit;       ///< what is made again
-  const char* units_key;  ///< of JSON
-  const char* and_more;   ///< what is always made again
-  Verify* verify;
-};
-constexpr std::array study_checks{
-    StudyCheck{"rare.json", "realisations", "repetition", "repetitions_run_again", " and the pilot runs", verify_rare},
-    StudyCheck{"infer.json", "realisations", "point", "points_run_again", "", verify_infer},
-};
-
-bool is_in(const std::filesystem::path& folder, const StudyCheck& study) {
-  return std::filesystem::exists(folder / study.file);
+/// `rare.json or infer.json`.
+std::string verified_files() {
+  std::vector<std::string_view> files;
+  for (const Study* study : studies()) {
+    if (study->verification.verify != nullptr) files.push_back(study->file);
+  }
+  return fmt::format("{}", fmt::join(files, " or "));
 }
 
 void expect_finished_run(const RunFolder& folder, const VerifyRequest& request) {
   folder.expect_installed();
   if (!folder.has_report()) {
-    throw MissingInput(fmt::format("{}: is missing, and there is no {} or {}, so there is nothing to verify",
-                                   folder.report_path().string(), study_checks[0].file, study_checks[1].file));
+    throw MissingInput(fmt::format("{}: is missing, and there is no {}, so there is nothing to verify",
+                                   folder.report_path().string(), verified_files()));
   }
   if (folder.has_store() || !request.sample) return;
   throw UsageError(folder.store_path().string() +
@@ -68,8 +66,8 @@ struct FolderCheck {
   std::string table;        ///< of what is right
   std::vector<std::string> findings;
 
-  void add(const RunCheck& check, const char* key, const std::string& right) {
-    facts.push_back({key, check.checked});
+  void add(const RunCheck& check, std::string_view key, const std::string& right) {
+    facts.push_back({std::string(key), check.checked});
     table += right;
     findings.insert(findings.end(), check.findings.begin(), check.findings.end());
   }
@@ -79,24 +77,25 @@ FolderCheck check_of(const VerifyRequest& request) {
   const std::filesystem::path path = request.folder;
   const RunFolder folder(path);
   FolderCheck all;
-  const auto checked = [&](const char* units, Verify* verify) {
-    Progress progress(suitable_progress_style(request.execution.loudness), units);
+  const auto checked = [&](std::string_view units, const auto& verify) {
+    Progress progress(suitable_progress_style(request.execution.loudness), std::string(units));
     return input_of([&] { return verify(path, request.sample, watched(request.execution, progress)); });
   };
-  const bool has_study = std::ranges::any_of(study_checks, [&](const StudyCheck& study) { return is_in(path, study); });
-  if (folder.has_report() || folder.has_store() || !has_study) {
+  const std::vector<const Study*> found = studies_in(path);
+  if (folder.has_report() || folder.has_store() || found.empty()) {
     expect_finished_run(folder, request);
-    const RunCheck check = checked("realisations", rocking::verify);
+    const auto verify_run = [](const auto&... asked) { return rocking::verify(asked...); };
+    const RunCheck check = checked("realisations", verify_run);
     all.add(check, "realisations_run_again",
             fmt::format("{}: {} run again, all with the same bits; the report follows from them\n", request.folder,
                         counted(check.checked, "realisation")));
   }
-  for (const StudyCheck& study : study_checks) {
-    if (!is_in(path, study)) continue;
-    const RunCheck check = checked(study.progress, study.verify);
-    all.add(check, study.units_key,
+  for (const Study* study : found) {
+    const StudyVerification& how = study->verification;
+    const RunCheck check = checked(how.progress, how.verify);
+    all.add(check, how.units_key,
             fmt::format("{}/{}: {}{} run again, all with the same bits; the rest follows from them\n", request.folder,
-                        study.file, counted(check.checked, study.unit), study.and_more));
+                        study->file, counted(check.checked, how.unit), how.and_more));
   }
   return all;
 }

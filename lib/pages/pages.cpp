@@ -6,12 +6,10 @@
 
 #include "analysis/draw.hpp"
 #include "analysis/look.hpp"
-#include "analysis/output_figures.hpp"
 #include "analysis/page/page.hpp"
 #include "analysis/run_figures.hpp"
 #include "analysis/tables.hpp"
 #include "pages/animation.hpp"
-#include "pages/suite_figures.hpp"
 #include "rocking/api/refuse.hpp"
 #include "rocking/api/run_store.hpp"
 #include "rocking/api/system_facts.hpp"
@@ -19,6 +17,9 @@
 #include "rocking/base/stop_request.hpp"
 #include "rocking/output/report.hpp"
 #include "rocking/store/store.hpp"
+#include "rocking/studies/fragility/sheet.hpp"
+#include "rocking/studies/output_figures.hpp"
+#include "rocking/studies/studies.hpp"
 #include "rocking/text/files.hpp"
 
 namespace rocking {
@@ -35,8 +36,8 @@ Report report_of(const StoredRun& stored, const Provenance& provenance = {}) {
 
 std::vector<analysis::Figure> figures_of(const StoredRun& stored, const Report& report) {
   std::vector<analysis::Figure> figures = analysis::run_figures(report, &store_of(stored.run));
-  if (!pages::is_suite(report.swept)) return figures;
-  for (analysis::Figure& figure : pages::suite_figures(stored.experiment, store_of(stored.run))) {
+  if (!sweeps_records(report)) return figures;
+  for (analysis::Figure& figure : figures_of_studies({stored.experiment, store_of(stored.run), 1, std::nullopt})) {
     figures.push_back(std::move(figure));
   }
   return figures;
@@ -109,6 +110,14 @@ Written write_tables(const StoredRun& stored, const fs::path& folder) {
   write("non_recurrence.csv", analysis::non_recurrence_csv(report));
   write("quantiles.csv", analysis::quantiles_csv(report));
   write("modes.tex", analysis::modes_latex(report));
+  return written;
+}
+
+Written write_sheet(const StoredRun& stored, const RunFragility& found, const HazardCurve& hazard, const fs::path& file,
+                    const std::string& command, const Execution& execution) {
+  Sheet sheet = write_fragility_sheet(stored, found, hazard, file, command, execution.stop);
+  Written written{.files = {}, .not_drawn = std::move(sheet.not_drawn)};
+  if (sheet.is_written) written.files.push_back(file);
   return written;
 }
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "rocking/api/experiment.hpp"
-#include "rocking/api/run.hpp"
-#include "rocking/api/studies.hpp"
+#include "rocking/api/trajectory.hpp"
+#include "rocking/studies/fragility/question.hpp"
 
 /// \file
 /// Pages, figures and tables of runs. A library that was built without fmt does not have them.

@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 
 #include "cli/program.hpp"
-#include "rocking/output/rare_report.hpp"
+#include "rocking/studies/rare/result.hpp"
 #include "support/json_schema.hpp"
 
 namespace {

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "rocking/base/many_parts.hpp"
-#include "rocking/studies/run_fragility.hpp"
-#include "rocking/studies/suite/suite_fragility.hpp"
+#include "rocking/studies/fragility/run_fragility.hpp"
+#include "rocking/studies/fragility/suite_fragility.hpp"
 #include "support/split_mix.hpp"
 
 namespace {

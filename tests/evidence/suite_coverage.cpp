@@ -13,9 +13,9 @@
 #include <vector>
 
 #include "rocking/api/run.hpp"
-#include "rocking/api/studies.hpp"
 #include "rocking/base/many_parts.hpp"
-#include "rocking/studies/hazard_integral.hpp"
+#include "rocking/studies/fragility/hazard_integral.hpp"
+#include "rocking/studies/fragility/question.hpp"
 #include "support/constant_suite.hpp"
 
 namespace {

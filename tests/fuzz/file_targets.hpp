@@ -6,16 +6,16 @@
 #include <vector>
 
 #include "analysis/data_file.hpp"
-#include "analysis/figure.hpp"
 #include "analysis/gnuplot_script.hpp"
-#include "analysis/output_figures.hpp"
 #include "analysis/page/page.hpp"
 #include "analysis/run_figures.hpp"
 #include "analysis/tables.hpp"
 #include "rocking/base/error.hpp"
+#include "rocking/figures/figure.hpp"
 #include "rocking/input/report_claims.hpp"
 #include "rocking/output/report.hpp"
 #include "rocking/output/report_differences.hpp"
+#include "rocking/studies/output_figures.hpp"
 
 /// Reading of files that rocking wrote and that may have been changed, as in the commands, without drawing and without
 /// files.

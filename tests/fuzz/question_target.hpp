@@ -14,10 +14,10 @@
 
 #include "fuzz/targets.hpp"
 #include "rocking/api/checks.hpp"
-#include "rocking/api/infer.hpp"
 #include "rocking/api/run.hpp"
-#include "rocking/api/studies.hpp"
 #include "rocking/base/stop_request.hpp"
+#include "rocking/rocking.hpp"
+#include "rocking/studies/infer/question.hpp"
 
 /// Questions of the public calls, whose values are chosen by bytes.
 namespace rocking::fuzz {

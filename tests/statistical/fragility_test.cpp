@@ -16,7 +16,7 @@
 #include "rocking/stats/lack_of_fit.hpp"
 #include "rocking/stats/normal_law.hpp"
 #include "rocking/stats/probit.hpp"
-#include "rocking/studies/fragility.hpp"
+#include "rocking/studies/fragility/fragility.hpp"
 #include "support/false_alarms.hpp"
 #include "support/split_mix.hpp"
 

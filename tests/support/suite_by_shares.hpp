@@ -6,7 +6,7 @@
 
 #include "rocking/random/draws.hpp"
 #include "rocking/stats/unseen_record.hpp"
-#include "rocking/studies/suite/suite_curve.hpp"
+#include "rocking/studies/fragility/suite_curve.hpp"
 
 namespace rocking::support {
 

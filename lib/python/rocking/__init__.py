@@ -20,16 +20,15 @@ import json
 from typing import Any, Dict
 
 from . import _core, documents
-from .checks import RunCheck, check_normal, doctor, replay, verify
+from .checks import RunCheck, doctor, replay, verify
 from .errors import DifferentBits, InputError, Interrupted, Problem, StoreError
 from .experiments import Experiment, ExperimentLike, experiment, validate
 from .fields import Document, Fields, Rows
 from .intervals import clopper_pearson, colour, wilson
-from .motions import motion
 from .pages import Written, draw, write_figures, write_page, write_sheet, write_tables, write_trajectory_page
 from .results import Result
 from .running import Plan, merge, open_run, plan, run
-from .studies import bifurcation, compare, cost, fragility, infer, orbits, rare
+from .studies import bifurcation, check_normal, compare, cost, fragility, infer, motion, orbits, rare
 from .trajectories import CONTACTS, EVENTS, TERMINATIONS, Trajectory, trajectory
 
 __version__ = _core.version()

@@ -76,58 +76,18 @@ def plan(
     experiment: Experiment, threads: int, shard: Optional[Tuple[int, int]], timed: bool
 ) -> Tuple[str, str]: ...
 def open_run(folder: str) -> Tuple[Experiment, Run]: ...
-def orbits(
-    experiment: Experiment,
-    longest: int,
-    branches: Optional[Tuple[Optional[float], Optional[float]]],
-    second: List[str],
-    second_range: Tuple[Optional[float], Optional[float]],
+def answer(
+    study: str,
+    question: str,
+    experiment: Optional[Experiment],
+    files: str,
+    runs: List[Tuple[Experiment, Run]],
     threads: int,
+    machine: str,
+    start: str,
     on_progress: _Progress,
 ) -> str: ...
-class Cost:
-    def text(
-        self, experiment: Experiment, machine: str, start: str, duration: float, threads: int
-    ) -> str: ...
-
-def cost(
-    experiment: Experiment,
-    seconds: float,
-    sample: Optional[int],
-    tolerances: List[float],
-    threads: int,
-    on_progress: _Progress,
-) -> Cost: ...
 def merge(folder: str, parts: List[str]) -> Tuple[Experiment, Run]: ...
-def bifurcation(
-    experiment: Experiment, realisation: int, threads: int, on_progress: _Progress
-) -> str: ...
-def compare(first: Experiment, first_run: Run, second: Experiment, second_run: Run) -> str: ...
-def fragility(
-    experiment: Experiment,
-    run: Run,
-    peak_tilts: List[float],
-    hazard: Optional[str],
-    years: Optional[float],
-    imt: Optional[str],
-    metadata: Optional[str],
-    incremental: bool,
-    threads: int,
-    on_progress: _Progress,
-) -> str: ...
-def motion(
-    files: List[str],
-    vertical: Optional[str],
-    format: str,
-    units: Optional[str],
-    time_step: Optional[float],
-    columns: List[str],
-    gravity: float,
-    damping: float,
-    periods: List[float],
-    series: bool,
-    block: Optional[Tuple[float, float]],
-) -> str: ...
 def trajectory(
     experiment: Experiment, condition: int, realisation: int, periods: Optional[int], samples: int
 ) -> Trajectory: ...
@@ -165,26 +125,6 @@ def verify_folder(
 def replay(
     experiment: Experiment, run: Run, condition: int, realisation: int, periods: Optional[int], samples: int
 ) -> Trajectory: ...
-def rare(
-    experiment: Experiment,
-    relative_error: float,
-    peak_tilt: Optional[float],
-    particles: int,
-    seconds: Optional[float],
-    threads: int,
-    on_progress: _Progress,
-) -> str: ...
-def infer(
-    experiment: Experiment,
-    tests: str,
-    candidates: Optional[str],
-    next_tests: int,
-    folder: str,
-    seconds: Optional[float],
-    threads: int,
-    on_progress: _Progress,
-) -> str: ...
-def check_normal(n: int, mean: float, sigma: float, law: str, seed: int, sampler: str) -> str: ...
 def build_info() -> Dict[str, str]: ...
 def check_arithmetic() -> List[Tuple[str, bool]]: ...
 def clopper_pearson(successes: int, trials: int, confidence: float) -> Tuple[float, float]: ...

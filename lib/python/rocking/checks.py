@@ -5,12 +5,12 @@ from __future__ import annotations
 import os
 from typing import Any, Dict, List, Optional, Union
 
-from . import _core, documents
+from . import _core
 from .results import Result
 from .running import Progress, open_run, processors
 from .trajectories import Trajectory
 
-__all__ = ["RunCheck", "check_normal", "doctor", "replay", "verify"]
+__all__ = ["RunCheck", "doctor", "replay", "verify"]
 
 
 class RunCheck:
@@ -84,29 +84,6 @@ def replay(
     extent = (condition, realisation, periods, samples_per_period)
     found = _core.replay(result.experiment._core, result._core, *extent)
     return Trajectory(found, condition, realisation)
-
-
-def check_normal(
-    n: int = 20000,
-    *,
-    mean: float = 0.4,
-    sigma: float = 0.03,
-    law: str = "normal",
-    seed: int = 0x2012,
-    sampler: str = "box-muller",
-) -> documents.SamplerCheck:
-    """Compare random numbers with a distribution: moments, tests of fit, correlations, histogram.
-
-    n: how many numbers, 20 to 1e8. law: ``normal``, ``lognormal`` or ``uniform``, with this mean and standard deviation
-    (sigma). sampler: ``box-muller``, that of simulations, ``ziggurat`` or ``inverse-cdf``.
-    Raises InputError for a number out of range, ValueError for an unknown law.
-
-    >>> import rocking
-    >>> found = rocking.check_normal(1000)
-    >>> abs(found.mean.value - 0.4) < 0.01
-    True
-    """
-    return documents.SamplerCheck(_core.check_normal(n, mean, sigma, law, seed, sampler))
 
 
 def doctor() -> Dict[str, Any]:

@@ -11,16 +11,15 @@
 #include "rocking/base/error.hpp"
 #include "rocking/base/number_text.hpp"
 #include "rocking/base/stop_request.hpp"
+#include "rocking/ensemble/verification.hpp"
 #include "rocking/input/read_experiment.hpp"
 #include "rocking/input/report_claims.hpp"
-#include "rocking/output/check_normal_fields.hpp"
 #include "rocking/output/report_differences.hpp"
 #include "rocking/output/report_rerun.hpp"
 #include "rocking/realisation/realisation_digest.hpp"
 #include "rocking/realisation/realisation_result.hpp"
 #include "rocking/realisation/trajectory.hpp"
 #include "rocking/store/store.hpp"
-#include "rocking/studies/verification.hpp"
 #include "rocking/text/files.hpp"
 #include "rocking/text/locate.hpp"
 
@@ -134,25 +133,6 @@ Trajectory replay(const StoredRun& stored, const TrajectoryRequest& request, con
                         store_of(stored.run).identity().code + " computed");
   }
   return trajectory(experiment, request, execution);
-}
-
-stats::NormalCheck check_normal(const SamplerQuestion& question) {
-  check_fields(question);
-  if (question.distribution == FluctuationLaw::lognormal &&
-      !(question.law.mean >= 1e-12 && question.law.sigma <= 100.0 * question.law.mean)) {
-    refuse("mean", base::shortest(question.law.mean),
-           "must be at least 1e-12 for a lognormal law, and at least a hundredth of sigma");
-  }
-  auto found = check_sampler(question);
-  if (!found) {
-    refuse("sigma", base::shortest(question.law.sigma),
-           "is too small compared with the mean to give two different numbers");
-  }
-  return std::move(*found);
-}
-
-std::string check_normal_text(const SamplerQuestion& question, const stats::NormalCheck& found) {
-  return check_normal_document().text(sampler_check(question, found));
 }
 
 base::BuildInfo build_info() { return base::build_info(); }

@@ -9,10 +9,9 @@
 #include <vector>
 
 #include "rocking/api/run.hpp"
-#include "rocking/api/studies.hpp"
+#include "rocking/api/trajectory.hpp"
 #include "rocking/base/build_info.hpp"
 #include "rocking/stats/interval.hpp"
-#include "rocking/studies/check_sampler.hpp"
 
 /// Checks of runs, of the random numbers and of the machine, and intervals of a probability.
 namespace rocking {
@@ -55,32 +54,10 @@ struct RunCheck {
 [[nodiscard]] ROCKING_API RunCheck verify_report(std::string_view report, const std::filesystem::path& files = ".",
                                                  const Execution& execution = {});
 
-/// Checks the `rare.json` of a folder, which must follow from its repetitions: makes the pilot runs and about `sample`
-/// repetitions again, evenly spaced, at least one of each condition; absent: four of each. `checked` and `different`
-/// count repetitions. Uses the execution as verify() and throws as it does.
-[[nodiscard]] ROCKING_API RunCheck verify_rare(const std::filesystem::path& folder,
-                                               std::optional<std::uint64_t> sample = {},
-                                               const Execution& execution = {});
-
-/// Checks the `infer.json` of a folder, whose answer must follow from its design: makes about `sample` points of the
-/// design again, evenly spaced; absent: eight. `checked` and `different` count points. Which points a design has is not
-/// checked. Uses the execution as verify() and throws as it does.
-[[nodiscard]] ROCKING_API RunCheck verify_infer(const std::filesystem::path& folder,
-                                                std::optional<std::uint64_t> sample = {},
-                                                const Execution& execution = {});
-
 /// The trajectory of a realisation of a run, checked against its digest. Throws base::InputError if the run has no such
 /// realisation, DifferentBits if this version gives it another result, and otherwise as trajectory().
 [[nodiscard]] ROCKING_API Trajectory replay(const StoredRun& stored, const TrajectoryRequest& request = {},
                                             const Execution& execution = {});
-
-/// Compares random numbers with a normal distribution: moments, tests of fit, correlations, histogram. Throws
-/// base::InputError for a number out of range or an unknown sampler.
-[[nodiscard]] ROCKING_API stats::NormalCheck check_normal(const SamplerQuestion& question = {});
-
-/// The same as JSON text (`rocking.check_normal/1`).
-[[nodiscard]] ROCKING_API std::string check_normal_text(const SamplerQuestion& question,
-                                                        const stats::NormalCheck& found);
 
 /// Version, source, compiler and flags of this library.
 [[nodiscard]] ROCKING_API base::BuildInfo build_info();

@@ -4,7 +4,6 @@
 
 #include "rocking/base/build_info.hpp"
 #include "rocking/input/read_experiment.hpp"
-#include "rocking/output/documents.hpp"
 #include "rocking/output/mode_look.hpp"
 #include "rocking/scene/check_condition.hpp"
 
@@ -40,7 +39,5 @@ std::string_view colour_of(const section::ResponseMode& mode) { return look_of(m
 std::optional<section::ResponseMode> mode_named(std::string_view name) { return section::response_mode_named(name); }
 
 std::string version() { return base::build_info().version; }
-
-std::string schema(std::string_view name) { return schema_of(name).value_or(""); }
 
 }  // namespace rocking

@@ -55,7 +55,4 @@ struct Declaration {
 /// Version of the library, MAJOR.MINOR.PATCH. In 0.x a minor version may change the interface.
 [[nodiscard]] ROCKING_API std::string version();
 
-/// The JSON Schema (draft 07) of a format: `experiment`, `report`, ... ; empty where there is none of this name.
-[[nodiscard]] ROCKING_API std::string schema(std::string_view name);
-
 }  // namespace rocking

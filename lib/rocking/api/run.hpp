@@ -13,10 +13,10 @@
 
 #include "rocking/api/experiment.hpp"
 #include "rocking/ensemble/result.hpp"
+#include "rocking/plan/plan.hpp"
 #include "rocking/realisation/peak_values.hpp"
 #include "rocking/scene/experiment.hpp"
 #include "rocking/store/realisation_key.hpp"
-#include "rocking/studies/plan/plan.hpp"
 
 /// Runs of experiments.
 namespace rocking {

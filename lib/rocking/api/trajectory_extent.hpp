@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "rocking/api/studies.hpp"
+#include "rocking/api/trajectory.hpp"
 
 namespace rocking {
 

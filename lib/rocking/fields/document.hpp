@@ -16,6 +16,8 @@ class Document {
       : format_(format), sentence_(sentence), fields_(&fields) {}
 
   [[nodiscard]] std::string_view format() const { return format_; }
+  /// Name of its struct.
+  [[nodiscard]] std::string_view title() const { return fields_->name(); }
   /// JSON Schema, draft 7, as `rocking schema` prints it.
   [[nodiscard]] std::string schema_text() const;
   /// The keys after `format` as a table in Markdown. Several keys in a row that mean what they mean elsewhere are one row.

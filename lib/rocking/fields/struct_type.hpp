@@ -24,6 +24,31 @@ struct InlinedMember {
   bool is_optional = false;
 };
 
+/// How the value of a flag is written on a command line.
+enum class FlagKind : std::uint8_t {
+  value,     ///< `--flag X`; a list has several words, or several flags
+  words,     ///< the same of a list whose words may be parted by commas too, and are not checked
+  new_file,  ///< a path that must not exist
+  commas,    ///< `--flag X,X`
+  duration,  ///< `--flag 10min` [s]
+  on,        ///< `--flag` alone: true
+  off,       ///< `--no-flag` alone: false
+};
+
+/// In place of a keyword: the field is for command lines alone.
+inline constexpr std::string_view no_keyword = "-";
+
+/// How a field of a question is asked on a command line.
+struct Flag {
+  std::string_view names;  ///< `--periods`, or several with commas; empty: the field is for callers of the library
+  std::string_view letter = {};  ///< stands for the value: `N`
+  FlagKind kind = FlagKind::value;
+  bool is_required = false;
+  std::string_view excludes = {};  ///< another flag
+  std::string_view needs = {};     ///< another flag
+  int count = 0;                   ///< of the words of a list; 0: any
+};
+
 /// A field of a struct: its key, what it means in one sentence, and how to reach it.
 struct Field {
   std::string_view key;
@@ -36,6 +61,8 @@ struct Field {
   Json (*derive)(const void* owner) = nullptr;     ///< from other members; written, and not read
   bool must_fit = false;                           ///< derived, and an error in a document that has another value
   std::vector<InlinedMember> inlined_by = {};      ///< on the way to the owner, from the outermost on
+  Flag flag = {};                                  ///< of a question
+  std::string_view keyword = {};                   ///< of a question in Python; empty: the key
 
   /// Whether a document may lack it.
   [[nodiscard]] bool may_be_absent() const;
@@ -53,6 +80,12 @@ struct Field {
   void check(const ReadingPlace& place, const void* outermost) const;
 };
 
+/// The name of a field of a question in Python, and for answer(); empty: it has none there.
+[[nodiscard]] inline std::string_view keyword_of(const Field& field) {
+  if (field.flag.names.empty() || field.keyword == no_keyword) return "";
+  return field.keyword.empty() ? field.key : field.keyword;
+}
+
 /// The name of a struct and the list of its fields, in the order in which they are written.
 class StructType final : public ValueType {
  public:
@@ -69,6 +102,8 @@ class StructType final : public ValueType {
   void check(const void* value, const ReadingPlace& place) const override;
   [[nodiscard]] Json schema(const Rule& rule) const override;
   void describe(const std::string& prefix, std::vector<KeyRow>& rows) const override;
+  [[nodiscard]] const std::vector<Field>& fields() const { return fields_; }
+  [[nodiscard]] std::string_view name() const { return name_; }
 
  private:
   StructType(std::string_view name, std::initializer_list<Field> fields);
@@ -199,6 +234,13 @@ template <auto first, auto... rest>
 [[nodiscard]] Field inlined() {
   using Struct = typename detail::Contained<detail::Reached<first, rest...>>::type;
   return inlined<first, rest...>(dynamic_cast<const StructType&>(type_of<Struct>()));
+}
+
+/// A field of a question with its flag, and its name in Python where that is not the key.
+[[nodiscard]] inline Field asked(Field field, const Flag& flag, std::string_view keyword = {}) {
+  field.flag = flag;
+  field.keyword = keyword;
+  return field;
 }
 
 /// A field whose value is made of several members of its owner; `type` is that of the whole owner.

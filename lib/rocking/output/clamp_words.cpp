@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-#include "rocking/studies/law_in_force.hpp"
+#include "rocking/ensemble/law_in_force.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking {

@@ -141,4 +141,12 @@ std::optional<std::string> far_scaled(const std::vector<UsedGroundMotion>& motio
          "): a factor does not make the record of a strong earthquake of a weak one; give stronger records";
 }
 
+std::string ground_motion_text(const Experiment& experiment) {
+  const std::vector<UsedGroundMotion> motions = used_ground_motions(experiment.conditions);
+  std::string text;
+  for (const std::string& line : ground_motion_lines(motions)) text += line + '\n';
+  if (const auto far = far_scaled(motions)) text += "warning: " + *far + '\n';
+  return text;
+}
+
 }  // namespace rocking

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "rocking/output/write_facts.hpp"
-#include "rocking/studies/plan/plan.hpp"
+#include "rocking/plan/plan.hpp"
 
 namespace rocking {
 

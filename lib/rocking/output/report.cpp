@@ -146,4 +146,8 @@ Report parse_report(std::string_view text) {
   return report;
 }
 
+bool sweeps_records(const Report& report) {
+  return std::ranges::find(report.swept, "/excitation/file") != report.swept.end();
+}
+
 }  // namespace rocking

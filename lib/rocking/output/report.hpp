@@ -75,6 +75,9 @@ struct AnyShare {
 /// The report of a complete run.
 [[nodiscard]] Report report_of(const Experiment& experiment, ExperimentResult result, SystemFacts system);
 
+/// Whether the conditions have the records of a suite of ground motions.
+[[nodiscard]] bool sweeps_records(const Report& report);
+
 [[nodiscard]] const StructType& fields_of(const Report*);
 
 /// report.json.

@@ -83,4 +83,9 @@ std::string duration_in_words(double seconds) {
   return std::to_string(whole / 3600) + " h " + two_digits(whole % 3600 / 60) + " min";
 }
 
+std::string interval_in_words(const stats::Interval& interval) {
+  return '[' + significant(interval.low, 3) + ", " +
+         (std::isfinite(interval.high) ? significant(interval.high, 3) : "unbounded") + ']';
+}
+
 }  // namespace rocking

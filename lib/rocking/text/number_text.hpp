@@ -38,6 +38,9 @@ using base::significant;
 /// A level of confidence in per cent, in as many digits as tell it from 0 and from 1: `95`, `99.9`, `99.9999999999`.
 [[nodiscard]] std::string level_text(double confidence);
 
+/// `[2.20, 2.43]`; an infinite upper end is `unbounded`.
+[[nodiscard]] std::string interval_in_words(const stats::Interval& interval);
+
 /// `820 kB`, `2.4 GB`.
 [[nodiscard]] std::string size_in_words(std::uint64_t bytes);
 

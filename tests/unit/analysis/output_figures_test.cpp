@@ -7,14 +7,14 @@
 
 #include <gmock/gmock.h>
 
-#include "analysis/bifurcation_figure.hpp"
-#include "analysis/cost_figures.hpp"
-#include "analysis/histogram_figure.hpp"
-#include "analysis/output_figures.hpp"
 #include "analysis/table_text.hpp"
 #include "analysis/tables.hpp"
-#include "analysis/trajectory_figures.hpp"
 #include "rocking/base/error.hpp"
+#include "rocking/figures/trajectory_figures.hpp"
+#include "rocking/studies/bifurcation/figure.hpp"
+#include "rocking/studies/check_normal/figure.hpp"
+#include "rocking/studies/cost/figure.hpp"
+#include "rocking/studies/output_figures.hpp"
 #include "rocking/text/number_text.hpp"
 #include "support/sample_report.hpp"
 

@@ -10,7 +10,7 @@
 #include "analysis/page/answer.hpp"
 #include "analysis/page/html.hpp"
 #include "analysis/page/page.hpp"
-#include "analysis/sweep_view.hpp"
+#include "rocking/figures/sweep_view.hpp"
 #include "rocking/output/report.hpp"
 #include "support/sample_report.hpp"
 

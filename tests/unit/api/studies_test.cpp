@@ -10,9 +10,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "rocking/output/orbits_report.hpp"
 #include "rocking/pages.hpp"
 #include "rocking/rocking.hpp"
+#include "rocking/studies/orbits/result.hpp"
 #include "rocking/text/files.hpp"
 #include "rocking/text/json.hpp"
 #include "support/temporary_folder.hpp"

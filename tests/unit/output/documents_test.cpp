@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "rocking/output/documents.hpp"
+#include "rocking/studies/documents.hpp"
 
 namespace {
 

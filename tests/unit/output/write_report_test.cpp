@@ -5,10 +5,10 @@
 
 #include "rocking/base/digest.hpp"
 #include "rocking/input/read_experiment.hpp"
-#include "rocking/output/check_normal_fields.hpp"
-#include "rocking/output/check_normal_summary.hpp"
 #include "rocking/output/report.hpp"
 #include "rocking/output/trajectory_report.hpp"
+#include "rocking/studies/check_normal/result.hpp"
+#include "rocking/studies/check_normal/table.hpp"
 #include "support/experiment_text.hpp"
 #include "support/json_schema.hpp"
 

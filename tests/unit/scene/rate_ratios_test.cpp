@@ -7,7 +7,7 @@
 
 #include "rocking/input/read_experiment.hpp"
 #include "rocking/output/plan_text.hpp"
-#include "rocking/studies/plan/plan.hpp"
+#include "rocking/plan/plan.hpp"
 
 namespace {
 

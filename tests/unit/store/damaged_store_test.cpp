@@ -7,10 +7,10 @@
 #include <gmock/gmock.h>
 #include <sqlite3.h>
 
+#include "rocking/ensemble/verification.hpp"
 #include "rocking/store/difference.hpp"
 #include "rocking/store/salvage.hpp"
 #include "rocking/store/store.hpp"
-#include "rocking/studies/verification.hpp"
 #include "support/split_mix.hpp"
 #include "support/temporary_folder.hpp"
 

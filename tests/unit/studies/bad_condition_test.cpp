@@ -6,15 +6,15 @@
 
 #include <gtest/gtest.h>
 
+#include "rocking/ensemble/verification.hpp"
 #include "rocking/realisation/continuation.hpp"
 #include "rocking/realisation/realisation_result.hpp"
 #include "rocking/realisation/trajectory.hpp"
 #include "rocking/store/store.hpp"
-#include "rocking/studies/bifurcation.hpp"
+#include "rocking/studies/bifurcation/bifurcation.hpp"
 #include "rocking/studies/cost/cost.hpp"
 #include "rocking/studies/cost/measurement.hpp"
 #include "rocking/studies/orbits/orbits.hpp"
-#include "rocking/studies/verification.hpp"
 
 namespace rocking {
 namespace {

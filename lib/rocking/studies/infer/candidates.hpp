@@ -6,8 +6,8 @@
 #include <Eigen/Core>
 
 #include "rocking/base/many_parts.hpp"
-#include "rocking/studies/infer/inference.hpp"
 #include "rocking/studies/infer/posterior.hpp"
+#include "rocking/studies/infer/question.hpp"
 #include "rocking/studies/infer/share_model.hpp"
 
 namespace rocking::infer {

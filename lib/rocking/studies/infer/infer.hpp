@@ -9,7 +9,7 @@
 #include "rocking/base/many_parts.hpp"
 #include "rocking/base/stop_request.hpp"
 #include "rocking/scene/counted_tests.hpp"
-#include "rocking/studies/infer/inference.hpp"
+#include "rocking/studies/infer/question.hpp"
 
 /// From counted tests back to the numbers that explain them (lib/docs/infer.md).
 namespace rocking {

@@ -7,8 +7,8 @@
 #include <Eigen/Core>
 
 #include "rocking/studies/infer/infer.hpp"
-#include "rocking/studies/infer/inference.hpp"
 #include "rocking/studies/infer/likelihood.hpp"
+#include "rocking/studies/infer/question.hpp"
 #include "rocking/studies/infer/share_model.hpp"
 
 namespace rocking::infer {

@@ -121,14 +121,4 @@ IntensityMeasures intensity_measures(const GroundMotionSamples& samples, double 
   return found;
 }
 
-std::optional<double> least_uplift_scale(const GroundMotionSamples& samples, const dynamics::Geometry& block) {
-  // abs(alpha) - tan(psi) alpha_v is a convex function of the time between samples, so that its largest value is at one.
-  double most = 0.0;
-  for (const auto& sample : samples) {
-    most = std::max(most, std::abs(sample.horizontal) - block.tangent * sample.vertical);
-  }
-  if (!(most > 0.0)) return std::nullopt;
-  return block.tangent / most;
-}
-
 }  // namespace rocking

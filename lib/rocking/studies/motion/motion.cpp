@@ -1,4 +1,5 @@
 #include "rocking/studies/motion/motion.hpp"
+#include "rocking/plan/thresholds.hpp"
 
 #include <utility>
 

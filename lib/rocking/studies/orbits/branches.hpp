@@ -7,7 +7,7 @@
 
 #include "rocking/studies/orbits/branch.hpp"
 #include "rocking/studies/orbits/map_family.hpp"
-#include "rocking/studies/orbits/orbit_study.hpp"
+#include "rocking/studies/orbits/question.hpp"
 
 /// Branches of periodic orbits over a parameter.
 namespace rocking {

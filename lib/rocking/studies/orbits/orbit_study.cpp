@@ -1,4 +1,4 @@
-#include "rocking/studies/orbits/orbit_study.hpp"
+#include "rocking/studies/orbits/question.hpp"
 
 namespace rocking {
 

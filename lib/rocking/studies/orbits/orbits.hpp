@@ -8,7 +8,7 @@
 #include "rocking/ensemble/run.hpp"
 #include "rocking/scene/experiment.hpp"
 #include "rocking/studies/orbits/orbit.hpp"
-#include "rocking/studies/orbits/orbit_study.hpp"
+#include "rocking/studies/orbits/question.hpp"
 
 /// Periodic orbits of conditions with harmonic excitation in which nothing is random, stable and unstable ones.
 namespace rocking {

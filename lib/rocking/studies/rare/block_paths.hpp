@@ -12,9 +12,9 @@
 #include "rocking/scene/experiment.hpp"
 #include "rocking/studies/rare/committor.hpp"
 #include "rocking/studies/rare/drawn_numbers.hpp"
-#include "rocking/studies/rare/estimate.hpp"
 #include "rocking/studies/rare/halt.hpp"
 #include "rocking/studies/rare/proposal.hpp"
+#include "rocking/studies/rare/question.hpp"
 #include "rocking/studies/rare/stream.hpp"
 
 namespace rocking::rare {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "rocking/studies/rare/block_paths.hpp"
-#include "rocking/studies/rare/estimate.hpp"
+#include "rocking/studies/rare/question.hpp"
 
 namespace rocking::rare {
 

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "rocking/random/draws.hpp"
-#include "rocking/studies/rare/estimate.hpp"
 #include "rocking/studies/rare/proposal.hpp"
+#include "rocking/studies/rare/question.hpp"
 #include "rocking/studies/rare/stream.hpp"
 
 /// Importance sampling of numbers that are drawn once, over any model: a subset simulation finds where the event

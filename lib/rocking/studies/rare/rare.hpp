@@ -7,7 +7,7 @@
 
 #include "rocking/base/stop_request.hpp"
 #include "rocking/scene/experiment.hpp"
-#include "rocking/studies/rare/estimate.hpp"
+#include "rocking/studies/rare/question.hpp"
 
 /// Probabilities of rare overturning, by particle runs or importance sampling (lib/docs/rare.md).
 namespace rocking {

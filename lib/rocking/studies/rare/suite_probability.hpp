@@ -6,7 +6,7 @@
 
 #include "rocking/scene/experiment.hpp"
 #include "rocking/stats/interval.hpp"
-#include "rocking/studies/rare/estimate.hpp"
+#include "rocking/studies/rare/question.hpp"
 
 namespace rocking {
 

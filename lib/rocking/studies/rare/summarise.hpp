@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "rocking/studies/rare/estimate.hpp"
+#include "rocking/studies/rare/question.hpp"
 
 namespace rocking::rare {
 

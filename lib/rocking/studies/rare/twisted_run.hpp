@@ -9,7 +9,7 @@
 
 #include "rocking/random/draws.hpp"
 #include "rocking/studies/rare/committor.hpp"
-#include "rocking/studies/rare/estimate.hpp"
+#include "rocking/studies/rare/question.hpp"
 #include "rocking/studies/rare/stream.hpp"
 
 /// A sequential Monte Carlo run whose particles advance one period at a time, over any model of trajectories.

@@ -1,0 +1,36 @@
+#include "rocking/api/trajectory.hpp"
+
+#include "rocking/api/question_check.hpp"
+#include "rocking/api/refuse.hpp"
+#include "rocking/api/trajectory_extent.hpp"
+#include "rocking/output/trajectory_report.hpp"
+#include "rocking/scene/check_condition.hpp"
+
+namespace rocking {
+
+void check_request(const Experiment& experiment, const TrajectoryRequest& request) {
+  check_has_conditions(experiment);
+  expect("condition", request.condition, std::uint64_t{0}, std::uint64_t{experiment.conditions.size() - 1});
+  check_fields(request);
+}
+
+std::int64_t periods_of(const Experiment& experiment, const TrajectoryRequest& request) {
+  const Horizon& horizon = experiment.conditions[request.condition].horizon;
+  return request.periods.value_or(std::int64_t{horizon.transient_periods} + horizon.sampled_periods);
+}
+
+Trajectory trajectory(const Experiment& experiment, const TrajectoryRequest& request, const Execution& execution) {
+  check_request(experiment, request);
+  return trajectory_of(experiment.conditions[request.condition], experiment.seed, request.realisation,
+                       TrajectoryExtent(periods_of(experiment, request), request.samples_per_period, execution.stop));
+}
+
+std::string trajectory_text(const TrajectoryRequest& request, const Trajectory& trajectory, TrajectoryUnits units) {
+  return trajectory_document().text(trajectory_report({request.condition, request.realisation}, trajectory, units));
+}
+
+std::string trajectory_csv(const TrajectoryRequest& request, const Trajectory& trajectory, TrajectoryUnits units) {
+  return trajectory_table(trajectory_report({request.condition, request.realisation}, trajectory, units));
+}
+
+}  // namespace rocking

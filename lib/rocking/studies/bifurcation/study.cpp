@@ -1,0 +1,105 @@
+#include "rocking/studies/bifurcation/study.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "rocking/random/draws.hpp"
+#include "rocking/studies/bifurcation/bifurcation.hpp"
+#include "rocking/studies/bifurcation/figure.hpp"
+#include "rocking/studies/bifurcation/result.hpp"
+#include "rocking/studies/bifurcation/table.hpp"
+#include "rocking/studies/orbits/branch_figure.hpp"
+#include "rocking/studies/orbits/result.hpp"
+
+namespace rocking {
+namespace {
+
+struct BifurcationQuestion {
+  std::uint64_t realisation = 0;
+};
+
+const StructType& fields_of(const BifurcationQuestion*) {
+  static const StructType fields{
+      "BifurcationQuestion",
+      asked(field<&BifurcationQuestion::realisation>(
+                "realisation", "Realisation whose random numbers are used, if something is random",
+                Rule{.least = 0.0, .most = static_cast<double>(random::realisation_limit - 1)}),
+            {.names = "--realisation", .letter = "K"}),
+  };
+  return fields;
+}
+
+void check(const Subject& subject, BifurcationQuestion&) { static_cast<void>(diagrams_of(subject.experiment)); }
+
+std::vector<std::string> files(const Subject& subject) {
+  const std::vector<Diagram> diagrams = diagrams_of(subject.experiment);
+  std::vector<std::string> names{std::string(bifurcation_file) + ".csv"};
+  if (diagrams.size() < 2) return names;
+  for (const std::string& name : diagram_names(subject.experiment, diagrams)) names.push_back(name + ".csv");
+  return names;
+}
+
+Answer find(const Subject& subject, const BifurcationQuestion& question, const Circumstances& circumstances) {
+  const DrawnDiagrams drawn{.experiment = &subject.experiment,
+                            .realisation = question.realisation,
+                            .diagrams = bifurcation(subject.experiment, question.realisation, circumstances.execution)};
+  Answer answer{.document = bifurcation_text(subject.experiment, question.realisation, drawn.diagrams),
+                .table = bifurcation_table(drawn, circumstances.extent),
+                .files = {{std::string(bifurcation_file) + ".csv", bifurcation_csv(drawn)}}};
+  for (DiagramTable& table : diagram_tables(drawn)) {
+    answer.files.push_back({std::move(table.name) + ".csv", std::move(table.csv)});
+  }
+  return answer;
+}
+
+/// Branches of orbits are drawn over the diagrams over the same parameter.
+std::vector<analysis::Figure> figures(const Json& document, std::span<const Json> others) {
+  const BifurcationReport report = bifurcation_document().read(document);
+  std::vector<analysis::Figure> drawn = analysis::bifurcation_figures(report);
+  for (const Json& other : others) {
+    if (other.at("format") != orbits_document().format()) continue;
+    const OrbitsReport orbits = orbits_document().read(other);
+    if (!orbits.study.branches || orbits.study.branches->pointer != report.parameter) continue;
+    for (analysis::Figure& figure : drawn) draw_branches_over(orbits.study, figure);
+  }
+  return drawn;
+}
+
+constexpr StudyFunctions<BifurcationQuestion> functions{
+    .check = check, .find = find, .files = files, .figures = figures};
+
+}  // namespace
+
+const Study& bifurcation_study() {
+  static const Study study = study_of<BifurcationQuestion, functions>({
+      .name = "bifurcation",
+      .sentence = "Follow the responses along a swept parameter; shows which coexist",
+      .example = "experiments/reference_block/no_sliding.json -o out",
+      .text =
+          "runs every step of the sweep from the initial state of the file, and from the end of the previous step, "
+          "upwards and downwards. Writes the strobe points to out/bifurcation.json and out/bifurcation.csv and prints "
+          "the responses. In a grid there is one diagram for each combination of values of the entries after the "
+          "first; "
+          "its points are also in a file named by these values, such as out/bifurcation_static_0.35.csv.",
+      .python_notes =
+          "A diagram for each combination of values of the other entries of the sweep. Raises InputError if there is "
+          "no sweep, if its first entry takes values that are not numbers, or if the excitation is not periodic.",
+      .python_example = R"(>>> import rocking
+>>> found = rocking.bifurcation({"format": "rocking.experiment/1", "block": {"width_m": 1, "height_m": 4},
+...     "excitation": {"kind": "harmonic", "amplitude": 2.0, "frequency_ratio": 10.0}, "restitution": 0.9,
+...     "horizon": {"transient_periods": 20, "sampled_periods": 20},
+...     "sweep": [{"parameter": "/excitation/amplitude", "values": [2.0, 4.0]}]})
+>>> [step.value for step in found.diagrams[0].steps if step.branch == "upwards"]
+[2.0, 4.0])",
+      .takes_seed = true,
+      .has_long_table = true,
+      .progress = "steps",
+      .file = "bifurcation.json",
+      .label = "points",
+      .needs_folder = true,
+      .document = bifurcation_document(),
+  });
+  return study;
+}
+
+}  // namespace rocking

@@ -1,0 +1,145 @@
+#include "rocking/studies/check_normal/table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "rocking/output/text_table.hpp"
+#include "rocking/text/number_text.hpp"
+#include "rocking/text/seed_text.hpp"
+
+namespace rocking {
+namespace {
+
+// A p-value in words. Among nineteen p-values one below 0.01 is not remarkable: every sixth normal sample has one.
+std::string judgement(double p_value) {
+  if (p_value >= 0.01) return "not remarkable";
+  if (p_value < 1e-6) return "not this distribution";
+  return "1 sample in " + significant(1.0 / p_value, 2);
+}
+
+TextRow moment_row(const std::string& name, const stats::MomentTest& test) {
+  return {name,
+          significant(test.moment.value, 8),
+          significant(test.moment.standard_error, 3),
+          fixed_point(test.moment.z, 2),
+          significant(test.p_value, 3),
+          judgement(test.p_value)};
+}
+
+TextRow test_row(const std::string& name, const stats::TestOfFit& test) {
+  return {name, significant(test.statistic, 4), significant(test.p_value, 3), judgement(test.p_value)};
+}
+
+TextRow tail_row(const stats::TailCount& tail) {
+  return {"beyond " + significant(tail.sigmas, 1) + " sigma", std::to_string(tail.beyond.successes),
+          significant(tail.expected, 4), significant(tail.p_value, 3), judgement(tail.p_value)};
+}
+
+// How often a perfect sampler has a moment as near to that of the law.
+std::string nearness_line(const std::string& name, const stats::ShapeTest& shape) {
+  const auto per_cent = [](const stats::Nearness& near) { return fixed_point(100.0 * near.probability, 0) + " %"; };
+  return name + " within " + significant(shape.nearness[0].distance, 3) + ": expected in " +
+         per_cent(shape.nearness[0]) + (shape.of_law ? " of" : " of normal") + " samples of this size; within " +
+         significant(shape.nearness[1].distance, 3) + ", as found here: in " + per_cent(shape.nearness[1]) + '\n';
+}
+
+// The table of reports/evidence/intervals.md: at 1000 numbers a p-value of 0.001 means 0.003, at 20000 it means
+// 0.0011.
+std::string jarque_bera_line(const stats::NormalCheck& check) {
+  if (check.n >= 10'000) return "";
+  return "The Jarque-Bera p-value is valid for large samples only: below 10000 numbers use D'Agostino-Pearson\n";
+}
+
+/// With the value of the distribution.
+std::string shape_name(const std::string& name, const stats::ShapeTest& shape, double normal) {
+  return name + " (" + significant(shape.of_law.value_or(normal), 5) + ')';
+}
+
+std::string moments_table(const stats::NormalCheck& check) {
+  std::vector<TextRow> rows{{"moment", "value", "standard error", "z", "p-value", "result"},
+                            moment_row("mean", check.mean),
+                            moment_row("standard deviation", check.standard_deviation),
+                            moment_row(shape_name("skewness", check.skewness, 0.0), check.skewness.test),
+                            moment_row(shape_name("kurtosis", check.kurtosis, 3.0), check.kurtosis.test)};
+  const auto distance = [](const std::string& name, const stats::ShapeTest& shape, double normal) {
+    const double value = shape.of_law.value_or(normal);
+    return value == 0.0 ? name : name + " - " + significant(value, 5);
+  };
+  return aligned(rows) + '\n' + nearness_line(distance("skewness", check.skewness, 0.0), check.skewness) +
+         nearness_line(distance("kurtosis", check.kurtosis, 3.0), check.kurtosis);
+}
+
+std::string correlations_table(const stats::NormalCheck& check) {
+  std::vector<TextRow> rows{{"correlation", "value", "standard error", "z", "p-value", "result"}};
+  for (const stats::CorrelationTest& correlation : check.correlations) {
+    std::string name = correlation.between;
+    std::replace(name.begin(), name.end(), '_', ' ');
+    rows.push_back(moment_row(name, correlation.test));
+  }
+  return aligned(rows);
+}
+
+// Among many p-values a small one is to be expected; the line says how often.
+std::string smallest_line(const stats::NormalCheck& check) {
+  const stats::SmallestPValue smallest = stats::smallest_p_value(check);
+  return "smallest of " + std::to_string(smallest.tests) + " p-values: " + significant(smallest.value, 3) + "; about " +
+         significant(100.0 * smallest.probability, 2) + " % of normal samples have one as small\n";
+}
+
+std::string bars(const stats::Histogram& histogram) {
+  constexpr double longest = 50.0;
+  const auto tallest = static_cast<double>(*std::max_element(histogram.counts.begin(), histogram.counts.end()));
+  std::vector<TextRow> rows{{"from", "count", "expected"}};
+  for (std::size_t k = 0; k < histogram.counts.size(); ++k) {
+    rows.push_back({significant(histogram.edges[k], 4), std::to_string(histogram.counts[k]),
+                    fixed_point(histogram.expected[k], 1)});
+  }
+  const std::string table = aligned(rows);
+  std::string text;
+  std::size_t start = 0;
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    const std::size_t end = table.find('\n', start);
+    text += table.substr(start, end - start);
+    if (row > 0 && tallest > 0.0) {
+      const double length = longest * static_cast<double>(histogram.counts[row - 1]) / tallest;
+      if (length >= 0.5) text += "  " + std::string(static_cast<std::size_t>(std::lround(length)), '#');
+    }
+    text += '\n';
+    start = end + 1;
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string check_normal_summary(const SamplerCheck& check) {
+  const stats::NormalCheck& found = check.found;
+  const std::string mean = significant(found.law.mean, 6);
+  const std::string sigma = significant(found.law.sigma, 6);
+  std::string text =
+      std::to_string(found.n) + " numbers from " +
+      (check.distribution ? *check.distribution + " with mean " + mean + " and standard deviation " + sigma
+                          : "N(" + mean + ", " + sigma + "^2)") +
+      ", sampler " + check.sampler + ", seed " + seed_text(check.seed) + "\n\n";
+  text += moments_table(found) + '\n';
+  if (check.distribution) {
+    text +=
+        "moments: for large samples; what follows is of the normal scores of the numbers under the distribution\n\n";
+  }
+  text += correlations_table(found) + '\n';
+  text += aligned({{"test of fit", "statistic", "p-value", "result"},
+                   test_row("Jarque-Bera", found.jarque_bera),
+                   test_row("D'Agostino-Pearson", found.dagostino_pearson),
+                   test_row("Anderson-Darling", found.anderson_darling),
+                   test_row("Kolmogorov-Smirnov", found.kolmogorov_smirnov)});
+  text += jarque_bera_line(found);
+  text += '\n' + aligned({{"tails", "count", "expected", "p-value", "result"},
+                          tail_row(found.tails[0]),
+                          tail_row(found.tails[1]),
+                          tail_row(found.tails[2])});
+  return text + '\n' + smallest_line(found) + '\n' + bars(found.histogram);
+}
+
+}  // namespace rocking

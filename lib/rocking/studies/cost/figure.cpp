@@ -1,0 +1,174 @@
+#include "rocking/studies/cost/figure.hpp"
+
+#include <optional>
+#include <string>
+
+#include "rocking/figures/palette.hpp"
+#include "rocking/output/text_table.hpp"
+#include "rocking/text/number_text.hpp"
+
+namespace rocking::analysis {
+namespace {
+
+constexpr double micro = 1e6;
+constexpr double hundred = 100.0;
+
+/// A number that can be drawn on a logarithmic axis, or nothing.
+Cell positive(const std::optional<double>& number) {
+  if (!number || *number <= 0.0) return {};
+  return *number;
+}
+
+std::string three_digits(double number) { return significant(number, 3); }
+
+std::string own_tolerance_in_words(const CostReport& report) {
+  const Json& experiment = report.input.experiment;
+  if (experiment.is_null()) return "";
+  for (const Json& entry : experiment.value("sweep", Json::array())) {
+    if (entry.at("parameter") == "/accuracy/tolerance") return "The experiment sweeps its tolerance.";
+  }
+  return "The experiment's own tolerance is " + three_digits(experiment.at("accuracy").at("tolerance").get<double>()) +
+         ".";
+}
+
+/// Columns: tolerance, median, largest, changed, low, high, time, and the tolerance as text.
+Table tolerance_table(const CostReport& report) {
+  Table table{
+      .name = "tolerances",
+      .columns = {{"tolerance", "tolerance of the steps"},
+                  {"median_error", "median over the realisations of the largest error in the first periods"},
+                  {"largest_error", "the largest of all realisations"},
+                  {"changed", "response modes that differ from those at the tightest tolerance [%]"},
+                  {"changed_low", "lower end of its exact interval [%]; absent if all realisations were measured"},
+                  {"changed_high", "upper end of its exact interval [%]"},
+                  {"time", "processor time per period [us]"},
+                  {"name", "the tolerance, as text"}},
+      .rows = {}};
+  for (std::size_t i = 0; i < report.cost.curve.size(); ++i) {
+    const auto& [tolerance, periods, steps, departure] = report.cost.curve[i];
+    std::vector<Cell> row{
+        tolerance, {}, {}, {}, {}, {}, micro * report.cost.seconds_per_period(i), three_digits(tolerance)};
+    if (departure) {
+      row[1] = positive(departure->median_error);
+      row[2] = positive(departure->largest_error);
+      const stats::Proportion& flips = departure->flips;
+      row[3] = hundred * static_cast<double>(flips.successes) / static_cast<double>(flips.trials);
+      if (!report.cost.yardstick.is_everything) {
+        row[4] = hundred * departure->flips_interval.low;
+        row[5] = hundred * departure->flips_interval.high;
+      }
+    }
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+Layer curve(std::size_t number, std::vector<std::size_t> columns, std::string legend) {
+  return {.kind = LayerKind::line,
+          .table = 0,
+          .columns = std::move(columns),
+          .style = style_of_curve(number),
+          .legend = std::move(legend)};
+}
+
+void add_title(Figure& figure, const CostReport& report) {
+  figure.subtitle = report.input.title();
+  figure.caption += " Of " + std::to_string(report.cost.sample) + " realisations of " +
+                    std::to_string(report.cost.sampled_conditions) + " conditions; times of one processor.";
+}
+
+Axis tolerance_axis() { return {.quantity = "tolerance", .symbol = "", .unit = "", .logarithmic = true}; }
+
+Figure cost_tolerance(const CostReport& report) {
+  Figure figure;
+  figure.name = "cost_tolerance";
+  figure.title = "Effect and cost of a tolerance";
+  figure.arrangement = Arrangement::stacked;
+  figure.tables = {tolerance_table(report)};
+  figure.panels = {
+      {.title = "",
+       .x = tolerance_axis(),
+       .y = {.quantity = "error", .symbol = "", .unit = "", .logarithmic = true},
+       .layers = {curve(0, {0, 1}, "median"), curve(1, {0, 2}, "largest")}},
+      {.title = "",
+       .x = tolerance_axis(),
+       .y = {.quantity = "changed modes", .symbol = "", .unit = "%", .low = 0.0},
+       .layers = {curve(0, {0, 3}, ""),
+                  {.kind = LayerKind::error_bars, .table = 0, .columns = {0, 3, 4, 5}, .style = style_of_curve(0)}}},
+      {.title = "",
+       .x = tolerance_axis(),
+       .y = {.quantity = "time per period", .symbol = "", .unit = "µs", .low = 0.0},
+       .layers = {curve(0, {0, 6}, "")}}};
+  figure.caption = "Error: largest difference from the tightest tolerance in Θ, Θ′, V over the first " +
+                   std::to_string(cost_error_periods) +
+                   " periods. Changed modes with the exact interval of a sample. " + own_tolerance_in_words(report);
+  add_title(figure, report);
+  return figure;
+}
+
+Figure work_precision(const CostReport& report) {
+  Figure figure;
+  figure.name = "work_precision";
+  figure.title = "Cost of accuracy in time";
+  figure.tables = {tolerance_table(report)};
+  figure.panels = {{.title = "",
+                    .x = {.quantity = "error in the first periods", .symbol = "", .unit = "", .logarithmic = true},
+                    .y = {.quantity = "processor time per period", .symbol = "", .unit = "µs", .low = 0.0},
+                    .layers = {curve(0, {1, 6}, "median"), curve(1, {2, 6}, "largest")}}};
+  figure.caption = "One point for each tolerance from " + cell_text(figure.tables[0].rows.front()[7]) + " to " +
+                   cell_text(figure.tables[0].rows[figure.tables[0].rows.size() - 2][7]) +
+                   "; tighter tolerances are to the left.";
+  add_title(figure, report);
+  return figure;
+}
+
+/// Columns: factor, periods, time, mean half-width, largest half-width, Wilson's.
+Table realisations_table(const CostReport& report) {
+  Table table{
+      .name = "realisations",
+      .columns = {{"factor", "factor on the number of realisations of the experiment"},
+                  {"periods", "of the whole run"},
+                  {"time", "processor time at the experiment's tolerance [s]"},
+                  {"mean", "half-width of a condition's widest simultaneous interval, mean over conditions [%]"},
+                  {"widest", "the largest over all conditions [%]"},
+                  {"wilson", "the largest half-width of Wilson's intervals [%]"}},
+      .rows = {}};
+  for (std::size_t i = 0; i < report.cost.planned.size(); ++i) {
+    const auto& [factor, widths, periods, seconds] = report.cost.planned[i];
+    table.rows.push_back({static_cast<double>(factor), static_cast<double>(periods), report.planned_seconds[i],
+                          hundred * widths.mean, hundred * widths.widest, hundred * widths.widest_wilson});
+  }
+  return table;
+}
+
+Figure cost_realisations(const CostReport& report) {
+  Figure figure;
+  figure.name = "cost_realisations";
+  figure.title = "Cost of narrower intervals in time";
+  figure.tables = {realisations_table(report)};
+  figure.panels = {
+      {.title = "",
+       .x = {.quantity = "processor time of the run", .symbol = "", .unit = "s", .logarithmic = true},
+       .y = {.quantity = "half-width", .symbol = "", .unit = "%", .logarithmic = true},
+       .layers = {curve(1, {2, 4}, "widest"), curve(2, {2, 5}, "widest of Wilson's"), curve(0, {2, 3}, "mean")}}};
+  for (const auto& row : figure.tables[0].rows) {
+    const double time = std::get<double>(row[2]);
+    figure.panels[0].x.ticks.push_back(
+        {.place = time, .text = time < 100.0 ? three_digits(time) : fixed_point(time, 0)});
+  }
+  figure.caption =
+      "Half-width of each condition's widest simultaneous interval at 1, 4 and 16 times the requested realisations, if "
+      "the shares of the response modes stay the same: widest and mean over the conditions.";
+  add_title(figure, report);
+  return figure;
+}
+
+}  // namespace
+
+std::vector<Figure> cost_figures(const CostReport& report) {
+  std::vector<Figure> figures{cost_tolerance(report), work_precision(report)};
+  if (!report.cost.planned.empty()) figures.push_back(cost_realisations(report));
+  return figures;
+}
+
+}  // namespace rocking::analysis

@@ -1,0 +1,180 @@
+#include "rocking/studies/cost/table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "rocking/output/text_table.hpp"
+#include "rocking/studies/cost/measurement.hpp"
+#include "rocking/text/number_text.hpp"
+
+namespace rocking {
+namespace {
+
+double ratio(std::uint64_t part, std::uint64_t whole) { return static_cast<double>(part) / static_cast<double>(whole); }
+
+std::string tolerance_name(const ToleranceCost& cost) { return significant(cost.tolerance, 3); }
+
+std::string error_cell(const std::optional<double>& error) { return error ? significant(*error, 1) : "."; }
+
+TextRow row_of(const Cost& cost, std::size_t place) {
+  const ToleranceCost& tolerance = cost.curve[place];
+  TextRow row{tolerance_name(tolerance) + (cost.is_own(place) ? " *" : "  ")};
+  if (const auto& departure = tolerance.departure) {
+    row.insert(
+        row.end(),
+        {error_cell(departure->median_error), error_cell(departure->largest_error),
+         per_cent(ratio(departure->diverged, cost.sample), 2), std::to_string(departure->flips.successes),
+         cost.yardstick.is_everything ? "." : per_cent(departure->flips_interval, 2),
+         departure->beyond_floor && !cost.yardstick.is_everything ? per_cent(*departure->beyond_floor, 2) : "."});
+  } else {
+    row.insert(row.end(), 6, ".");
+  }
+  row.push_back(fixed_point(tolerance.steps_per_period(), 1));
+  row.push_back(significant(1e6 * cost.seconds_per_period(place), 3));
+  row.push_back(fixed_point(cost.speed(place), 2));
+  return row;
+}
+
+std::string time_in_words(double seconds) {
+  if (seconds < 60.0) return significant(seconds, 2) + " s";
+  if (seconds < 3600.0) return significant(seconds / 60.0, 2) + " min";
+  if (seconds < 48.0 * 3600.0) return significant(seconds / 3600.0, 2) + " h";
+  return significant(std::round(seconds / 86400.0), 6) + " d";
+}
+
+/// `800`, or `40 to 800` if the random conditions have different numbers. At least one is random.
+std::string realisations_asked_for(const Experiment& experiment, std::uint64_t factor) {
+  std::vector<std::uint64_t> numbers;
+  for (const Condition& condition : experiment.conditions) {
+    if (is_random(condition.scene)) numbers.push_back(factor * condition.realisations);
+  }
+  const auto [least, most] = std::ranges::minmax(numbers);
+  return least == most ? std::to_string(most) : std::to_string(least) + " to " + std::to_string(most);
+}
+
+std::string realisations_table(const MeasuredCost& measured) {
+  const Cost& cost = measured.cost;
+  if (cost.planned.empty()) return "nothing is random: one realisation of each condition is sufficient\n";
+  std::vector<TextRow> rows{{"realisations", "mean half-width", "widest", "Wilson's", "time"}};
+  for (const auto& [factor, widths, periods, seconds] : cost.planned) {
+    rows.push_back({realisations_asked_for(*measured.experiment, factor), per_cent(widths.mean, 2),
+                    per_cent(widths.widest, 2), per_cent(widths.widest_wilson, 2), time_in_words(seconds)});
+  }
+  std::string text = aligned(rows);
+  for (const auto& [half_width, needed, periods, seconds] : cost.goals) {
+    text += "for " + significant(100.0 * half_width, 3) + " % in every condition: " + std::to_string(needed.by_shares) +
+            " realisations, " + time_in_words(seconds) +
+            "; whatever the probabilities are: " + std::to_string(needed.at_most) + '\n';
+  }
+  return text +
+         "half-widths in per cent, of each condition's widest simultaneous interval, if the shares of the modes stay "
+         "the same; "
+         "time of one\nprocessor at the experiment's tolerance, without reruns and label checks\n";
+}
+
+std::string part_of_half_width(const Cost& cost) {
+  const double width = *cost.yardstick.half_width;
+  const double part = cost.recommendation.at_most / width;
+  const std::string of = "the half-width of the intervals, " + per_cent(width, 2) + " %";
+  return part < 0.95 ? "1/" + significant(std::round(1.0 / part), 4) + " of " + of
+                     : significant(part, 2) + " times " + of;
+}
+
+std::string changes(const Cost& cost, const Departure& departure) {
+  const Departure& floor = *cost.floor().departure;
+  std::string text = std::to_string(departure.flips.successes) + " of " + std::to_string(departure.flips.trials) +
+                     " response modes change";
+  if (departure.beside_tolerance_sensitivity) {
+    text += " (" + std::to_string(floor.flips.successes) + " at " + tolerance_name(cost.floor()) + ')';
+  }
+  return text;
+}
+
+std::string speed_words(const Cost& cost, std::size_t place) {
+  if (cost.is_own(place)) {
+    return cost.own.size() == 1 ? "It is the tolerance of the experiment." : "It is a tolerance of the experiment.";
+  }
+  const double speed = cost.speed(place);
+  const std::string own = tolerance_name(cost.curve[cost.own.back()]) + ", the " +
+                          (cost.own.size() == 1 ? "" : "tightest ") + "tolerance of the experiment";
+  if (speed >= 1.005) return "It is " + fixed_point(speed, 2) + " times faster than " + own + '.';
+  return "It takes " + fixed_point(1.0 / speed, 2) + " times as long as " + own + '.';
+}
+
+std::string unrecommended(const Cost& cost) {
+  if (cost.yardstick.is_everything) {
+    return "No tolerance can be recommended: at each of them response modes change that do not change at the next "
+           "tighter one.";
+  }
+  return "No tolerance can be recommended: " + std::to_string(cost.sample) + " realisations are too few to decide.";
+}
+
+/// What would show that the tolerance suffices; empty if it is shown.
+std::string advice(const MeasuredCost& measured) {
+  const Cost& cost = measured.cost;
+  const Recommendation& found = cost.recommendation;
+  if (found.assurance == Assurance::shown || cost.yardstick.is_everything) return "";
+  if (!cost.yardstick.half_width) return " Increase --max-time, so that every condition is measured.";
+  const std::string bearable = per_cent(found.bearable, 2) + " %";
+  if (!found.sample_needed)
+    return " With this share of changes, no sample can show that it is less than " + bearable + '.';
+  const double seconds = measured.system.duration_s * ratio(*found.sample_needed, cost.sample);
+  return " To show that at most " + bearable + " change requires " + std::to_string(*found.sample_needed) +
+         " realisations, if the share stays the same: about " + time_in_words(seconds) + " at this rate.";
+}
+
+std::string blame_words(const Cost& cost) {
+  if (cost.yardstick.is_everything) return ", of all realisations. ";
+  return "; the tolerance causes a change of at most " + per_cent(cost.recommendation.at_most, 2) + " %, " +
+         part_of_half_width(cost) + ". ";
+}
+
+std::string coarser_words(const Cost& cost) {
+  const Recommendation& found = cost.recommendation;
+  if (found.coarsest == found.place) return "";
+  return " Coarser ones, up to " + tolerance_name(cost.curve[*found.coarsest]) +
+         ", are sufficient too, but save less than a tenth of the steps.";
+}
+
+}  // namespace
+
+std::string cost_recommendation(const MeasuredCost& measured) {
+  const Cost& cost = measured.cost;
+  const Recommendation& found = cost.recommendation;
+  if (!found.place) return unrecommended(cost) + advice(measured);
+  const ToleranceCost& chosen = cost.curve[*found.place];
+  const Departure& departure = *chosen.departure;
+  std::string text = found.assurance == Assurance::shown ? "Recommended: tolerance "
+                                                         : "Not distinguishable from the tightest: tolerance ";
+  text += tolerance_name(chosen) + ". " + changes(cost, departure) + blame_words(cost);
+  if (departure.median_error) {
+    text += "Error in the first " + std::to_string(cost_error_periods) +
+            " periods: " + significant(*departure.median_error, 1) + " (median). ";
+  }
+  return text + speed_words(cost, *found.place) + coarser_words(cost) + advice(measured);
+}
+
+std::string cost_table(const MeasuredCost& measured) {
+  const Cost& cost = measured.cost;
+  std::vector<TextRow> rows{{"tolerance  ", "median error", "largest", "diverged", "changed", "interval",
+                             "beyond " + tolerance_name(cost.floor()), "steps", "us", "speed"}};
+  for (std::size_t i = 0; i < cost.curve.size(); ++i) rows.push_back(row_of(cost, i));
+  return cost_recommendation(measured) + "\n\n" + aligned(rows) + '\n' + std::to_string(cost.sample) +
+         " realisations of " + std::to_string(cost.sampled_conditions) +
+         " conditions with the same random numbers as the reference, which is the last line. Error: of the first " +
+         std::to_string(cost_error_periods) +
+         " periods;\ndiverged: motions that diverged before the horizon, per cent; changed: response modes, with the "
+         "exact " +
+         level_text(cost.confidence) +
+         " % interval of their\nshare, and of its excess over that at the second tightest tolerance, per cent; steps "
+         "and "
+         "processor "
+         "time per period, with\n" +
+         std::to_string(cost.timing.realisations) + " realisations of up to " + std::to_string(cost.timing.periods) +
+         " periods on each thread; speed relative to that at the " + (cost.own.size() == 1 ? "" : "tightest ") +
+         "tolerance of the experiment (*)\n\n" + realisations_table(measured);
+}
+
+}  // namespace rocking

@@ -1,0 +1,158 @@
+#include <array>
+
+#include "rocking/fields/container_types.hpp"
+#include "rocking/fields/named_type.hpp"
+#include "rocking/output/provenance_fields.hpp"
+#include "rocking/output/stats_fields.hpp"
+#include "rocking/studies/fragility/fields.hpp"
+
+namespace rocking {
+
+constexpr std::array all_rate_sources{RateSource::law,      RateSource::levels,   RateSource::isotonic,
+                                      RateSource::observed, RateSource::at_least, RateSource::at_most};
+template <>
+struct TypeOf<RateSource> {
+  static const ValueType& get() { return the_only<NamedType<all_rate_sources>>(); }
+};
+
+constexpr std::array all_rare_uses{RareUse::below_sure_level, RareUse::below_best_level, RareUse::up_to_highest,
+                                   RareUse::not_used};
+template <>
+struct TypeOf<RareUse> {
+  static const ValueType& get() { return the_only<NamedType<all_rare_uses>>(); }
+};
+
+static const StructType& fields_of(const RateInRange*) {
+  static const StructType fields{
+      "RateInRange",
+      field<&RateInRange::from>("from", "lower end of the range of intensity", rule::not_negative),
+      field<&RateInRange::to>("to", "its upper end; null: no end", rule::not_negative),
+      field<&RateInRange::rate>("rate", "part of the rate [1/year]", rule::not_negative),
+      field<&RateInRange::share>("share", "of the whole rate", rule::not_negative),
+      field<&RateInRange::is_tested>(
+          "tested", "whether the range lies between the lowest level that can lift the block and the highest level"),
+  };
+  return fields;
+}
+
+const StructType& fields_of(const AnnualRate*) {
+  using Rate = AnnualRate;
+  static const StructType fields{
+      "AnnualRate",
+      field<&Rate::value>("value", "mean annual rate of the event from intensities of at least `least_uplift` [1/year]",
+                          rule::not_negative),
+      field<&Rate::interval>("interval", "of the probabilities' uncertainty, the hazard taken as exact; null: unknown",
+                             rule::not_negative),
+      field<&Rate::source>("from",
+                           "what gives the probabilities: the fitted law, or the levels (of a suite: their isotonic "
+                           "shares), interpolated"),
+      field<&Rate::impossible>("impossible",
+                               "what the law, or of one motion without a law the interpolated levels, gives below "
+                               "`least_uplift`; not part of `value` [1/year]",
+                               rule::not_negative),
+      field<&Rate::below_levels>("below_levels",
+                                 "part of `value` below the lowest level that can lift the block [1/year]",
+                                 rule::not_negative),
+      field<&Rate::untested_share>("untested_share", "sum of the shares of the ranges that are not tested",
+                                   rule::not_negative),
+      field<&Rate::probability_at_first>("probability_at_first",
+                                         "at the lowest intensity of the hazard curve, below which nothing is counted; "
+                                         "0: the block is not lifted there",
+                                         rule::share),
+      field<&Rate::rare_below>("rare_below",
+                               "below this intensity the rare estimates give the probabilities; absent: there are none",
+                               rule::not_negative, WithoutValue::omitted),
+      field<&Rate::rare_use>(
+          "rare_use",
+          "with `--rare`: `below_sure_level`, the lowest with ten events; where no level has so many: "
+          "`below_best_level`, that above the estimates with the most, or `up_to_highest` estimate; "
+          "or `not_used`",
+          {}, WithoutValue::omitted),
+      field<&Rate::extrapolated_hazard>("extrapolated_hazard",
+                                        "share of `value` from beyond the last point of the hazard curve, where it is "
+                                        "continued",
+                                        rule::share),
+      field<&Rate::within_hazard>("within_hazard", "the rest of `value`, without that share [1/year]",
+                                  rule::not_negative),
+      field<&Rate::by_level>("by_level", "disaggregation by intensity"),
+  };
+  return fields;
+}
+
+static const StructType& fields_of(const RateEstimate*) {
+  static const StructType fields{
+      "RateEstimate",
+      field<&RateEstimate::source>(
+          "from",
+          "`law`; `isotonic`, `observed`: mean shares of the records, made not to decrease, or as "
+          "they are, interpolated; `at_least`, `at_most`: bounds of the latter between and beyond "
+          "the levels"),
+      field<&RateEstimate::value>("value", "mean annual rate [1/year]", rule::not_negative),
+      field<&RateEstimate::interval>(
+          "interval",
+          "by the law by bootstrap over records, with what the levels leave undecided outside them, null: too few "
+          "samples with a law; by shares from the least rate that the levels allow to the largest one, with a record "
+          "that is not in the suite",
+          rule::not_negative),
+  };
+  return fields;
+}
+
+static const StructType& fields_of(const RateOfRecord*) {
+  using Record = RateOfRecord;
+  static const StructType fields{
+      "RateOfRecord",
+      field<&Record::name>("name", "path of the ground motion, as in the experiment"),
+      field<&Record::rate>("rate", "by the shares of this record alone [1/year]; their mean is that of `observed`",
+                           rule::not_negative),
+      field<&Record::share>("share", "of the sum over the records", rule::share),
+      field<&Record::without>("without", "the rate of the suite without this record [1/year]; null: that has no law",
+                              rule::not_negative),
+  };
+  return fields;
+}
+
+const StructType& fields_of(const SuiteRate*) {
+  using Rate = SuiteRate;
+  static const StructType fields{
+      "SuiteRate",
+      inlined<&Rate::chosen>(),
+      field<&Rate::estimates>("estimates", "the rate in several ways"),
+      field<&Rate::disagreement>(
+          "disagreement",
+          "largest over smallest of the rates by law, isotonic and observed shares, less 1; null: one is 0",
+          rule::not_negative),
+      field<&Rate::undecided_share>("undecided_share", "part of the observed rate that the levels leave open",
+                                    rule::not_negative),
+      field<&Rate::add_levels>("add_levels", "intensities to add; empty: the rates agree and little is open",
+                               Rule{.above = 0.0}),
+      field<&Rate::by_record>("by_record", "disaggregation by record"),
+      field<&Rate::leave_one_out>("leave_one_out", "smallest and largest rate without one record; null: none",
+                                  rule::not_negative),
+      field<&Rate::jackknife>("jackknife", "interval of ln rate by leaving out one record at a time; null: none",
+                              rule::not_negative),
+  };
+  return fields;
+}
+
+const StructType& fields_of(const RateComparison*) {
+  using Comparison = RateComparison;
+  static const StructType fields{
+      "RateComparison",
+      field<&Comparison::base>("base", "values of the other entries of the sweep in the first suite"),
+      field<&Comparison::option>("option", "in the one that is compared with it"),
+      field<&Comparison::event>("event", "as of a curve"),
+      field<&Comparison::source>("from", "what gives the probabilities of both rates, as of `annual_rate`"),
+      field<&Comparison::difference>("difference", "rate of the option less that of the base [1/year]"),
+      field<&Comparison::interval>(
+          "interval",
+          "of it by bootstrap over records, the same in both, with what the levels leave undecided; null: none"),
+      field<&Comparison::ratio>("ratio", "rate of the option over that of the base; null: that is 0",
+                                rule::not_negative),
+      field<&Comparison::ratio_interval>("ratio_interval", "of it likewise; null: without an upper bound",
+                                         open_interval_type(), rule::not_negative),
+  };
+  return fields;
+}
+
+}  // namespace rocking

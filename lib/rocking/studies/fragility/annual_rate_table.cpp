@@ -1,0 +1,211 @@
+#include "rocking/studies/fragility/annual_rate_table.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <vector>
+
+#include "rocking/output/text_table.hpp"
+#include "rocking/studies/fragility/words.hpp"
+#include "rocking/text/json.hpp"
+#include "rocking/text/number_text.hpp"
+
+namespace rocking {
+namespace {
+
+std::string range_table(const AnnualRate& rate, const std::string& measure) {
+  std::vector<TextRow> rows{{measure + " from", "to", "per year", "share", "tested"}};
+  for (const RateInRange& range : rate.by_level) {
+    rows.push_back({significant(range.from, 4), range.to ? significant(*range.to, 4) : ".", significant(range.rate, 3),
+                    per_cent(range.share), range.is_tested ? "yes" : "no"});
+  }
+  return "\nannual rate by range of " + measure + '\n' + aligned(rows);
+}
+
+/// What gives the rate below the least uplift: the fitted law, also where it is rejected, or the levels of one motion.
+std::string_view impossible_source_in_words(RateSource source) {
+  switch (source) {
+    case RateSource::law: return "the law gives";
+    case RateSource::levels: return "the interpolated levels give";
+    default: break;
+  }
+  return "the rejected law gives";
+}
+
+/// What the levels leave open, and what lies below the least uplift.
+std::string extrapolation_text(const AnnualRate& rate, std::optional<double> least_uplift) {
+  const auto share = [&rate](double part) { return rate.value > 0.0 ? per_cent(part / rate.value) : "0.0"; };
+  std::string text = per_cent(rate.untested_share) + " % of the rate comes from intensities outside the levels";
+  if (!least_uplift) {
+    return text + "\nthe least intensity that lifts the block is not known: all intensities are counted\n";
+  }
+  text += ",\n" + share(rate.below_levels) + " % from those between the least that lifts the block, " +
+          significant(*least_uplift, 4) + ", and the lowest level that can lift it\n";
+  if (!(rate.impossible > 0.0)) return text;
+  return text + "not counted: " + significant(rate.impossible, 3) + " per year that " +
+         std::string(impossible_source_in_words(rate.source)) + " below " + significant(*least_uplift, 4) +
+         ", where the block is not lifted\n";
+}
+
+std::string estimate_table(const SuiteRate& rate) {
+  std::vector<TextRow> rows{{"rate by", "per year", "interval", "years"}};
+  for (const RateEstimate& estimate : rate.estimates) {
+    rows.push_back({source_in_words(estimate.source, rate), significant(estimate.value, 3),
+                    estimate.interval ? interval_in_words(*estimate.interval) : ".",
+                    estimate.value > 0.0 ? years_in_words(1.0 / estimate.value) : "."});
+  }
+  return "\nannual rate by the probabilities between the levels\n" + aligned(rows);
+}
+
+std::string record_share_text(const SuiteRate& rate) {
+  constexpr std::size_t most_named = 3;
+  std::vector<const RateOfRecord*> records;
+  for (const RateOfRecord& record : rate.by_record) {
+    if (record.rate > 0.0) records.push_back(&record);
+  }
+  if (records.empty()) return "";
+  std::ranges::stable_sort(records, std::greater(), &RateOfRecord::share);
+  std::string text = std::to_string(records.size()) + " of " + std::to_string(rate.by_record.size()) +
+                     " records contribute; most of all";
+  for (std::size_t i = 0; i < std::min(most_named, records.size()); ++i) {
+    text += (i == 0 ? " " : ", ") + records[i]->name + ' ' + per_cent(records[i]->share) + " %";
+  }
+  text += '\n';
+  if (rate.leave_one_out) {
+    text += "without one record the rate is between " + significant(rate.leave_one_out->low, 3) + " and " +
+            significant(rate.leave_one_out->high, 3);
+    if (rate.jackknife) text += "; jackknife interval " + interval_in_words(*rate.jackknife);
+    text += '\n';
+  }
+  return text;
+}
+
+/// What is missing at the weak end of the hazard curve.
+std::string beginning_text(const AnnualRate& rate) {
+  if (!(rate.probability_at_first > 0.001)) return "";
+  return "at the lowest intensity of the hazard curve the probability is " + per_cent(rate.probability_at_first) +
+         " %; weaker shaking is not counted: begin the hazard curve at lower intensities\n";
+}
+
+std::string level_warnings(const SuiteRate& rate) {
+  std::string text;
+  if (!rate.do_estimates_agree()) {
+    text += "warning: of the rates by law, isotonic and observed shares " + disagreement_in_words(rate) +
+            "; add the levels " + added_levels_in_words(rate) + '\n';
+  }
+  if (!rate.is_decided()) {
+    text += "warning: the levels leave " + undecided_in_words(rate) + " undecided; add " + added_levels_in_words(rate) +
+            '\n';
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string disagreement_in_words(const SuiteRate& rate) {
+  if (!rate.disagreement) return "one is 0 and another is not";
+  if (*rate.disagreement <= 1.0) return "the largest is " + per_cent(*rate.disagreement) + " % above the smallest";
+  return "the largest is " + significant(1.0 + *rate.disagreement, 3) + " times the smallest";
+}
+
+std::string undecided_in_words(const SuiteRate& rate) {
+  if (rate.undecided_share <= 1.0) return per_cent(rate.undecided_share) + " % of the rate";
+  return "more than the whole rate";
+}
+
+std::string source_in_words(RateSource source) {
+  switch (source) {
+    case RateSource::law: return "law";
+    case RateSource::isotonic: return "isotonic shares";
+    case RateSource::at_least: return "at least";
+    case RateSource::at_most: return "at most";
+    default: break;
+  }
+  return "observed shares";
+}
+
+std::string source_in_words(RateSource source, const SuiteRate& rate) {
+  const bool is_rejected = source == RateSource::law && rate.chosen.source != RateSource::law;
+  return (is_rejected ? "rejected " : "") + source_in_words(source);
+}
+
+std::string levels_in_words(const std::vector<double>& levels) {
+  std::string text;
+  for (const double level : levels) text += (text.empty() ? "" : ",") + significant(level, 6);
+  return text;
+}
+
+std::string added_levels_in_words(const SuiteRate& rate) {
+  const std::string text = levels_in_words(rate.add_levels);
+  const std::optional<double>& end = rate.chosen.rare_below;
+  if (!end || rate.add_levels.empty() || rate.add_levels.front() >= *end) return text;
+  return text + " (those below " + significant(*end, 6) + " by `rocking rare`)";
+}
+
+std::string rare_use_in_words(const AnnualRate& rate) {
+  if (!rate.rare_use) return "";
+  const std::string end = rate.rare_below ? significant(*rate.rare_below, 6) : "";
+  switch (*rate.rare_use) {
+    case RareUse::below_sure_level: return "below " + end + " by the rare estimates\n";
+    case RareUse::below_best_level:
+      return "below " + end + " by the rare estimates, all of them, since no level has ten events; " + end +
+             " has the most above them\n";
+    case RareUse::up_to_highest:
+      return "up to " + end +
+             " by the rare estimates, all of them, since no level has ten events, and none above them has one\n";
+    case RareUse::not_used: break;
+  }
+  return "the rare estimates are not used: none lies below the lowest level with ten events, or there is only one and "
+         "no level above it has an event\n";
+}
+
+std::string annual_rate_in_words(const AnnualRate& rate, const FragilityEvent& event) {
+  std::string text = "mean annual rate of " + words_of(event) + ": " + significant(rate.value, 3);
+  if (rate.interval) text += ' ' + interval_in_words(*rate.interval);
+  text += rate.value > 0.0 ? ", once in " + years_in_words(1.0 / rate.value) + " years\n" : "\n";
+  if (rate.source == RateSource::levels) {
+    text +=
+        "no function is fitted: the rate is that of the levels, interpolated; its interval assumes that the "
+        "probability does not decrease\n";
+  }
+  text += rare_use_in_words(rate);
+  if (rate.source == RateSource::isotonic) {
+    text += "no law holds, or not for every option: the rate is that of the isotonic shares\n";
+  }
+  return text;
+}
+
+std::string extrapolated_hazard_in_words(const AnnualRate& rate) {
+  return per_cent(rate.extrapolated_hazard) + " % of the rate comes from beyond the last point of the hazard curve" +
+         (rate.extrapolated_hazard > 0.0 ? "; without it: " + significant(rate.within_hazard, 3) + " per year" : "");
+}
+
+std::string annual_rate_warnings(const AnnualRate& rate) {
+  const bool is_extrapolated = rate.extrapolated_hazard > most_extrapolated_hazard;
+  return beginning_text(rate) +
+         (is_extrapolated ? "warning: " + extrapolated_hazard_in_words(rate) + "; continue the hazard curve\n" : "");
+}
+
+std::string annual_rate_warnings(const SuiteRate& rate) {
+  return annual_rate_warnings(rate.chosen) + level_warnings(rate);
+}
+
+std::string annual_rate_table(const SuiteRate& rate, const CurveSubject& subject, Extent extent) {
+  return annual_rate_table(rate.chosen, subject, extent) + estimate_table(rate) + record_share_text(rate) +
+         level_warnings(rate);
+}
+
+std::string annual_rate_table(const AnnualRate& rate, const CurveSubject& subject, Extent extent) {
+  const std::string measure = last_key(subject.parameter);
+  const bool is_extrapolated = rate.extrapolated_hazard > most_extrapolated_hazard;
+  return (extent == Extent::all ? range_table(rate, measure) : "\n") + extrapolation_text(rate, subject.least_uplift) +
+         (is_extrapolated ? "" : extrapolated_hazard_in_words(rate) + '\n') + annual_rate_warnings(rate);
+}
+
+std::string hazard_in_words(const HazardCurve& hazard) {
+  const std::string kind =
+      hazard.years ? "probabilities of exceedance in " + significant(*hazard.years, 6) + " years" : "annual rates";
+  return kind + " of " + hazard.intensity + " at " + std::to_string(hazard.points.size()) + " points from " +
+         significant(hazard.points.front().intensity, 3) + " to " + significant(hazard.points.back().intensity, 3);
+}
+
+}  // namespace rocking

@@ -1,0 +1,382 @@
+#include "rocking/studies/fragility/fields.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "rocking/fields/container_types.hpp"
+#include "rocking/fields/converted_type.hpp"
+#include "rocking/fields/named_type.hpp"
+#include "rocking/input/suite.hpp"
+#include "rocking/output/provenance_fields.hpp"
+#include "rocking/output/shaking_fields.hpp"
+#include "rocking/output/stats_fields.hpp"
+
+namespace rocking {
+namespace {
+
+using OpenEnds = std::array<std::optional<double>, 2>;
+
+OpenEnds written_ends(const stats::Interval& interval) {
+  return {interval.low, std::isfinite(interval.high) ? std::optional(interval.high) : std::nullopt};
+}
+
+void set_ends(const OpenEnds& ends, const ReadingPlace& place, stats::Interval& interval) {
+  if (!ends[0]) return place.at("0").reject(Json(), "must be a number");
+  interval = {.low = *ends[0], .high = ends[1].value_or(std::numeric_limits<double>::infinity())};
+}
+
+/// `"overturned"`, or `{"peak_tilt": 0.5}`.
+class EventType final : public ValueType {
+ public:
+  [[nodiscard]] Json json(const void* value) const override {
+    const auto& event = *static_cast<const FragilityEvent*>(value);
+    return event.peak_tilt ? Json{{"peak_tilt", *event.peak_tilt}} : Json("overturned");
+  }
+  void read(const Json& json, const ReadingPlace& place, void* value) const override {
+    auto& event = *static_cast<FragilityEvent*>(value);
+    if (json == "overturned") return event.peak_tilt.reset();
+    const bool has_tilt = json.is_object() && json.size() == 1 && json.contains("peak_tilt") &&
+                          json["peak_tilt"].is_number() && json["peak_tilt"].get<double>() > 0.0;
+    if (!has_tilt) return place.reject(json, R"(must be "overturned" or {"peak_tilt": a positive number})");
+    event.peak_tilt = json["peak_tilt"].get<double>();
+  }
+  [[nodiscard]] Json schema(const Rule&) const override {
+    const Json tilt = {{"title", "PeakTiltExceeded"},
+                       {"type", "object"},
+                       {"properties", {{"peak_tilt", {{"type", "number"}, {"exclusiveMinimum", 0}}}}},
+                       {"required", {"peak_tilt"}},
+                       {"additionalProperties", false}};
+    return {{"anyOf", {{{"const", "overturned"}}, tilt}}};
+  }
+};
+
+}  // namespace
+
+const ValueType& open_interval_type() {
+  return the_only<ConvertedType<stats::Interval, OpenEnds, written_ends, set_ends>>();
+}
+
+const ValueType& TypeOf<stats::FragilityOutcome>::get() { return the_only<NamedType<stats::all_fragility_outcomes>>(); }
+
+const ValueType& TypeOf<FragilityEvent>::get() { return the_only<EventType>(); }
+
+const StructType& fields_of(const CurveRun*) {
+  static const StructType fields{
+      "CurveRun",
+      field<&CurveRun::title>("title", "of the run's experiment"),
+      field<&CurveRun::experiment>("sha256", "of the experiment's canonical text, as `input.sha256` of its report"),
+      field<&CurveRun::left_out>("left_out", "records of its suite that could not be read, if there are any", {},
+                                 WithoutValue::omitted),
+  };
+  return fields;
+}
+
+const StructType& fields_of(const CurveSubject*) {
+  static const StructType fields{
+      "CurveSubject",
+      field<&CurveSubject::parameter>("parameter", "JSON pointer to the intensity",
+                                      Rule{.choices = all_intensity_pointers}),
+      field<&CurveSubject::others>("others", "values of the other entries of the sweep"),
+      field<&CurveSubject::confidence>("confidence", "of the intervals", rule::confidence),
+      field<&CurveSubject::event>("event",
+                                  "what `overturned` counts: `\"overturned\"`, or `{\"peak_tilt\": A}`: the peak of "
+                                  "abs(theta)/psi exceeds A, or the block overturns"),
+      field<&CurveSubject::least_uplift>(
+          "least_uplift",
+          "least intensity at which the motion, or any record of a suite, lifts the block; null: not known",
+          rule::not_negative),
+  };
+  return fields;
+}
+
+static const StructType& bounded_fields() {
+  static const StructType fields{
+      "BoundedEstimate",
+      field<&stats::Bounded::value>("value", "estimate", rule::not_negative),
+      field<&stats::Bounded::interval>("interval", "of it; null: without an upper bound", open_interval_type(),
+                                       rule::not_negative),
+  };
+  return fields;
+}
+
+template <>
+struct TypeOf<stats::Bounded> {
+  static const ValueType& get() { return bounded_fields(); }
+};
+
+namespace {
+
+using Covariance = std::array<double, 3>;
+
+Covariance covariance_of(const stats::LognormalFragility& law) {
+  return {law.covariance.aa, law.covariance.ab, law.covariance.bb};
+}
+
+void set_covariance(const Covariance& read, const ReadingPlace&, stats::LognormalFragility& law) {
+  law.covariance = {.aa = read[0], .ab = read[1], .bb = read[2]};
+}
+
+using CovarianceType = ConvertedType<stats::LognormalFragility, Covariance, covariance_of, set_covariance>;
+
+}  // namespace
+
+static const StructType& lognormal_fields() {
+  using Law = stats::LognormalFragility;
+  static const StructType fields{
+      "LognormalLaw",
+      field<&Law::centre>("centre", "P = Phi(intercept + slope (ln x - centre))"),
+      field<&Law::intercept>("intercept", "of the line"),
+      field<&Law::slope>("slope", "of the line", Rule{.above = 0.0}),
+      of_owner<Law>("covariance", "of intercept and slope: variance, covariance, variance", the_only<CovarianceType>()),
+      field<&Law::degrees_of_freedom>(
+          "degrees_of_freedom", "of Student's distribution, whose quantiles the intervals use", Rule{.least = 1.0}),
+  };
+  return fields;
+}
+
+template <>
+struct TypeOf<stats::LognormalFragility> {
+  static const ValueType& get() { return lognormal_fields(); }
+};
+
+namespace {
+
+const StructType& median_fields() {
+  static const StructType fields{
+      "Median",
+      inlined<&FittedLaw::median>(),
+      field<&FittedLaw::is_extrapolated>("extrapolated", "whether it lies outside the levels"),
+  };
+  return fields;
+}
+
+}  // namespace
+
+static const StructType& fields_of(const FittedLaw*) {
+  static const StructType fields{
+      "FittedLaw",
+      of_owner<FittedLaw>("median", "of the function", median_fields()),
+      field<&FittedLaw::dispersion>("dispersion", "standard deviation of the logarithm of the capacity"),
+      inlined<&FittedLaw::function>(),
+  };
+  return fields;
+}
+
+static const StructType& lack_of_fit_fields() {
+  using Test = stats::LackOfFit;
+  static const StructType fields{
+      "LackOfFit",
+      field<&Test::deviance>("deviance", "of the function from a probability of its own at each level",
+                             rule::not_negative),
+      field<&Test::samples>("samples", "bootstrap samples", Rule{.least = 1.0}),
+      field<&Test::as_large>("as_large", "those whose deviance is at least as large"),
+      field<&Test::p_value>("p_value", "(as_large + 1)/(samples + 1)", Rule{.above = 0.0, .most = 1.0}),
+  };
+  return fields;
+}
+
+const ValueType& TypeOf<stats::LackOfFit>::get() { return lack_of_fit_fields(); }
+
+static const StructType& fields_of(const FragilityLevel*) {
+  using Level = FragilityLevel;
+  static const StructType fields{
+      "FragilityLevel",
+      field<&Level::intensity>("intensity", "of the excitation; 0 is left out", Rule{.above = 0.0}),
+      field<&Level::shaking>("shaking",
+                             "amplitude and frequency of the base in every unit, for the mean block; absent under a "
+                             "ground motion",
+                             {}, WithoutValue::omitted),
+      field<&Level::overturned, &stats::Proportion::trials>("realisations", "of the condition", Rule{.least = 1.0}),
+      field<&Level::overturned, &stats::Proportion::successes>("overturned", "those with the event"),
+      count_if_any<&Level::unresolved>("unresolved", unresolved_sentence),
+      field<&Level::estimate>("estimate", "share of them", rule::share),
+      field<&Level::exact>("exact", "its interval at this level alone", rule::share),
+      field<&Level::simultaneous>("simultaneous", "its interval at all levels at once", rule::share),
+      field<&Level::fitted>("fitted", "by the function; null: no law", rule::share),
+      field<&Level::band>("band", "of `fitted` at this level alone, or of `isotonic` at all levels at once",
+                          rule::share),
+      field<&Level::isotonic>("isotonic",
+                              "most likely probability that does not decrease; null unless the outcome is `rejected`",
+                              rule::share),
+  };
+  return fields;
+}
+
+const StructType& fields_of(const RareLevel*) {
+  static const StructType fields{
+      "RareLevel",
+      field<&RareLevel::intensity>("intensity", "of the excitation", Rule{.above = 0.0}),
+      field<&RareLevel::probability>("probability", "of the event", rule::share),
+      field<&RareLevel::interval>("interval", "of it", rule::share),
+      field<&RareLevel::relative_error>("relative_error", "standard error over the probability", rule::not_negative),
+      field<&RareLevel::degrees_of_freedom>("degrees_of_freedom", "of the error", rule::not_negative),
+  };
+  return fields;
+}
+
+const StructType& fields_of(const FragilityCurve*) {
+  using Curve = FragilityCurve;
+  static const StructType fields{
+      "FittedCurve",
+      field<&Curve::outcome>("outcome", "whether a function could be fitted, and why not"),
+      field<&Curve::law>("law", "lognormal function of maximum likelihood; null: none, or it was rejected"),
+      field<&Curve::test>("test", "of the fitted function; null: none could be fitted"),
+      derived<[](const Curve& curve) {
+        return curve.law ? std::optional<std::uint64_t>(curve.missed_levels()) : std::nullopt;
+      }>("missed_levels", "at which the function lies outside the simultaneous interval; null: no function"),
+      field<&Curve::levels>("levels", "by increasing intensity"),
+      field<&Curve::rare>(
+          "rare", "with `--rare`: small probabilities, by increasing intensity; of a suite the means over its records",
+          {}, WithoutValue::omitted),
+  };
+  return fields;
+}
+
+static const StructType& fields_of(const ReportedComparison*) {
+  static const StructType fields{
+      "ReportedComparison",
+      inlined<&ReportedComparison::run>(),
+      inlined<&ReportedComparison::comparison>(),
+  };
+  return fields;
+}
+
+static const StructType& fields_of(const ReportedCurve*) {
+  using Reported = ReportedCurve;
+  static const StructType fields{
+      "FragilityCurve",
+      inlined<&Reported::run>(),
+      inlined<&Reported::curve, &FragilityCurve::subject>(),
+      inlined<&Reported::curve>(),
+      field<&Reported::rate>("annual_rate", "with `--hazard`", {}, WithoutValue::omitted),
+  };
+  return fields;
+}
+
+namespace {
+
+/// The curve of one motion or of a suite, which has the key `pooled`.
+class CurveType final : public ValueType {
+ public:
+  using Either = std::variant<ReportedCurve, ReportedSuite>;
+
+  [[nodiscard]] Json json(const void* value) const override {
+    return std::visit([]<class Curve>(const Curve& curve) { return type_of<Curve>().json(&curve); }, either(value));
+  }
+  void write_element(const void* value, JsonWriter& out) const override {
+    std::visit([&out]<class Curve>(const Curve& curve) { type_of<Curve>().write_element(&curve, out); }, either(value));
+  }
+  void read(const Json& json, const ReadingPlace& place, void* value) const override {
+    auto& read = *static_cast<Either*>(value);
+    if (json.is_object() && json.contains("pooled"))
+      return type_of<ReportedSuite>().read(json, place, &read.emplace<1>());
+    type_of<ReportedCurve>().read(json, place, &read.emplace<0>());
+  }
+  [[nodiscard]] Json schema(const Rule& rule) const override {
+    return {{"anyOf", {type_of<ReportedCurve>().schema(rule), type_of<ReportedSuite>().schema(rule)}}};
+  }
+  void describe(const std::string& prefix, std::vector<KeyRow>& rows) const override {
+    type_of<ReportedCurve>().describe(prefix, rows);
+    std::vector<KeyRow> of_suite;
+    type_of<ReportedSuite>().describe(prefix, of_suite);
+    for (const KeyRow& row : of_suite) {
+      const auto has_key = [&row](const KeyRow& known) { return known.key == row.key; };
+      if (std::ranges::none_of(rows, has_key)) rows.push_back(row);
+    }
+  }
+
+ private:
+  static const Either& either(const void* value) { return *static_cast<const Either*>(value); }
+};
+
+}  // namespace
+
+template <>
+struct TypeOf<std::variant<ReportedCurve, ReportedSuite>> {
+  static const ValueType& get() { return the_only<CurveType>(); }
+};
+
+const StructType& fields_of(const FragilityReport*) {
+  static const StructType fields{
+      "Fragility",
+      field<&FragilityReport::curves>("curves", "of one motion, or of a suite, which has `pooled`"),
+      field<&FragilityReport::comparisons>("comparisons",
+                                           "with `--hazard`: suites with other values of the rest of the sweep", {},
+                                           WithoutValue::omitted),
+      field<&FragilityReport::incremental>("incremental", "incremental dynamic analyses, with `--ida`", {},
+                                           WithoutValue::omitted),
+  };
+  return fields;
+}
+
+namespace {
+
+void check_level(const stats::Proportion& counted, std::uint64_t unresolved, const ReadingPlace& place) {
+  if (counted.successes > counted.trials) {
+    place.at("overturned").reject(Json(counted.successes), "is greater than the number of realisations");
+  } else if (unresolved > counted.trials - counted.successes) {
+    place.at("unresolved").reject(Json(unresolved), "is greater than the number of those without the event");
+  }
+}
+
+void check_curve(const ReportedCurve& reported, const ReadingPlace& place) {
+  for (std::size_t i = 0; i < reported.curve.levels.size(); ++i) {
+    const FragilityLevel& level = reported.curve.levels[i];
+    check_level(level.overturned, level.unresolved, place.at("levels").at(std::to_string(i)));
+  }
+}
+
+void check_curve(const ReportedSuite& reported, const ReadingPlace& place) {
+  for (std::size_t i = 0; i < reported.curve.levels.size(); ++i) {
+    const SuiteLevel& level = reported.curve.levels[i];
+    check_level(level.happened, level.unresolved, place.at("levels").at(std::to_string(i)));
+  }
+}
+
+/// Levels rise, and count no more events than realisations.
+void check_report(const FragilityReport& report, const ReadingPlace& place) {
+  for (std::size_t i = 0; i < report.curves.size(); ++i) {
+    std::visit(
+        [&](const auto& reported) {
+          const ReadingPlace own = place.at("curves").at(std::to_string(i));
+          check_curve(reported, own);
+          const auto& levels = reported.curve.levels;
+          for (std::size_t j = 1; j < levels.size(); ++j) {
+            if (levels[j].intensity > levels[j - 1].intensity) continue;
+            own.at("levels")
+                .at(std::to_string(j))
+                .at("intensity")
+                .reject(Json(levels[j].intensity), "is not greater than that of the previous level");
+          }
+        },
+        report.curves[i]);
+  }
+}
+
+}  // namespace
+
+const DocumentOf<FragilityReport>& fragility_document() {
+  static const DocumentOf<FragilityReport> document("rocking.fragility/1",
+                                                    "Overturning against the intensity of the shaking.", check_report);
+  return document;
+}
+
+FragilityReport fragility_report(const std::vector<RunFragility>& runs) {
+  FragilityReport report;
+  for (const RunFragility& found : runs) {
+    const std::string& experiment = found.experiment.canonical_text;
+    const CurveRun run{
+        .title = found.experiment.title,
+        .experiment = base::sha256(experiment),
+        .left_out = experiment.empty() ? std::vector<std::string>{} : left_out_of(Json::parse(experiment))};
+    for (const auto& [curve, rate] : found.curves) report.curves.emplace_back(ReportedCurve{run, curve, rate});
+    for (const auto& [curve, rate] : found.suites) report.curves.emplace_back(ReportedSuite{run, curve, rate});
+    for (const RateComparison& comparison : found.comparisons) report.comparisons.push_back({run, comparison});
+    for (const IncrementalAnalysis& analysis : found.incremental) report.incremental.push_back({run, analysis});
+  }
+  return report;
+}
+
+}  // namespace rocking

@@ -1,0 +1,342 @@
+#include "rocking/studies/fragility/figure.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "rocking/figures/palette.hpp"
+#include "rocking/figures/sweep_view.hpp"
+#include "rocking/studies/fragility/annual_rate_table.hpp"
+#include "rocking/studies/fragility/suite_layers.hpp"
+#include "rocking/studies/fragility/words.hpp"
+#include "rocking/text/number_text.hpp"
+
+namespace rocking::analysis {
+namespace {
+
+/// Columns: intensity, n, overturned, estimate, low, high.
+Table level_table(const FragilityCurve& curve, const std::string& name) {
+  const std::string level = level_text(curve.subject.confidence) + " % interval";
+  Table table{.name = name,
+              .columns = {{"intensity", "intensity of the excitation"},
+                          {"n", "realisations"},
+                          {"overturned", "of these: " + event_in_words(curve.subject.event)},
+                          {"estimate", "estimated probability of " + probability_of(curve.subject.event)},
+                          {"low", "lower end of its exact " + level},
+                          {"high", "upper end of its exact " + level}},
+              .rows = {}};
+  for (const FragilityLevel& found : curve.levels) {
+    table.rows.push_back({found.intensity, static_cast<double>(found.overturned.trials),
+                          static_cast<double>(found.overturned.successes), found.estimate, found.exact.low,
+                          found.exact.high});
+  }
+  return table;
+}
+
+/// Columns: intensity, probability, low, high.
+Table law_table(const FragilityCurve& curve, const std::string& name) {
+  Table table{.name = "law of " + name,
+              .columns = {{"intensity", "intensity of the excitation"},
+                          {"law", "probability by the fitted lognormal function"},
+                          {"law_low", "lower edge of its band"},
+                          {"law_high", "upper edge of its band"}},
+              .rows = {}};
+  const stats::LognormalFragility& law = curve.law->function;
+  const double first = curve.levels.front().intensity;
+  const double last = curve.levels.back().intensity;
+  for (int i = 0; i <= points_of_a_law; ++i) {
+    const double intensity = first + (last - first) * i / points_of_a_law;
+    const stats::Interval band = law.band(intensity, curve.subject.confidence);
+    table.rows.push_back({intensity, law.probability(intensity), band.low, band.high});
+  }
+  return table;
+}
+
+/// Columns: intensity, next intensity, probability, low, high. Between two levels a probability that does not decrease
+/// is at least the lower end of the band at the first and at most its upper end at the second.
+Table isotonic_table(const FragilityCurve& curve, const std::string& name) {
+  const std::string level = level_text(curve.subject.confidence) + " % band of all levels at once";
+  Table table{.name = "isotonic estimate of " + name,
+              .columns = {{"intensity", "intensity of the excitation"},
+                          {"next", "the next intensity"},
+                          {"isotonic", "most likely probability that does not decrease"},
+                          {"isotonic_low", "lower edge, up to the next intensity, of its " + level},
+                          {"isotonic_high", "upper edge, up to the next intensity, of it"}},
+              .rows = {}};
+  const std::vector<FragilityLevel>& levels = curve.levels;
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    const FragilityLevel& next = levels[std::min(i + 1, levels.size() - 1)];
+    table.rows.push_back(
+        {levels[i].intensity, next.intensity, *levels[i].isotonic, levels[i].simultaneous.low, next.simultaneous.high});
+  }
+  return table;
+}
+
+void add_isotonic(const FragilityCurve& curve, const std::string& name, const Style& style, Figure& figure) {
+  const std::size_t table = figure.tables.size();
+  figure.tables.push_back(isotonic_table(curve, name));
+  Style band = style;
+  band.hatch = 0;
+  band.opacity = 0.2;
+  std::vector<Layer>& layers = figure.panels.back().layers;
+  layers.push_back({.kind = LayerKind::boxes, .table = table, .columns = {0, 1, 3, 4}, .style = band});
+  layers.push_back({.kind = LayerKind::steps, .table = table, .columns = {0, 2}, .style = style});
+}
+
+bool is_isotonic(const FragilityCurve& curve) { return curve.outcome == stats::FragilityOutcome::rejected; }
+
+/// The values of the other parameters, and the event unless it is an overturning; empty if there is neither.
+std::string legend_of(const CurveSubject& subject) {
+  const std::string name = values_in_words(subject.others);
+  if (!subject.event.peak_tilt) return name;
+  return (name.empty() ? "" : name + ", ") + event_in_words(subject.event);
+}
+
+void add_curve(const ReportedCurve& reported, std::size_t number, Figure& figure) {
+  const FragilityCurve& curve = reported.curve;
+  Panel& panel = figure.panels.back();
+  const std::string others = values_in_words(curve.subject.others);
+  const std::string& name = others.empty() ? reported.run.title : others;
+  Style style = style_of_curve(number);
+  if (curve.law) {
+    figure.tables.push_back(law_table(curve, name));
+    const std::size_t law = figure.tables.size() - 1;
+    Style ribbon = style;
+    ribbon.hatch = 0;
+    ribbon.opacity = 0.2;
+    Style line = style;
+    line.size = 0.0;
+    panel.layers.push_back({.kind = LayerKind::ribbon, .table = law, .columns = {0, 2, 3}, .style = ribbon});
+    panel.layers.push_back({.kind = LayerKind::line, .table = law, .columns = {0, 1}, .style = line});
+  }
+  if (is_isotonic(curve)) add_isotonic(curve, name, style, figure);
+  figure.tables.push_back(level_table(curve, name));
+  panel.layers.push_back({.kind = LayerKind::error_bars,
+                          .table = figure.tables.size() - 1,
+                          .columns = {0, 3, 4, 5},
+                          .style = style,
+                          .legend = legend_of(curve.subject)});
+  add_rare(curve.rare, number, legend_of(curve.subject), figure);
+}
+
+void add_curve(const ReportedSuite& reported, std::size_t number, Figure& figure) {
+  add_suite(reported.curve, number, figure);
+}
+
+std::vector<std::optional<Shaking>> shakings_of(const ReportedCurve& reported) {
+  std::vector<std::optional<Shaking>> shakings;
+  for (const FragilityLevel& level : reported.curve.levels) shakings.push_back(level.shaking);
+  return shakings;
+}
+
+/// Ground motions have neither amplitude nor frequency.
+std::vector<std::optional<Shaking>> shakings_of(const ReportedSuite&) { return {}; }
+
+template <class Reported>
+Panel panel_for(const Reported& reported) {
+  const CurveSubject& subject = reported.curve.subject;
+  return {.title = reported.run.title,
+          .x = axis_of_parameter(subject.parameter, shakings_of(reported)),
+          .y = {.quantity = "probability of " + probability_of(subject.event),
+                .symbol = "P",
+                .unit = "",
+                .low = 0.0,
+                .high = 1.0},
+          .layers = {}};
+}
+
+std::string uplift_sentence(const CurveSubject& subject) {
+  if (!subject.least_uplift) return "";
+  return " The block is not lifted below " + significant(*subject.least_uplift, 4) +
+         ": a probability that a law gives there is impossible.";
+}
+
+/// `2.31 [2.20, 2.43]`.
+std::string value_and_interval(double value, const stats::Interval& interval) {
+  return significant(value, 3) + ' ' + interval_in_words(interval);
+}
+
+/// The annual rate, if there is one, as a sentence.
+std::string rate_sentence(const ReportedSuite& reported) {
+  if (!reported.rate) return "";
+  const AnnualRate& rate = reported.rate->chosen;
+  std::string text =
+      " Mean annual rate of " + words_of(reported.curve.subject.event) + ": " + significant(rate.value, 3);
+  if (rate.interval) text += ' ' + interval_in_words(*rate.interval);
+  if (rate.value > 0.0) text += ", once in " + years_in_words(1.0 / rate.value) + " years";
+  return text + ". " + extrapolated_hazard_in_words(rate) + '.';
+}
+
+/// `PGA = 0.36 g`, `PGA = 0.36 [0.31, 0.42] g`.
+std::string at_intensity(const CurveSubject& subject, const std::string& value) {
+  const Axis axis = axis_of_parameter(subject.parameter);
+  return (axis.symbol.empty() ? axis.quantity + ' ' : axis.symbol + " = ") + value +
+         (axis.unit.empty() ? "" : ' ' + axis.unit);
+}
+
+/// The observed shares, from the weakest to the strongest level.
+std::string shares_in_words(const SuiteCurve& curve) {
+  const auto at = [&curve](const SuiteLevel& level) {
+    return significant(100.0 * level.estimate, 3) + " % at " +
+           at_intensity(curve.subject, significant(level.intensity, 4));
+  };
+  return at(curve.levels.front()) + (curve.levels.size() > 1 ? " to " + at(curve.levels.back()) : std::string()) +
+         " (observed, mean over " + std::to_string(curve.records.size()) + " ground motions)";
+}
+
+/// What the law of the suite says, `median PGA = 0.36 [0.31, 0.42] g, dispersion 0.45 [0.3, 0.6]`.
+std::string law_in_words(const SuiteCurve& curve) {
+  const SuiteEstimate& median = curve.pooled->median;
+  const SuiteEstimate& dispersion = curve.pooled->dispersion;
+  return "median " + at_intensity(curve.subject, value_and_interval(median.value, median.interval)) +
+         (curve.pooled->is_extrapolated ? " (extrapolated beyond the levels)" : "") + ", dispersion " +
+         value_and_interval(dispersion.value, dispersion.interval);
+}
+
+std::string law_sentence(const SuiteCurve& curve) {
+  if (!curve.pooled) {
+    std::string outcome(to_string(curve.outcome));
+    std::ranges::replace(outcome, '_', ' ');
+    return "No law of the suite is fitted: " + outcome + '.';
+  }
+  if (curve.outcome != stats::FragilityOutcome::rejected)
+    return "Lognormal law of the suite: " + law_in_words(curve) + '.';
+  return "The lognormal law (" + law_in_words(curve) +
+         ") is rejected: the curve shows the nearest shares that do not decrease.";
+}
+
+std::string description_of(const ReportedSuite& reported) {
+  const SuiteCurve& curve = reported.curve;
+  const std::string others = values_in_words(curve.subject.others);
+  return (others.empty() ? "P" : others + ": p") + "robability of " + probability_of(curve.subject.event) + ' ' +
+         shares_in_words(curve) + ". " + law_sentence(curve) + rate_sentence(reported) + uplift_sentence(curve.subject);
+}
+
+std::string description_of(const ReportedCurve& reported) {
+  const FragilityCurve& curve = reported.curve;
+  const std::string others = values_in_words(curve.subject.others);
+  const std::string text =
+      reported.run.title + (others.empty() ? "" : ", " + others) + ", " + probability_of(curve.subject.event);
+  if (is_isotonic(curve)) return text + ": the lognormal function is rejected; isotonic estimate.";
+  if (!curve.law) return text + ": no function fitted (" + std::string(to_string(curve.outcome)) + ").";
+  return text + ": median " + bounded_in_words(curve.law->median) +
+         (curve.law->is_extrapolated ? " (extrapolated beyond the levels)" : "") + ", dispersion " +
+         bounded_in_words(curve.law->dispersion) + '.' + uplift_sentence(curve.subject);
+}
+
+/// What the curves of a figure show.
+struct Content {
+  bool has_suite = false, has_curve = false, has_law = false, has_isotonic = false, has_rare = false;
+  std::set<std::string> events;    ///< `overturned`, or `peak tilt > 0.5`
+  std::set<std::string> subjects;  ///< the same as that of a probability
+};
+
+void add_to(Content& content, const ReportedSuite& reported) {
+  content.has_suite = true;
+  content.has_rare = content.has_rare || !reported.curve.rare.empty();
+}
+void add_to(Content& content, const ReportedCurve& reported) {
+  if (reported.curve.levels.empty()) return;
+  content.has_curve = true;
+  content.has_rare = content.has_rare || !reported.curve.rare.empty();
+  content.has_law = content.has_law || reported.curve.law;
+  content.has_isotonic = content.has_isotonic || is_isotonic(reported.curve);
+}
+
+Content content_of(const FragilityReport& report) {
+  Content content;
+  for (const auto& curve : report.curves) {
+    std::visit(
+        [&content](const auto& reported) {
+          add_to(content, reported);
+          content.events.insert(event_in_words(reported.curve.subject.event));
+          content.subjects.insert(probability_of(reported.curve.subject.event));
+        },
+        curve);
+  }
+  return content;
+}
+
+/// How to read the lines, as far as the figure has them.
+std::string caption_of_shares(const Content& content) {
+  std::string caption;
+  if (content.has_suite) {
+    caption =
+        "Thin grey lines: shares of the realisations of each record. Markers: their means over the records. Thick "
+        "lines and ribbons: the law of the suite, with scatter between and within records, or, where that is rejected, "
+        "the nearest shares that do not decrease; with the bootstrap interval over records at the levels, interpolated "
+        "between them.";
+  }
+  if (!content.has_curve) return caption;
+  if (!caption.empty()) caption += ' ';
+  const std::string event = content.events.size() == 1 ? *content.events.begin() : "";
+  caption += "Markers: share of the realisations " +
+             (event == event_in_words(FragilityEvent()) ? std::string("that overturned")
+              : event.empty()                           ? std::string("with the event of each curve")
+                                                        : "with " + event) +
+             ", with its exact interval.";
+  if (content.has_law) {
+    caption += " Lines and ribbons: the lognormal function of maximum likelihood, with its confidence band.";
+  }
+  if (content.has_isotonic) {
+    caption +=
+        " Steps and boxes: the most likely probabilities that do not decrease, with a band for all levels at once.";
+  }
+  return caption;
+}
+
+std::string caption_of(const Content& content) {
+  return caption_of_shares(content) +
+         (content.has_rare ? " Diamonds: probabilities that rocking rare estimated, with their intervals; no law is "
+                             "fitted to them."
+                           : "");
+}
+
+/// Draws the curves of a report one after another; those of a run share a panel.
+class Drawing {
+ public:
+  explicit Drawing(Figure& figure) : figure_(figure) {}
+
+  template <class Reported>
+  void add(const Reported& reported) {
+    if (reported.curve.levels.empty()) return;
+    const std::string quantity = "probability of " + probability_of(reported.curve.subject.event);
+    if (run_ != reported.run.experiment) {
+      figure_.panels.push_back(panel_for(reported));
+      run_ = reported.run.experiment;
+      number_ = 0;
+    } else if (figure_.panels.back().y.quantity != quantity) {
+      figure_.panels.back().y.quantity = "probability";
+    }
+    add_curve(reported, number_++, figure_);
+    figure_.description += (figure_.description.empty() ? "" : "\n") + description_of(reported);
+  }
+
+ private:
+  Figure& figure_;
+  std::optional<base::Sha256> run_;  ///< of the last panel
+  std::size_t number_ = 0;           ///< of the next curve in it
+};
+
+}  // namespace
+
+Figure fragility_figure(const FragilityReport& report) {
+  const Content content = content_of(report);
+  Figure figure;
+  figure.name = "fragility";
+  figure.title = "Probability" + (content.subjects.size() == 1 ? " of " + *content.subjects.begin() : "") +
+                 " as a function of intensity";
+  figure.caption = caption_of(content);
+  Drawing drawing(figure);
+  for (const auto& curve : report.curves) {
+    std::visit([&drawing](const auto& reported) { drawing.add(reported); }, curve);
+  }
+  if (figure.panels.size() == 1) figure.subtitle = std::exchange(figure.panels.front().title, "");
+  return figure;
+}
+
+}  // namespace rocking::analysis

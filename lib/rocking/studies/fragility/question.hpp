@@ -1,0 +1,211 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "rocking/api/run.hpp"
+#include "rocking/scene/experiment.hpp"
+#include "rocking/scene/hazard.hpp"
+#include "rocking/stats/interval.hpp"
+#include "rocking/studies/fragility/fragility_curve.hpp"
+#include "rocking/studies/fragility/stripes.hpp"
+#include "rocking/studies/fragility/suite_curve.hpp"
+
+/// Probability of overturning against intensity.
+namespace rocking {
+
+/// The part of a rate that comes from a range of intensity.
+struct RateInRange {
+  double from = 0.0;         ///< lower end of the range
+  std::optional<double> to;  ///< upper end; absent: no end
+  double rate = 0.0;         ///< [1/year]
+  double share = 0.0;        ///< of the whole rate
+  bool is_tested = false;    ///< lies between the lowest level that can lift the block and the highest level
+};
+
+/// Where the probabilities of a rate come from.
+enum class RateSource : std::uint8_t {
+  law,       ///< the fitted function
+  levels,    ///< of one motion without a function: the levels, interpolated linearly in ln x
+  isotonic,  ///< of a suite: the nearest means of shares that do not decrease, interpolated linearly in ln x
+  observed,  ///< of a suite: the means of shares, interpolated linearly in ln x
+  at_least,  ///< the same with the smaller of the means at both ends of each range; 0 below the levels
+  at_most,   ///< the same with the larger of them; 1 above the levels
+};
+
+/// The name of its enumerator.
+[[nodiscard]] std::string_view to_string(RateSource source);
+
+/// Mean annual rate of the event. Where the least intensity that lifts the block is known, it counts from there on.
+struct AnnualRate {
+  double value = 0.0;                       ///< [1/year]
+  std::optional<stats::Interval> interval;  ///< of the uncertainty of the probabilities; the hazard is taken as exact
+  RateSource source = RateSource::law;
+  /// What the law, or the levels of one motion without a law, gives below the least intensity that lifts the block; not
+  /// part of `value` [1/year].
+  double impossible = 0.0;
+  double below_levels = 0.0;          ///< the part of `value` below the lowest level that can lift the block [1/year]
+  std::vector<RateInRange> by_level;  ///< between neighbouring levels, and beyond them; by growing intensity
+  double untested_share = 0.0;        ///< of the ranges that are not tested
+  double probability_at_first = 0.0;  ///< at the lowest intensity of the hazard curve, below which nothing is counted
+  /// Below this intensity rare estimates give the probabilities, on a probit scale linear in ln x; absent: nowhere.
+  std::optional<double> rare_below;
+  std::optional<RareUse> rare_use;   ///< absent: there are no rare estimates
+  double extrapolated_hazard = 0.0;  ///< share of `value` from beyond the last point of the hazard curve
+  double within_hazard = 0.0;        ///< the rest of `value` [1/year]
+};
+
+/// A rate of a suite by one way of taking the probabilities from its outcomes.
+struct RateEstimate {
+  RateSource source = RateSource::law;
+  double value = 0.0;  ///< [1/year]
+  /// By the law: of its bootstrap samples over records, with what the levels leave undecided outside them. By shares:
+  /// what the levels allow, with a record that is not in the suite (stats/unseen_record.hpp).
+  std::optional<stats::Interval> interval;
+};
+
+/// What a record contributes to the rate of a suite.
+struct RateOfRecord {
+  std::string name;
+  double rate = 0.0;              ///< by its own shares, interpolated; the mean over the records is `observed` [1/year]
+  double share = 0.0;             ///< of the sum over the records
+  std::optional<double> without;  ///< the rate of the suite without it [1/year]; absent where that has no law
+};
+
+/// Shares of the rate, and differences of its estimates, that are not reported without a warning.
+inline constexpr double most_extrapolated_hazard = 0.05;
+inline constexpr double most_undecided_share = 0.05;
+inline constexpr double most_disagreement = 0.15;
+
+/// Mean annual rate of a suite, in several ways, and what decides it. Below the least intensity that lifts the block the
+/// probability is 0 in each; above the levels `isotonic` and `observed` stay at the last one.
+struct SuiteRate {
+  AnnualRate chosen;                    ///< by the RateBasis
+  std::vector<RateEstimate> estimates;  ///< by law (if there is one), isotonic, observed, at_least, at_most
+  /// Largest over smallest of law, isotonic and observed, less 1. Absent if the smallest is 0 and the largest is not.
+  std::optional<double> disagreement;
+  /// Part of `observed` that the levels leave open: in the ranges outside them the difference between the bounds, in
+  /// those between them the difference between linear and probit interpolation.
+  double undecided_share = 0.0;
+  std::vector<double> add_levels;  ///< intensities that would settle it; empty if nothing is open and the rates agree
+  std::vector<RateOfRecord> by_record;
+  std::optional<stats::Interval> leave_one_out;  ///< smallest and largest rate without one record
+  std::optional<stats::Interval> jackknife;      ///< of ln rate (Efron & Tibshirani 1993, chapter 11)
+
+  [[nodiscard]] bool do_estimates_agree() const { return disagreement && *disagreement <= most_disagreement; }
+  [[nodiscard]] bool is_decided() const { return undecided_share <= most_undecided_share; }
+};
+
+/// The rate of a suite with other values of the rest of the sweep, as another width or friction of the block, against
+/// that with the first ones: both by the same probabilities, and sample by sample of the bootstrap of their records. The
+/// intervals hold what the levels of both leave undecided.
+struct RateComparison {
+  std::vector<Parameter> base;
+  std::vector<Parameter> option;
+  FragilityEvent event;
+  RateSource source = RateSource::isotonic;                ///< of both rates
+  double difference = 0.0;                                 ///< rate of the option less that of the base [1/year]
+  std::optional<stats::Interval> interval = std::nullopt;  ///< of the difference, by bootstrap over records
+  std::optional<double> ratio = std::nullopt;  ///< rate of the option over that of the base; absent if that is 0
+  std::optional<stats::Interval> ratio_interval = std::nullopt;  ///< its upper end may be infinite
+};
+
+/// Integral of P(x) |dH(x)| of a curve of one motion. With a fitted function the interval is that of the logarithm of the
+/// rate by the delta method; otherwise it adds up the ends of the simultaneous intervals of the levels, on the assumption
+/// that the probability does not decrease: below the lowest level 0 and above the highest 1 are possible.
+[[nodiscard]] AnnualRate annual_rate(const FragilityCurve& curve, const HazardCurve& hazard);
+
+/// What gives the probabilities of the rate of a suite.
+enum class RateBasis : std::uint8_t {
+  law_if_fitted,  ///< the law, unless there is none or it is rejected; then the isotonic shares
+  isotonic,       ///< these, as where the law does not hold for every option
+};
+
+/// Of a suite. The intervals are those of its bootstrap samples over records, and hold what the levels leave undecided
+/// (lib/docs/fragility.md).
+[[nodiscard]] SuiteRate annual_rate(const SuiteCurve& curve, const HazardCurve& hazard,
+                                    RateBasis basis = RateBasis::law_if_fitted);
+
+/// The swept intensity with the periods that the experiment states, as a hazard curve names it: `sa_g[0.5]`; empty if
+/// none is swept.
+[[nodiscard]] std::string swept_measure(const Experiment& experiment);
+/// The periods of the spectral acceleration that is swept [s]; empty: none.
+[[nodiscard]] std::vector<double> measure_periods(const Experiment& experiment);
+
+struct RunOptions;
+
+/// The curve of one motion; with the annual rate where a hazard curve is given.
+struct ShownCurve {
+  FragilityCurve curve;
+  std::optional<AnnualRate> rate = std::nullopt;
+};
+
+/// The curve of a suite; with the annual rate where a hazard curve is given.
+struct ShownSuite {
+  SuiteCurve curve;
+  std::optional<SuiteRate> rate = std::nullopt;
+};
+
+/// The curves of a run.
+struct RunFragility {
+  Experiment experiment;
+  std::vector<ShownCurve> curves = {};
+  std::vector<ShownSuite> suites = {};
+  std::vector<IncrementalAnalysis> incremental = {};
+  std::vector<RateComparison> comparisons = {};  ///< of suites with a hazard curve, with the first of each event
+};
+
+/// A rare estimate, and the curve to which it belongs.
+struct RareOfCurve {
+  struct OfRecord {
+    std::string name;  ///< of the ground motion
+    RareLevel level;
+  };
+  std::vector<Parameter> others;  ///< CurveSubject::others
+  FragilityEvent event;
+  RareLevel level;                     ///< of a suite: the mean over the records
+  std::vector<OfRecord> records = {};  ///< of a suite: those whose probability is not 0
+};
+
+/// What is asked of a run beside the probability of overturning.
+struct FragilityQuestion {
+  std::vector<double> peak_tilts = {};        ///< also the probability that abs(Theta) exceeds each; > 0
+  std::optional<HazardCurve> hazard = {};     ///< gives the mean annual rates
+  std::vector<RareOfCurve> rare = {};         ///< small probabilities of the same blocks under the same motions
+  bool incremental = false;                   ///< also the peak tilt against intensity for each record
+  std::vector<RecordMetadata> metadata = {};  ///< of the records of suites; gives how sufficient measures are
+};
+
+/// Probability of overturning as a function of the swept intensity, and what else is asked. Throws base::InputError if
+/// the experiment sweeps no intensity, has no fixed number of realisations, or is not finished, or if a number is out
+/// of range, and base::Stopped if it is asked to stop. Uses `threads`, `on_progress` and `stop` of the execution;
+/// progress counts parts of about equal work.
+[[nodiscard]] ROCKING_API RunFragility fragility(const Experiment& experiment, const RunResult& run,
+                                                 const FragilityQuestion& question = {},
+                                                 const Execution& execution = {});
+
+/// The same as JSON text (`rocking.fragility/1`).
+[[nodiscard]] ROCKING_API std::string fragility_text(const RunFragility& found);
+
+/// Reads a hazard curve: a line with an intensity and its annual rate, or probability, of exceedance for each point; the
+/// first line names both (lib/docs/formats.md). `reading`: what the file leaves open. Throws base::InputError with the
+/// line of a fault, and std::system_error where the file cannot be read.
+[[nodiscard]] ROCKING_API HazardCurve hazard_curve(const std::filesystem::path& file,
+                                                   const HazardReading& reading = {});
+
+/// The probabilities of a `rare.json` that belong to curves of a run of this experiment, for `FragilityQuestion::rare`:
+/// those > 0 with the same block, motion, horizon and accuracy, at any intensity; of a suite the means over its records.
+/// Throws base::InputError if there are none, if one probability is estimated twice, if estimates under some of the records
+/// are missing, if the experiment has no text, or if the file is none, and std::system_error where it cannot be read.
+[[nodiscard]] ROCKING_API std::vector<RareOfCurve> rare_levels(const std::filesystem::path& file,
+                                                               const Experiment& experiment);
+
+/// Reads magnitudes and distances of records, for `FragilityQuestion::metadata`: lines of `file`, `magnitude`,
+/// `distance_km`, of which the first names the columns. Throws base::InputError with the place of each fault, and
+/// std::system_error where the file cannot be read.
+[[nodiscard]] ROCKING_API std::vector<RecordMetadata> record_metadata(const std::filesystem::path& file);
+
+}  // namespace rocking

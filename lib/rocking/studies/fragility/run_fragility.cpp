@@ -1,0 +1,200 @@
+#include "rocking/studies/fragility/run_fragility.hpp"
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+
+#include "rocking/base/error.hpp"
+#include "rocking/base/number_text.hpp"
+#include "rocking/ensemble/run.hpp"
+#include "rocking/studies/fragility/fragility.hpp"
+#include "rocking/studies/fragility/suite_fragility.hpp"
+#include "rocking/studies/fragility/suite_rate.hpp"
+
+namespace rocking {
+namespace {
+
+/// The periods of the spectral acceleration that is swept; empty: none.
+std::vector<double> measure_periods(const Scene& scene) {
+  const auto* recorded = std::get_if<Recorded>(&scene.excitation);
+  return recorded == nullptr ? std::vector<double>() : recorded->measure_periods;
+}
+
+/// Throws where conditions have different periods: a hazard curve is that of one spectral acceleration.
+void check_one_period(const HazardCurve& hazard, const Experiment& experiment) {
+  const std::vector<double> first = measure_periods(experiment.conditions.front().scene);
+  const bool is_one = std::ranges::all_of(experiment.conditions, [&first](const Condition& condition) {
+    return measure_periods(condition.scene) == first;
+  });
+  if (is_one) return;
+  throw base::InputError({.place = hazard.name,
+                          .value = "",
+                          .reason = "is a curve of one spectral acceleration, but the sweep changes its period",
+                          .remedy = "make a run for each period, with the hazard curve of each",
+                          .where = {}});
+}
+
+/// Throws where the hazard curve is one of another intensity measure than that of the run.
+void check_intensity(const HazardCurve& hazard, const Experiment& experiment) {
+  const std::string own = swept_measure(experiment);
+  if (hazard.intensity == own) return;
+  const bool lacks_period = own.starts_with(hazard.intensity + '[');
+  const std::string line = hazard.header_line == 0 ? "" : ", line " + std::to_string(hazard.header_line);
+  throw base::InputError({.place = hazard.name + line,
+                          .value = hazard.intensity,
+                          .reason = lacks_period ? "does not state its period; the run sweeps " + own
+                                                 : "is not the intensity measure of the run, which is " + own,
+                          .remedy = "give a hazard curve in " + own + " with the header \"" + own + ", annual_rate\"" +
+                                    (lacks_period ? "" : ", or a run that sweeps " + hazard.intensity),
+                          .where = {}});
+}
+
+/// The parts of all curves, and how far they are.
+class Progress {
+ public:
+  Progress(const std::vector<StripeGroup>& groups, std::size_t events, const RunOptions& options) : options_(options) {
+    for (const StripeGroup& group : groups) all_ += events * parts_of(group);
+    how_ = {.threads = options.threads, .stop = options.stop_requested, .on_part = [this] { show(done_ + 1); }};
+  }
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  [[nodiscard]] const base::ManyParts& how() const { return how_; }
+  /// A curve of this group is finished; it may have had fewer parts than it could.
+  void finish(const StripeGroup& group) { show(finished_ += parts_of(group)); }
+
+ private:
+  static std::uint64_t parts_of(const StripeGroup& group) {
+    return group.is_suite() ? parts_of_suite_curve(group) : fragility_samples;
+  }
+  void show(std::uint64_t done) {
+    done_ = done;
+    if (options_.on_progress) options_.on_progress(done_, all_);
+  }
+
+  const RunOptions& options_;
+  base::ManyParts how_;
+  std::uint64_t all_ = 0, done_ = 0, finished_ = 0;
+};
+
+/// The rates of suites. Those about one event have one basis: a law that does not hold for each of them is none.
+void set_rates(const HazardCurve& hazard, RunFragility& run) {
+  const auto has_no_law = [](const ShownSuite& shown) {
+    return shown.curve.outcome != stats::FragilityOutcome::fitted;
+  };
+  for (ShownSuite& shown : run.suites) {
+    const bool is_by_law = std::ranges::none_of(run.suites, [&](const ShownSuite& other) {
+      return other.curve.subject.event == shown.curve.subject.event && has_no_law(other);
+    });
+    shown.rate = annual_rate(shown.curve, hazard, is_by_law ? RateBasis::law_if_fitted : RateBasis::isotonic);
+  }
+}
+
+RateBasis basis_of(const ShownSuite& shown) {
+  return shown.rate.value().chosen.source == RateSource::law ? RateBasis::law_if_fitted : RateBasis::isotonic;
+}
+
+/// Each suite of a later group with that of the first one about the same event.
+void compare(const HazardCurve& hazard, RunFragility& run) {
+  for (const ShownSuite& shown : run.suites) {
+    const auto base = std::ranges::find_if(
+        run.suites, [&](const ShownSuite& other) { return other.curve.subject.event == shown.curve.subject.event; });
+    if (&*base == &shown) continue;
+    run.comparisons.push_back(compared_rates(base->curve, shown.curve, hazard, basis_of(shown)));
+  }
+}
+
+/// The rare estimates of a curve, by growing intensity.
+std::vector<RareOfCurve> rare_of(const CurveSubject& subject, const std::vector<RareOfCurve>& all) {
+  std::vector<RareOfCurve> found;
+  for (const RareOfCurve& one : all) {
+    const bool is_same = one.event == subject.event &&
+                         std::ranges::equal(one.others, subject.others, {}, &Parameter::value, &Parameter::value);
+    if (is_same) found.push_back(one);
+  }
+  std::ranges::sort(found, {}, [](const RareOfCurve& one) { return one.level.intensity; });
+  return found;
+}
+
+void add_rare(const std::vector<RareOfCurve>& all, FragilityCurve& curve) {
+  for (const RareOfCurve& one : rare_of(curve.subject, all)) curve.rare.push_back(one.level);
+}
+
+void add_rare(const std::vector<RareOfCurve>& all, SuiteCurve& curve) {
+  for (const RareOfCurve& one : rare_of(curve.subject, all)) {
+    curve.rare.push_back(one.level);
+    for (const RareOfCurve::OfRecord& of_record : one.records) {
+      const auto record = std::ranges::find(curve.records, of_record.name, &RecordCurve::name);
+      if (record == curve.records.end()) {
+        throw base::InputError({"rare", of_record.name, "is no ground motion of the run", "omit it"});
+      }
+      record->curve.rare.push_back(of_record.level);
+    }
+  }
+}
+
+void add_curve(const StripeGroup& group, const FragilityEvent& event, const FragilityQuestion& question,
+               const base::ManyParts& how, RunFragility& run) {
+  if (group.is_suite()) {
+    ShownSuite& shown = run.suites.emplace_back(
+        ShownSuite{.curve = suite_curve(group, event, run.experiment.seed, question.metadata, how)});
+    add_rare(question.rare, shown.curve);
+  } else {
+    ShownCurve& shown = run.curves.emplace_back(ShownCurve{.curve = fragility(group, event, run.experiment.seed, how)});
+    add_rare(question.rare, shown.curve);
+    if (question.hazard) shown.rate = annual_rate(shown.curve, *question.hazard);
+  }
+}
+
+}  // namespace
+
+std::vector<double> measure_periods(const Experiment& experiment) {
+  return measure_periods(experiment.conditions.front().scene);
+}
+
+std::string swept_measure(const Experiment& experiment) {
+  const std::string_view pointer = intensity_of(experiment);
+  std::string text(pointer.substr(pointer.rfind('/') + 1));
+  // The period of Sa(2 pi/p) follows from the block.
+  if (text == "sa_p_g") return text;
+  const std::vector<double> periods = measure_periods(experiment);
+  for (std::size_t i = 0; i < periods.size(); ++i) text += (i == 0 ? '[' : '-') + base::shortest(periods[i]);
+  return periods.empty() ? text : text + ']';
+}
+
+RunFragility run_fragility(const Experiment& experiment, const std::vector<StripeGroup>& groups,
+                           const FragilityQuestion& question, const RunOptions& options) {
+  if (question.hazard) {
+    check_intensity(*question.hazard, experiment);
+    check_one_period(*question.hazard, experiment);
+  }
+  std::vector<FragilityEvent> events(1);  // overturning
+  for (const double tilt : question.peak_tilts) events.push_back({.peak_tilt = tilt});
+  RunFragility run{.experiment = experiment};
+  Progress progress(groups, events.size(), options);
+  for (const StripeGroup& group : groups) {
+    for (const FragilityEvent& event : events) {
+      add_curve(group, event, question, progress.how(), run);
+      progress.finish(group);
+    }
+    if (question.incremental) run.incremental.push_back(incremental_analysis(group));
+  }
+  const auto has_rare = [](const auto& shown) { return !shown.curve.rare.empty(); };
+  if (!question.rare.empty() && std::ranges::none_of(run.curves, has_rare) &&
+      std::ranges::none_of(run.suites, has_rare)) {
+    throw base::InputError(
+        {"rare", "", "has no estimate of an event that is asked for", "ask for the same --peak-tilt"});
+  }
+  if (question.hazard) {
+    set_rates(*question.hazard, run);
+    compare(*question.hazard, run);
+  }
+  if (!question.metadata.empty() && run.suites.empty()) {
+    throw base::InputError({"metadata", "", "needs a suite of ground motions", "omit it, or give a run of a suite"});
+  }
+  return run;
+}
+
+}  // namespace rocking

@@ -1,0 +1,83 @@
+#include "rocking/studies/fragility/sheet.hpp"
+
+#include <utility>
+
+#include "analysis/draw.hpp"
+#include "analysis/printed_page.hpp"
+#include "rocking/api/refuse.hpp"
+#include "rocking/api/run_store.hpp"
+#include "rocking/base/build_info.hpp"
+#include "rocking/output/report.hpp"
+#include "rocking/studies/fragility/annual_rate_table.hpp"
+#include "rocking/studies/fragility/figure.hpp"
+#include "rocking/studies/fragility/sheet_page.hpp"
+#include "rocking/text/files.hpp"
+
+namespace rocking {
+namespace {
+
+/// The suites about overturning that have a rate.
+std::vector<ReportedSuite> suites_with_rate(const FragilityReport& report) {
+  std::vector<ReportedSuite> suites;
+  for (const auto& curve : report.curves) {
+    const auto* suite = std::get_if<ReportedSuite>(&curve);
+    const bool is_shown = suite != nullptr && suite->rate && !suite->curve.subject.event.peak_tilt;
+    if (is_shown) suites.push_back(*suite);
+  }
+  return suites;
+}
+
+std::vector<ReportedComparison> of_overturning(const FragilityReport& report) {
+  std::vector<ReportedComparison> comparisons;
+  for (const ReportedComparison& each : report.comparisons) {
+    if (!each.comparison.event.peak_tilt) comparisons.push_back(each);
+  }
+  return comparisons;
+}
+
+/// The curves of the suites, without titles.
+analysis::Figure curves_of(const std::vector<ReportedSuite>& suites) {
+  FragilityReport report;
+  report.curves.assign(suites.begin(), suites.end());
+  analysis::Figure figure = analysis::fragility_figure(report);
+  figure.title = figure.subtitle = "";
+  return figure;
+}
+
+}  // namespace
+
+Sheet write_fragility_sheet(const StoredRun& stored, const RunFragility& found, const HazardCurve& hazard,
+                            const std::filesystem::path& file, const std::string& command, base::StopRequest stop) {
+  const FragilityReport report = fragility_report({found});
+  std::vector<ReportedSuite> suites = suites_with_rate(report);
+  if (suites.empty()) refuse("sheet", "", "needs a suite of ground motions and a hazard curve");
+  const Report run = report_of(stored.experiment, complete_result(stored.experiment, stored.run), {});
+  Sheet written;
+  const auto note = [&written](const analysis::Drawing& drawing) {
+    if (!drawing.is_drawn()) written.not_drawn.push_back(drawing.reason);
+  };
+  analysis::Drawing drawing;
+  analysis::FigureLook look = analysis::journal_look(analysis::JournalWidth::double_column);
+  look.axes_heights.fill(180.0);
+  std::string picture = analysis::picture_of(curves_of(suites), "png", drawing, stop, look);
+  note(drawing);
+  std::string text = analysis::sheet_text({.run = run,
+                                           .suites = std::move(suites),
+                                           .comparisons = of_overturning(report),
+                                           .hazard = {.file = hazard.name,
+                                                      .in_words = hazard_in_words(hazard),
+                                                      .periods = measure_periods(stored.experiment)},
+                                           .curve_png = std::move(picture),
+                                           .program = base::code_identity(),
+                                           .command = command});
+  if (file.extension() == ".pdf") {
+    text = analysis::pdf_of(text, drawing, stop);
+    note(drawing);
+    if (!drawing.is_drawn()) return written;
+  }
+  write_atomically(file, text);
+  written.is_written = true;
+  return written;
+}
+
+}  // namespace rocking

@@ -1,0 +1,234 @@
+#include "rocking/studies/fragility/stripes.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <tuple>
+#include <variant>
+
+#include "rocking/base/error.hpp"
+#include "rocking/dynamics/block.hpp"
+#include "rocking/scene/ground_motion_peaks.hpp"
+#include "rocking/scene/response_spectrum.hpp"
+#include "rocking/store/store.hpp"
+#include "rocking/studies/fragility/least_uplift.hpp"
+
+namespace rocking {
+namespace {
+
+constexpr std::string_view record_pointer = "/excitation/file";
+
+double number_in(const std::string& json) {
+  double number = 0.0;
+  std::from_chars(json.data(), json.data() + json.size(), number);
+  return number;
+}
+
+/// The name of the ground motion of a condition that a sweep of records gave.
+std::string record_of(const Scene& scene) {
+  const auto* recorded = std::get_if<Recorded>(&scene.excitation);
+  return recorded != nullptr && recorded->ground_motion ? recorded->ground_motion->name : "";
+}
+
+/// The stripe and the group to which a condition belongs.
+struct Place {
+  double intensity = 0.0;
+  std::string record;
+  std::vector<Parameter> others;
+};
+
+Place place_of(const Condition& condition, std::string_view intensity) {
+  Place place;
+  for (const Parameter& parameter : condition.parameters) {
+    if (parameter.pointer == intensity) {
+      place.intensity = number_in(parameter.value);
+    } else if (parameter.pointer == record_pointer) {
+      place.record = record_of(condition.scene);
+    } else {
+      place.others.push_back(parameter);
+    }
+  }
+  return place;
+}
+
+bool are_equal(const std::vector<Parameter>& a, const std::vector<Parameter>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const Parameter& x, const Parameter& y) { return x.value == y.value; });
+}
+
+/// By records, in the order in which they come, and those of a record by growing intensity.
+void sort(std::vector<Stripe>& stripes) {
+  std::map<std::string, std::size_t> numbers;
+  for (const Stripe& stripe : stripes) numbers.try_emplace(stripe.record, numbers.size());
+  std::stable_sort(stripes.begin(), stripes.end(), [&numbers](const Stripe& a, const Stripe& b) {
+    return std::tuple(numbers.at(a.record), a.intensity) < std::tuple(numbers.at(b.record), b.intensity);
+  });
+}
+
+/// Spectral accelerations over g of ground motions at scale 1; each is computed once.
+class Spectra {
+ public:
+  double at(const GroundMotion& motion, double period) {
+    const auto [found, is_new] = known_.try_emplace({&motion, period, 0.0}, 0.0);
+    if (is_new) found->second = spectral_acceleration(motion.samples, period, OscillatorAcceleration::pseudo);
+    return found->second;
+  }
+  double average(const GroundMotion& motion, double first, double last) {
+    const auto [found, is_new] = known_.try_emplace({&motion, first, last}, 0.0);
+    if (is_new) found->second = average_spectral_acceleration(motion.samples, first, last);
+    return found->second;
+  }
+
+ private:
+  std::map<std::tuple<const GroundMotion*, double, double>, double> known_;
+};
+
+/// Measures of a motion that does not change with the realisation.
+void set_measures(const Scene& scene, std::string_view intensity, Spectra& spectra, Stripe& stripe) {
+  const auto* recorded = std::get_if<Recorded>(&scene.excitation);
+  if (recorded == nullptr || !recorded->ground_motion || is_drawn(recorded->scale)) return;
+  const double scale = mean_of(recorded->scale);
+  const dynamics::Block block = mean_block(scene);
+  const dynamics::Geometry shape = dynamics::geometry_of(block);
+  const double pga = scale * peak_acceleration(recorded->ground_motion->samples);
+  const double pgv = scale * peak_velocity(recorded->ground_motion->samples, block.gravity);
+  const GroundMotion& motion = *recorded->ground_motion;
+  const double own = 2.0 * std::numbers::pi / shape.frequency_parameter;
+  const std::vector<double>& periods = recorded->measure_periods;
+  const bool has_range = periods.size() == 2;
+  stripe.measures = {pga,
+                     pgv,
+                     pga / shape.tangent,
+                     shape.frequency_parameter * pgv / (block.gravity * shape.tangent),
+                     scale * spectra.at(motion, own),
+                     periods.size() == 1 && periods.front() != own
+                         ? std::optional(scale * spectra.at(motion, periods.front()))
+                         : std::nullopt,
+                     scale * spectra.average(motion, has_range ? periods[0] : 0.1 * own, has_range ? periods[1] : own),
+                     intensity == "/excitation/sa_absolute_g" ? std::optional(stripe.intensity) : std::nullopt};
+}
+
+/// The outcomes of all conditions. Throws InputError if the store lacks a realisation.
+std::vector<Stripe> filled(const Experiment& experiment, const Store& store) {
+  std::vector<Stripe> stripes(experiment.conditions.size());
+  std::uint64_t missing = 0;
+  for (std::size_t i = 0; i < stripes.size(); ++i) {
+    const std::uint64_t realisations = effective_realisations(experiment.conditions[i]);
+    stripes[i].overturned.resize(realisations);
+    stripes[i].peak_tilts.resize(realisations);
+    stripes[i].without_answer.resize(realisations);
+    missing += realisations;
+  }
+  store.for_each([&](const RealisationKey& key, const Summary& summary) {
+    if (key.condition >= stripes.size() || key.realisation >= stripes[key.condition].overturned.size()) return;
+    Stripe& stripe = stripes[key.condition];
+    stripe.overturned[key.realisation] = summary.mode.kind == section::ResponseKind::overturned;
+    stripe.peak_tilts[key.realisation] = summary.peaks.tilt;
+    stripe.without_answer[key.realisation] = summary.has_no_answer();
+    --missing;
+  });
+  if (missing > 0) {
+    throw base::InputError({.place = "realisations.sqlite",
+                            .value = "",
+                            .reason = "lacks " + std::to_string(missing) + " realisations",
+                            .remedy = "`rocking resume` finishes the run"});
+  }
+  return stripes;
+}
+
+}  // namespace
+
+std::string_view to_string(IntensityMeasure measure) {
+  switch (measure) {
+    case IntensityMeasure::pga: return "pga_g";
+    case IntensityMeasure::pgv: return "pgv_m_s";
+    case IntensityMeasure::pga_ratio: return "pga_over_g_tan_psi";
+    case IntensityMeasure::pgv_ratio: return "p_pgv_over_g_tan_psi";
+    case IntensityMeasure::sa_p: return "sa_p_g";
+    case IntensityMeasure::sa: return "sa_g";
+    case IntensityMeasure::avgsa: return "avgsa_g";
+    case IntensityMeasure::sa_absolute: break;
+  }
+  return "sa_absolute_g";
+}
+
+std::vector<std::span<const Stripe>> StripeGroup::by_record() const {
+  std::vector<std::span<const Stripe>> records;
+  for (auto begin = stripes.begin(); begin != stripes.end();) {
+    const auto end =
+        std::find_if(begin, stripes.end(), [&](const Stripe& other) { return other.record != begin->record; });
+    records.emplace_back(begin, end);
+    begin = end;
+  }
+  return records;
+}
+
+std::optional<double> StripeGroup::least_uplift() const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Stripe& stripe : stripes) {
+    if (!stripe.uplift) return std::nullopt;
+    least = std::min(least, *stripe.uplift);
+  }
+  return std::isinf(least) ? std::nullopt : std::optional(least);
+}
+
+CurveSubject subject_of(const StripeGroup& group, const FragilityEvent& event) {
+  return {.parameter = group.parameter,
+          .others = group.others,
+          .confidence = group.confidence,
+          .event = event,
+          .least_uplift = group.least_uplift()};
+}
+
+stats::IntensityLevel level_of(const Stripe& stripe, const FragilityEvent& event) {
+  stats::IntensityLevel level{.intensity = stripe.intensity, .happened = stripe.overturned};
+  for (std::size_t j = 0; event.peak_tilt && j < level.happened.size(); ++j) {
+    level.happened[j] = level.happened[j] || stripe.peak_tilts[j] > *event.peak_tilt;
+  }
+  for (std::size_t j = 0; j < stripe.without_answer.size(); ++j) {
+    level.unresolved += stripe.without_answer[j] && !level.happened[j] ? 1 : 0;
+  }
+  return level;
+}
+
+std::string_view intensity_of(const Experiment& experiment) {
+  for (const Parameter& parameter : experiment.conditions.front().parameters) {
+    const auto found = std::find(all_intensity_pointers.begin(), all_intensity_pointers.end(), parameter.pointer);
+    if (found != all_intensity_pointers.end()) return *found;
+  }
+  return {};
+}
+
+std::vector<StripeGroup> stripes_of(const Experiment& experiment, const Store& store) {
+  const std::string_view intensity = intensity_of(experiment);
+  ROCKING_EXPECT(!intensity.empty());
+  std::vector<StripeGroup> groups;
+  std::vector<Stripe> stripes = filled(experiment, store);
+  Spectra spectra;
+  for (std::size_t i = 0; i < stripes.size(); ++i) {
+    Place place = place_of(experiment.conditions[i], intensity);
+    if (!(place.intensity > 0.0)) continue;
+    auto group = std::find_if(groups.begin(), groups.end(),
+                              [&](const StripeGroup& known) { return are_equal(known.others, place.others); });
+    if (group == groups.end()) {
+      groups.push_back({.parameter = std::string(intensity),
+                        .others = std::move(place.others),
+                        .confidence = experiment.conditions[i].confidence,
+                        .stripes = {}});
+      group = std::prev(groups.end());
+    }
+    stripes[i].record = std::move(place.record);
+    stripes[i].intensity = place.intensity;
+    stripes[i].shaking = shaking_of(experiment.conditions[i].scene);
+    stripes[i].uplift = least_uplift(experiment.conditions[i].scene, place.intensity);
+    set_measures(experiment.conditions[i].scene, intensity, spectra, stripes[i]);
+    group->stripes.push_back(std::move(stripes[i]));
+  }
+  for (StripeGroup& group : groups) sort(group.stripes);
+  return groups;
+}
+
+}  // namespace rocking

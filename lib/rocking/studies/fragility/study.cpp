@@ -1,0 +1,310 @@
+#include "rocking/studies/fragility/study.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+#include <utility>
+
+#include "rocking/api/questions.hpp"
+#include "rocking/api/run_options.hpp"
+#include "rocking/base/error.hpp"
+#include "rocking/base/number_text.hpp"
+#include "rocking/output/ground_motion_facts.hpp"
+#include "rocking/studies/fragility/annual_rate_table.hpp"
+#include "rocking/studies/fragility/figure.hpp"
+#include "rocking/studies/fragility/incremental_figure.hpp"
+#include "rocking/studies/fragility/result.hpp"
+#include "rocking/studies/fragility/run_fragility.hpp"
+#include "rocking/studies/fragility/sheet.hpp"
+#include "rocking/studies/fragility/table.hpp"
+#include "rocking/text/spelling.hpp"
+
+namespace rocking {
+namespace {
+
+const Rule tilt_rule{.least = 1e-9, .most = 1e9};
+
+const StructType& rare_level_fields() {
+  static const StructType fields{
+      "RareLevel",
+      field<&RareLevel::intensity>("intensity", "of the excitation", rule::positive),
+      field<&RareLevel::probability>("probability", "of the event", rule::confidence),
+      field<&RareLevel::interval, &stats::Interval::low>("low", "of the probability", rule::share),
+      field<&RareLevel::interval, &stats::Interval::high>("high", "of the probability", rule::share),
+      // All of the sum in one repetition gives 1, but for rounding.
+      field<&RareLevel::relative_error>("relative_error", "standard error over the probability",
+                                        Rule{.above = 0.0, .most = 1.000001}),
+      field<&RareLevel::degrees_of_freedom>("degrees_of_freedom", "of the error", Rule{.least = 1.0}),
+  };
+  return fields;
+}
+
+const StructType& rare_record_fields() {
+  using OfRecord = RareOfCurve::OfRecord;
+  static const StructType fields{
+      "RareOfRecord",
+      field<&OfRecord::name>("name", "of the ground motion"),
+      field<&OfRecord::level>("level", "under it", rare_level_fields()),
+  };
+  return fields;
+}
+
+const StructType& rare_of_curve_fields() {
+  static const StructType fields{
+      "RareOfCurve",
+      field<&RareOfCurve::event, &FragilityEvent::peak_tilt>("peak_tilt", "of the event; absent: overturning",
+                                                             tilt_rule),
+      field<&RareOfCurve::level>("level", "of a suite the mean over the records", rare_level_fields()),
+      field<&RareOfCurve::records>("records", "of a suite", list_of<RareOfCurve::OfRecord, rare_record_fields>()),
+  };
+  return fields;
+}
+
+const StructType& metadata_fields() {
+  static const StructType fields{
+      "RecordMetadata",
+      field<&RecordMetadata::file>("file", "as in the experiment, or its last part"),
+      field<&RecordMetadata::magnitude>("magnitude", "moment magnitude"),
+      field<&RecordMetadata::distance_km>("distance_km", "from the source", rule::positive),
+  };
+  return fields;
+}
+
+}  // namespace
+
+const StructType& fields_of(const FragilityQuestion*) {
+  using Type = FragilityQuestion;
+  static const StructType fields{
+      "FragilityQuestion",
+      asked(field<&Type::peak_tilts>(
+                "peak_tilts", "Also the probability that the peak of abs(theta)/psi exceeds A; several: 0.3,0.5,1",
+                tilt_rule),
+            {.names = "--peak-tilt", .letter = "A", .kind = FlagKind::commas}),
+      field<&Type::rare>("rare", "small probabilities of the same blocks",
+                         list_of<RareOfCurve, rare_of_curve_fields>()),
+      field<&Type::metadata>("metadata", "of the records of suites", list_of<RecordMetadata, metadata_fields>()),
+      asked(field<&Type::incremental>("incremental", "Also the peak tilt against intensity for each record"),
+            {.names = "--ida", .kind = FlagKind::on}),
+  };
+  return fields;
+}
+
+namespace {
+
+/// A question, with the files that it is read from, and how the answer is shown.
+struct RunsQuestion {
+  FragilityQuestion question;
+  std::optional<std::string> hazard;
+  std::optional<double> years;
+  std::optional<std::string> imt;
+  std::optional<std::string> metadata;
+  std::optional<std::string> rare;  ///< folder of rare.json, or the file
+  std::optional<std::string> sheet;
+  bool suggest = false;
+  bool per_record = false;
+};
+
+const StructType& fields_of(const RunsQuestion*) {
+  using Type = RunsQuestion;
+  static const StructType fields{
+      "RunsQuestion",
+      inlined<&Type::question>(),
+      asked(
+          field<&Type::hazard>("hazard",
+                               "Hazard curve (CSV: intensity, annual_rate or poe; its header names measure and kind): "
+                               "gives the mean annual rate"),
+          {.names = "--hazard", .letter = "FILE"}),
+      asked(field<&Type::years>(
+                "years",
+                "With --hazard: the years of its probabilities of exceedance, where the file does not state them"),
+            {.names = "--years", .letter = "T", .needs = "--hazard"}),
+      asked(
+          field<&Type::imt>("imt",
+                            "With --hazard: the intensity measure of the file, where it does not name it, such as PGA "
+                            "or SA(0.5)"),
+          {.names = "--imt", .letter = "MEASURE", .needs = "--hazard"}),
+      asked(field<&Type::metadata>("metadata_file",
+                                   "Magnitudes and distances of the records (CSV: file, magnitude, distance_km): says "
+                                   "which measures of intensity are sufficient"),
+            {.names = "--metadata", .letter = "FILE"}, "metadata"),
+      asked(
+          field<&Type::rare>("rare_file",
+                             "Folder with the rare.json of `rocking rare` for lower intensities of the same block and "
+                             "motion, or suite of motions: the annual rate takes its probabilities below the levels "
+                             "with ten events"),
+          {.names = "--rare", .letter = "DIR"}, "rare"),
+      asked(field<&Type::suggest>("suggest",
+                                  "Print only the intensities that would settle the rate of a suite, as a command"),
+            {.names = "--suggest", .kind = FlagKind::on}, no_keyword),
+      asked(field<&Type::sheet>("sheet",
+                                "With --hazard: the answer about a suite as one page of A4; FILE ends with .pdf or "
+                                ".html"),
+            {.names = "--sheet", .letter = "FILE", .kind = FlagKind::new_file}, no_keyword),
+      asked(field<&Type::per_record>("per_record", "List each record of a suite"),
+            {.names = "--per-record", .kind = FlagKind::on}, no_keyword),
+  };
+  return fields;
+}
+
+void expect_sensible(const Subject& subject, const RunsQuestion& question) {
+  if (!question.hazard && question.suggest) throw UnfitQuestion("--suggest: needs a rate; add --hazard FILE");
+  if (!question.sheet) return;
+  if (!question.hazard) throw UnfitQuestion("--sheet: needs a rate; add --hazard FILE");
+  if (subject.runs.size() > 1) throw UnfitQuestion("--sheet: is about one run; name one folder");
+  const std::string ending = std::filesystem::path(*question.sheet).extension().string();
+  if (ending != ".pdf" && ending != ".html") {
+    throw UnfitQuestion("--sheet " + *question.sheet + ": must end with .pdf or .html");
+  }
+}
+
+void check(const Subject& subject, RunsQuestion& question) {
+  expect_sensible(subject, question);
+  if (question.hazard) {
+    question.question.hazard = hazard_curve(*question.hazard, {.years = question.years, .measure = question.imt});
+  }
+  if (question.metadata) question.question.metadata = record_metadata(*question.metadata);
+}
+
+/// The question about a run, with the rare estimates of its curves.
+FragilityQuestion question_about(const Experiment& experiment, const RunsQuestion& asked) {
+  FragilityQuestion question = asked.question;
+  if (!asked.rare) return question;
+  const std::filesystem::path rare = *asked.rare;
+  question.rare = rare_levels(std::filesystem::is_directory(rare) ? rare / "rare.json" : rare, experiment);
+  return question;
+}
+
+RunFragility curves_of(const NamedRun& run, const RunsQuestion& asked, const Execution& execution) {
+  try {
+    const Experiment& experiment = run.stored.experiment;
+    return fragility(experiment, run.stored.run, question_about(experiment, asked), execution);
+  } catch (const base::InputError& error) {
+    const base::Problem& problem = error.problems().front();
+    if (!problem.place.starts_with('/')) throw;                         // of the hazard curve or the metadata
+    throw UnfitQuestion(run.folder + ": " + base::to_string(problem));  // the run answers another question
+  }
+}
+
+/// A command for a run that its suites need more levels of; empty: none is needed.
+std::string suggestions(const RunFragility& found, const std::string& folder) {
+  if (found.suites.empty()) throw UnfitQuestion("--suggest: " + folder + " has no suite of ground motions");
+  std::set<double> levels;
+  std::set<double> rare;  // sampling would not see the event
+  for (const ShownSuite& suite : found.suites) {
+    const double least = suite.rate->chosen.rare_below.value_or(0.0);
+    for (const double level : suite.rate->add_levels) (level < least ? rare : levels).insert(level);
+  }
+  std::string text;
+  if (!rare.empty()) text += "# levels for `rocking rare`: " + levels_in_words({rare.begin(), rare.end()}) + '\n';
+  if (levels.empty()) return text;
+  return text + "rocking resume " + shell_word(folder) + " --levels " +
+         levels_in_words({levels.begin(), levels.end()}) + '\n';
+}
+
+std::string suggestions(const Subject& subject, const std::vector<RunFragility>& found) {
+  std::string text;
+  for (std::size_t i = 0; i < found.size(); ++i) text += suggestions(found[i], subject.runs[i].folder);
+  return text.empty() ? "the levels suffice: they leave at most 5 % of the rate undecided, and its estimates agree\n"
+                      : text;
+}
+
+/// How the hazard curve and the ground motions were read.
+std::string as_read(const Subject& subject, const RunsQuestion& question) {
+  std::string text;
+  if (question.question.hazard) text += "hazard: " + hazard_in_words(*question.question.hazard) + '\n';
+  for (const NamedRun& run : subject.runs) {
+    const std::string of_run = ground_motion_text(run.stored.experiment);
+    if (text.find(of_run) == std::string::npos) text += of_run;
+  }
+  return text;
+}
+
+std::vector<analysis::Figure> figures_of(const FragilityReport& report) {
+  std::vector<analysis::Figure> figures{analysis::fragility_figure(report)};
+  if (auto figure = analysis::incremental_figure(report)) figures.push_back(std::move(*figure));
+  return figures;
+}
+
+/// Writes the sheet of the only run.
+More write_sheet(const NamedRun& run, const RunsQuestion& question, const RunFragility& found, base::StopRequest stop) {
+  std::string again = "rocking fragility " + shell_word(run.folder) + " --hazard " + shell_word(*question.hazard);
+  if (question.years) again += " --years " + base::shortest(*question.years);
+  if (question.imt) again += " --imt " + shell_word(*question.imt);
+  again += " --sheet " + shell_word(*question.sheet);
+  Sheet sheet = write_fragility_sheet(run.stored, found, *question.question.hazard, *question.sheet, again, stop);
+  return {.lines = sheet.is_written ? "sheet: " + *question.sheet + '\n' : "",
+          .is_complete = sheet.is_written,
+          .notices = std::move(sheet.not_drawn)};
+}
+
+Answer find(const Subject& subject, const RunsQuestion& question, const Circumstances& circumstances) {
+  std::vector<RunFragility> found;
+  for (const NamedRun& run : subject.runs) found.push_back(curves_of(run, question, circumstances.execution));
+  const FragilityReport report = fragility_report(found);
+  Answer answer{.document = fragility_document().text(report)};
+  if (question.suggest) {
+    answer.table = suggestions(subject, found);
+    answer.is_alone = true;
+  } else {
+    const RecordTable records = question.per_record ? RecordTable::shown : RecordTable::omitted;
+    answer.table = fragility_table(report, records, circumstances.extent) + as_read(subject, question);
+  }
+  if (circumstances.draws) answer.figures = figures_of(report);
+  if (question.sheet) {
+    answer.write_more = [&run = subject.runs.front(), question, of_run = found.front()](base::StopRequest stop) {
+      return write_sheet(run, question, of_run, stop);
+    };
+  }
+  return answer;
+}
+
+std::vector<analysis::Figure> figures(const Json& document, std::span<const Json>) {
+  return figures_of(fragility_document().read(document));
+}
+
+std::vector<analysis::Figure> figures_of_run(const RunShown& run) {
+  if (intensity_of(run.experiment).empty() || run.experiment.conditions.front().until) return {};
+  RunOptions options;
+  options.threads = run.threads;
+  const RunFragility found = run_fragility(run.experiment, stripes_of(run.experiment, run.store),
+                                           {.hazard = run.hazard, .incremental = true}, options);
+  if (found.suites.empty()) return {};
+  return figures_of(fragility_report({found}));
+}
+
+constexpr StudyFunctions<RunsQuestion> functions{
+    .check = check, .find = find, .figures = figures, .figures_of_run = figures_of_run};
+
+}  // namespace
+
+const Study& fragility_study() {
+  static const Study study = study_of<RunsQuestion, functions>({
+      .name = "fragility",
+      .sentence = "Fit the probability of overturning as a function of intensity",
+      .example = "out -o out",
+      .text = "counts for each amplitude (or scale of a ground motion) the realisations that overturned, with exact "
+              "intervals, and fits a lognormal fragility function with its band. A grid has one curve for each "
+              "combination of values of the other entries; the curves of several runs are shown together. A suite of "
+              "ground motions has a pooled curve with the scatter between and within records, and one curve for each "
+              "record. `-o` saves the numbers in out/fragility.json, which `rocking figure` draws.",
+      .python_notes = "Raises InputError if the experiment sweeps no intensity of the excitation or its number of "
+                      "realisations is not fixed.",
+      .python_example = R"(>>> import rocking
+>>> slab = {"format": "rocking.experiment/1", "block": {"width_m": 1, "height_m": 4},
+...     "excitation": {"kind": "harmonic", "amplitude": 2.0, "frequency_ratio": 10.0,
+...                    "phase_rad": {"uniform": [0, 6.28]}}, "restitution": 0.9,
+...     "horizon": {"transient_periods": 5, "sampled_periods": 15}, "realisations": 10, "seed": "0x1",
+...     "sweep": [{"parameter": "/excitation/amplitude", "values": [1.0, 4.0, 12.0]}]}
+>>> rocking.fragility(slab).curves[0].levels.column("intensity")
+array([ 1.,  4., 12.]))",
+      .subject = SubjectKind::runs,
+      .has_long_table = true,
+      .draws = true,
+      .progress = "parts of the fit",
+      .file = "fragility.json",
+      .document = fragility_document(),
+  });
+  return study;
+}
+
+}  // namespace rocking

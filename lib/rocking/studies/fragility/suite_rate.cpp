@@ -1,0 +1,410 @@
+#include "rocking/studies/fragility/suite_rate.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "rocking/base/error.hpp"
+#include "rocking/stats/fit_suite.hpp"
+#include "rocking/stats/record_shares.hpp"
+#include "rocking/stats/student_law.hpp"
+#include "rocking/stats/unseen_record.hpp"
+#include "rocking/studies/fragility/counted_hazard.hpp"
+#include "rocking/studies/fragility/rare_tail.hpp"
+#include "rocking/studies/fragility/shares_and_hazard.hpp"
+#include "rocking/studies/fragility/suite_tail.hpp"
+#include "rocking/studies/fragility/undecided.hpp"
+
+namespace rocking {
+namespace {
+
+LognormalCapacity capacity_of(const stats::SuiteLaw& law) {
+  return {.centre = std::log(law.median), .dispersion = law.dispersion()};
+}
+
+stats::SuiteLevels levels_of(const std::vector<RecordCurve>& records) {
+  stats::SuiteLevels suite;
+  for (const RecordCurve& record : records) {
+    auto& levels = suite.emplace_back();
+    for (const FragilityLevel& level : record.curve.levels)
+      levels.push_back({level.intensity, level.overturned, level.unresolved});
+  }
+  return suite;
+}
+
+constexpr double rounding_of_rate = 1e-12;  ///< of a rate, relative
+
+/// What is counted of a hazard curve; the rare estimates take the place of the levels below the end of the tail.
+CountedHazard counted_with_tail(const HazardCurve& hazard, const SuiteCurve& curve, const SuiteTail& tail) {
+  CountedHazard counted = counted_hazard(hazard, curve.levels, curve.subject.least_uplift);
+  if (tail.size() == 0) return counted;
+  const UsedRare& used = tail.used();
+  std::erase_if(counted.levels,
+                [&used](double level) { return used.end ? level < *used.end : level <= *used.reach(); });
+  std::vector<double> levels;
+  for (const RareLevel& level : used.estimates) levels.push_back(level.intensity);
+  levels.insert(levels.end(), counted.levels.begin(), counted.levels.end());
+  counted.levels = std::move(levels);
+  return counted;
+}
+
+/// From the lower end of one to the upper end of the other.
+std::optional<stats::Interval> between(const std::optional<stats::Interval>& lows,
+                                       const std::optional<stats::Interval>& highs) {
+  if (!lows || !highs) return std::nullopt;
+  return stats::Interval{.low = lows->low, .high = highs->high};
+}
+
+RateSource source_of(RateBasis basis, const SuiteCurve& curve) {
+  const bool is_by_law =
+      basis == RateBasis::law_if_fitted && curve.outcome == stats::FragilityOutcome::fitted && curve.pooled;
+  return is_by_law ? RateSource::law : RateSource::isotonic;
+}
+
+/// The rates of one suite and one hazard curve.
+class SuiteRates {
+ public:
+  SuiteRates(const SuiteCurve& curve, const HazardCurve& hazard)
+      : curve_(curve),
+        suite_(levels_of(curve.records)),
+        shares_(suite_),
+        most_shares_(suite_, stats::RecordShares::Unresolved::as_happened),
+        tail_(curve),
+        counted_(counted_with_tail(hazard, curve, tail_)),
+        pieces_(counted_.pieces()),
+        rates_(counted_, shares_.intensities().size(), tail_) {}
+
+  /// By shares, of records with these weights; trials without an answer have the event at most.
+  [[nodiscard]] double rate_by(RateSource source, const std::vector<double>& weights) const {
+    const bool is_most = source == RateSource::at_most;
+    return rate_of_shares(source, counted_shares(source, is_most ? most_shares_ : shares_, weights));
+  }
+
+  /// Of bootstrap sample i, by the law or by isotonic shares, in which trials without an answer may have the event; absent
+  /// where the sample has no law.
+  [[nodiscard]] std::optional<AllowedRate> allowed_in_sample(RateSource source, std::size_t i) const {
+    const stats::RecordBootstrap& bootstrap = curve_.bootstrap;
+    const std::vector<double>& weights = bootstrap.weights[i];
+    if (source == RateSource::law) {
+      const auto place = std::ranges::lower_bound(bootstrap.samples_with_law, i);
+      if (place == bootstrap.samples_with_law.end() || *place != i) return std::nullopt;
+      return allowed_by_law(bootstrap.laws[static_cast<std::size_t>(place - bootstrap.samples_with_law.begin())],
+                            weights);
+    }
+    AllowedRate found = allowed(shares_, weights);
+    const AllowedRate most = allowed(most_shares_, weights);
+    found.linear.high = most.linear.high;
+    found.lognormal.high = most.lognormal.high;
+    return found;
+  }
+  /// By the law or by isotonic shares: the rate of the suite with its interval.
+  [[nodiscard]] RateEstimate estimate_of(RateSource source) const {
+    return source == RateSource::law ? by_law() : by_shares(source);
+  }
+  /// Whether the shares of bootstrap samples give different rates.
+  [[nodiscard]] bool scatters() const {
+    if (curve_.bootstrap.weights.empty()) return false;
+    const auto rate = [this](const std::vector<double>& weights) { return rate_by(RateSource::isotonic, weights); };
+    const double first = rate(curve_.bootstrap.weights.front());
+    return std::ranges::any_of(curve_.bootstrap.weights, [&](const auto& weights) {
+      return std::abs(rate(weights) - first) > rounding_of_rate * first;
+    });
+  }
+
+  [[nodiscard]] SuiteRate all(RateBasis basis) const {
+    SuiteRate found;
+    if (curve_.pooled) found.estimates.push_back(by_law());
+    for (const RateSource source :
+         {RateSource::isotonic, RateSource::observed, RateSource::at_least, RateSource::at_most}) {
+      found.estimates.push_back(by_shares(source));
+    }
+    const bool is_by_law = source_of(basis, curve_) == RateSource::law;
+    found.chosen =
+        is_by_law ? disaggregated(counted_, by_law_of(curve_.pooled->law(), equal_weights()))
+                  : disaggregated(counted_,
+                                  rates_.probability(counted_shares(RateSource::isotonic, shares_, equal_weights())));
+    found.chosen.source = is_by_law ? RateSource::law : RateSource::isotonic;
+    found.chosen.rare_below = tail_.used().reach();
+    found.chosen.rare_use = tail_.used().use;
+    if (curve_.pooled) found.chosen.impossible = impossible();
+    for (const RateEstimate& estimate : found.estimates) {
+      if (estimate.source == found.chosen.source) found.chosen.interval = estimate.interval;
+    }
+    set_disagreement(found);
+    set_records(is_by_law, found);
+    set_undecided(found);
+    return found;
+  }
+
+ private:
+  /// Half of one trial over all trials of a level.
+  [[nodiscard]] double half_trial() const {
+    std::uint64_t trials = 0;
+    for (const auto& record : suite_) trials += record.front().happened.trials;
+    return 0.5 / static_cast<double>(trials);
+  }
+  [[nodiscard]] std::vector<double> equal_weights() const { return std::vector<double>(suite_.size(), 1.0); }
+  /// Of records with these weights, whose law it is.
+  [[nodiscard]] WithTail<LognormalCapacity> by_law_of(const stats::SuiteLaw& law,
+                                                      const std::vector<double>& weights) const {
+    return {tail_.y(), tail_.means(weights), capacity_of(law)};
+  }
+  /// Of the observed shares.
+  [[nodiscard]] std::vector<double> observed() const {
+    return counted_shares(RateSource::observed, shares_, equal_weights());
+  }
+
+  [[nodiscard]] double impossible() const {
+    return rate_of(by_law_of(curve_.pooled->law(), equal_weights()),
+                   pieces_between(counted_.hazard, counted_.first, counted_.start));
+  }
+
+  [[nodiscard]] RateEstimate by_law() const {
+    std::vector<double> lows, highs;
+    for (const std::size_t i : curve_.bootstrap.samples_with_law) {
+      const AllowedRate found = allowed_in_sample(RateSource::law, i).value();
+      lows.push_back(found.low());
+      highs.push_back(found.high());
+    }
+    return {RateSource::law, rate_of(by_law_of(curve_.pooled->law(), equal_weights()), pieces_),
+            between(curve_.interval_of(std::move(lows)), curve_.interval_of(std::move(highs)))};
+  }
+
+  /// Of records with these weights, at the levels that count: isotonic, or the means.
+  [[nodiscard]] std::vector<double> counted_shares(RateSource source, const stats::RecordShares& of,
+                                                   const std::vector<double>& weights) const {
+    const bool is_isotonic = source == RateSource::isotonic;
+    return rates_.counted_of(is_isotonic ? of.isotonic(weights) : of.mean(weights), tail_.means(weights));
+  }
+  [[nodiscard]] double rate_of_shares(RateSource source, const std::vector<double>& counted) const {
+    if (source == RateSource::at_least) return rates_.at_least(counted);
+    if (source == RateSource::at_most) return rates_.at_most(counted);
+    return rates_.rate(counted);
+  }
+  [[nodiscard]] AllowedRate allowed(const stats::RecordShares& of, const std::vector<double>& weights) const {
+    return rates_.allowed(counted_shares(RateSource::isotonic, of, weights), half_trial());
+  }
+  /// Of records with these weights, whose law it is.
+  [[nodiscard]] AllowedRate allowed_by_law(const stats::SuiteLaw& law, const std::vector<double>& weights) const {
+    const auto by_law = by_law_of(law, weights);
+    const stats::Interval found = rates_.allowed_outside(by_law, rate_of(by_law, pieces_),
+                                                         counted_shares(RateSource::isotonic, shares_, weights));
+    return {.linear = found, .lognormal = found};
+  }
+
+  [[nodiscard]] std::vector<double> counted_of_record(const stats::RecordShares& of, std::size_t record) const {
+    return rates_.counted_of(of.of_record(record), tail_.of_record(record));
+  }
+
+  [[nodiscard]] RateEstimate by_shares(RateSource source) const {
+    std::vector<std::vector<double>> of_records;
+    for (std::size_t r = 0; r < suite_.size(); ++r) of_records.push_back(counted_of_record(most_shares_, r));
+    const std::vector<double> worst = rates_.worst_unseen(of_records);
+    auto interval = interval_with_unseen(source, worst);
+    // Records that are all alike say nothing of how much another one may differ.
+    if (interval && interval->high - interval->low <= rounding_of_rate * interval->high) {
+      interval = interval_with_unseen(source, std::vector<double>(worst.size(), 1.0));
+    }
+    return {source, rate_by(source, equal_weights()), interval};
+  }
+
+  /// From the least rate that the levels allow, with an unseen record that never overturns, to the largest one, with one
+  /// that does so as in `worst`; of a bound that bound itself. Trials without an answer have the event at the upper end.
+  [[nodiscard]] std::optional<stats::Interval> interval_with_unseen(RateSource source,
+                                                                    const std::vector<double>& worst) const {
+    const bool is_bound = source == RateSource::at_least || source == RateSource::at_most;
+    const std::vector<double> best(worst.size(), 0.0);
+    std::vector<double> lows, highs;
+    for (std::vector<double> weights : curve_.bootstrap.with_unseen) {
+      const double unseen = weights.back();
+      weights.pop_back();
+      const auto low = stats::mean_with_unseen(counted_shares(source, shares_, weights), unseen, best);
+      const auto high = stats::mean_with_unseen(counted_shares(source, most_shares_, weights), unseen, worst);
+      lows.push_back(is_bound ? rate_of_shares(source, low) : rates_.least_allowed(low));
+      highs.push_back(is_bound ? rate_of_shares(source, high) : rates_.most_allowed(high));
+    }
+    const double confidence = curve_.subject.confidence;
+    return between(stats::percentile_interval(std::move(lows), curve_.bootstrap.samples, confidence),
+                   stats::percentile_interval(std::move(highs), curve_.bootstrap.samples, confidence));
+  }
+
+  static void set_disagreement(SuiteRate& found) {
+    double least = std::numeric_limits<double>::infinity();
+    double most = 0.0;
+    for (const RateEstimate& estimate : found.estimates) {
+      if (estimate.source == RateSource::at_least || estimate.source == RateSource::at_most) continue;
+      least = std::min(least, estimate.value);
+      most = std::max(most, estimate.value);
+    }
+    if (least > 0.0) found.disagreement = most / least - 1.0;
+    if (most == 0.0) found.disagreement = 0.0;
+  }
+
+  /// The chosen rate of the suite without one record.
+  [[nodiscard]] std::optional<double> without(std::size_t record, bool is_by_law) const {
+    if (suite_.size() < 2) return std::nullopt;
+    std::vector<double> weights = equal_weights();
+    weights[record] = 0.0;
+    if (!is_by_law) return rate_by(RateSource::isotonic, weights);
+    stats::SuiteLevels others = suite_;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(record));
+    const auto law = stats::fit_suite_near(others, curve_.pooled->law()).law;
+    return law ? std::optional(rate_of(by_law_of(*law, weights), pieces_)) : std::nullopt;
+  }
+
+  /// The mean over the records is the observed rate. A range of the tail is shared out by the mean of the shares that a
+  /// record has in the probabilities at its two ends.
+  [[nodiscard]] double rate_of_record(std::size_t record) const {
+    const std::vector<double> own = counted_of_record(shares_, record);
+    if (tail_.size() == 0) return rates_.rate(own);
+    const std::vector<double> means = observed();
+    const auto of_all = rates_.probability(means);
+    double rate = rate_of(rates_.probability(own), pieces_within(pieces_, tail_.y().back(), HUGE_VAL));
+    for (std::size_t i = 0; i + 1 < tail_.y().size(); ++i) {
+      const double low = i == 0 ? -HUGE_VAL : tail_.y()[i];
+      const double share = 0.5 * (own[i] / means[i] + own[i + 1] / means[i + 1]);
+      rate += share * rate_of(of_all, pieces_within(pieces_, low, tail_.y()[i + 1]));
+    }
+    return rate;
+  }
+
+  void set_records(bool is_by_law, SuiteRate& found) const {
+    double sum = 0.0;
+    for (std::size_t r = 0; r < suite_.size(); ++r) {
+      found.by_record.push_back(
+          {.name = curve_.records[r].name, .rate = rate_of_record(r), .without = without(r, is_by_law)});
+      sum += found.by_record.back().rate;
+    }
+    for (RateOfRecord& record : found.by_record) record.share = sum > 0.0 ? record.rate / sum : 0.0;
+    set_leave_one_out(found);
+  }
+
+  void set_leave_one_out(SuiteRate& found) const {
+    std::vector<double> rates;
+    for (const RateOfRecord& record : found.by_record) {
+      if (record.without) rates.push_back(*record.without);
+    }
+    if (rates.size() < 2 || rates.size() < found.by_record.size()) return;
+    const auto [least, most] = std::ranges::minmax(rates);
+    found.leave_one_out = stats::Interval{.low = least, .high = most};
+    if (!(least > 0.0) || !(found.chosen.value > 0.0)) return;
+    double mean = 0.0, squares = 0.0;
+    const auto count = static_cast<double>(rates.size());
+    for (const double rate : rates) mean += std::log(rate) / count;
+    for (const double rate : rates) squares += (std::log(rate) - mean) * (std::log(rate) - mean);
+    const double error = std::sqrt((count - 1.0) / count * squares);
+    if (error <= rounding_of_rate) return;  // equal rates say nothing of their scatter
+    const double factor = std::exp(stats::two_sided_t_quantile(curve_.subject.confidence, count - 1.0) * error);
+    found.jackknife = stats::Interval{.low = found.chosen.value / factor, .high = found.chosen.value * factor};
+  }
+
+  void set_undecided(SuiteRate& found) const {
+    const std::vector<double> means = observed();
+    const std::vector<LevelShare> levels = rates_.levels(means, half_trial());
+    const double rate = rates_.rate(means);
+    double open = 0.0;
+    for (const UndecidedRange& range : undecided_ranges(levels, counted_.hazard, counted_.start)) open += range.rate;
+    open +=
+        rates_.rate(counted_shares(RateSource::observed, most_shares_, equal_weights())) - rate;  // without an answer
+    found.undecided_share = rate > 0.0 ? open / rate : (open > 0.0 ? 1.0 : 0.0);
+    const auto between = rates_.probability(means);
+    found.add_levels =
+        levels_to_add(levels, counted_.hazard, counted_.start, most_undecided_share * rate, [&](double intensity) {
+          if (curve_.pooled) {
+            return by_law_of(curve_.pooled->law(), equal_weights()).probability(std::log(intensity));
+          }
+          return intensity > levels.back().intensity ? 0.5 * (1.0 + means.back())
+                                                     : between.probability(std::log(intensity));
+        });
+    if (!found.do_estimates_agree() && found.add_levels.empty())
+      found.add_levels.push_back(where_law_differs_most(found));
+  }
+
+  /// Inside the range whose rates by the law and by the observed shares differ most.
+  [[nodiscard]] double where_law_differs_most(const SuiteRate& found) const {
+    const auto of_shares = rates_.probability(observed());
+    double most = -1.0, at = counted_.start;
+    for (const RateInRange& range : found.chosen.by_level) {
+      const std::vector<HazardPiece> pieces = pieces_between(counted_.hazard, range.from, range.to);
+      const double law = curve_.pooled ? rate_of(by_law_of(curve_.pooled->law(), equal_weights()), pieces) : 0.0;
+      const double difference = std::abs(law - rate_of(of_shares, pieces));
+      if (difference <= most) continue;
+      most = difference;
+      at = inside(range.from, range.to);
+    }
+    return at;
+  }
+
+  const SuiteCurve& curve_;
+  stats::SuiteLevels suite_;
+  stats::RecordShares shares_;       ///< trials without an answer did not have the event
+  stats::RecordShares most_shares_;  ///< they had it
+  SuiteTail tail_;
+  CountedHazard counted_;
+  std::vector<HazardPiece> pieces_;
+  SharesAndHazard rates_;
+};
+
+}  // namespace
+
+std::string_view to_string(RateSource source) {
+  switch (source) {
+    case RateSource::law: return "law";
+    case RateSource::levels: return "levels";
+    case RateSource::isotonic: return "isotonic";
+    case RateSource::observed: return "observed";
+    case RateSource::at_least: return "at_least";
+    case RateSource::at_most: break;
+  }
+  return "at_most";
+}
+
+RateComparison compared_rates(const SuiteCurve& base, const SuiteCurve& option, const HazardCurve& hazard,
+                              RateBasis basis) {
+  ROCKING_EXPECT(base.records.size() == option.records.size());
+  const SuiteRates of_base(base, hazard), of_option(option, hazard);
+  RateComparison found{.base = base.subject.others, .option = option.subject.others, .event = option.subject.event};
+  const bool have_law = source_of(basis, base) == RateSource::law && source_of(basis, option) == RateSource::law;
+  found.source = have_law ? RateSource::law : RateSource::isotonic;
+  const RateEstimate of_first = of_base.estimate_of(found.source), of_second = of_option.estimate_of(found.source);
+  const double before = of_first.value, after = of_second.value;
+  found.difference = after - before;
+  if (before > 0.0) found.ratio = after / before;
+  std::vector<double> low_differences, high_differences, low_ratios, high_ratios;
+  const auto ratio_of = [](double part, double whole) {
+    return whole > 0.0 ? part / whole : std::numeric_limits<double>::infinity();
+  };
+  // The curve between the levels is the same one in both.
+  const auto compare = [&](const AllowedRate& first, const AllowedRate& second) {
+    const auto& [a, b] = first;
+    const auto& [c, d] = second;
+    low_differences.push_back(std::min(c.low - a.high, d.low - b.high));
+    high_differences.push_back(std::max(c.high - a.low, d.high - b.low));
+    low_ratios.push_back(first.high() > 0.0 ? std::min(ratio_of(c.low, a.high), ratio_of(d.low, b.high)) : 0.0);
+    high_ratios.push_back(std::max(ratio_of(c.high, a.low), ratio_of(d.high, b.low)));
+  };
+  // Where the samples of one do not scatter, its own interval says more than they do.
+  const bool have_samples = of_base.scatters() && of_option.scatters();
+  for (std::size_t i = 0; i < base.bootstrap.weights.size(); ++i) {
+    const auto first = of_base.allowed_in_sample(found.source, i);
+    const auto second = of_option.allowed_in_sample(found.source, i);
+    if (have_samples && first && second) compare(*first, *second);
+    if (!have_samples && of_first.interval && of_second.interval) {
+      compare({*of_first.interval, *of_first.interval}, {*of_second.interval, *of_second.interval});
+    }
+  }
+  const auto interval_of = [&base](std::vector<double> lows, std::vector<double> highs) {
+    return between(base.interval_of(std::move(lows)), base.interval_of(std::move(highs)));
+  };
+  found.interval = interval_of(std::move(low_differences), std::move(high_differences));
+  if (found.ratio) found.ratio_interval = interval_of(std::move(low_ratios), std::move(high_ratios));
+  return found;
+}
+
+SuiteRate annual_rate(const SuiteCurve& curve, const HazardCurve& hazard, RateBasis basis) {
+  ROCKING_EXPECT(!curve.records.empty() && !curve.levels.empty());
+  return SuiteRates(curve, hazard).all(basis);
+}
+
+}  // namespace rocking

@@ -1,0 +1,333 @@
+#include "rocking/studies/fragility/table.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <set>
+#include <string_view>
+#include <vector>
+
+#include "rocking/output/alarms.hpp"
+#include "rocking/output/mode_table.hpp"
+#include "rocking/output/shaking_text.hpp"
+#include "rocking/output/text_table.hpp"
+#include "rocking/studies/fragility/annual_rate_table.hpp"
+#include "rocking/studies/fragility/words.hpp"
+#include "rocking/text/json.hpp"
+#include "rocking/text/number_text.hpp"
+
+namespace rocking {
+namespace {
+
+using stats::FragilityOutcome;
+
+/// The words that replace a fit.
+std::string_view words_for(FragilityOutcome outcome) {
+  switch (outcome) {
+    case FragilityOutcome::fitted: return "";
+    case FragilityOutcome::never_happened:
+      return "no function is fitted: the block never overturned; add higher intensities";
+    case FragilityOutcome::always_happened:
+      return "no function is fitted: the block always overturned; add lower intensities";
+    case FragilityOutcome::separated:
+      return "no function is fitted: the block never overturned below an intensity and always above it; add "
+             "intensities between";
+    case FragilityOutcome::does_not_rise:
+      return "no function is fitted: the share of overturned realisations does not clearly increase with intensity, "
+             "or too\nfew realisations differ to show it";
+    case FragilityOutcome::no_scatter:
+      return "no function is fitted: the realisations overturn at the same levels, or differ in one way only, so the "
+             "uncertainty\ncannot be estimated; make more parameters random, or add realisations and intensities";
+    case FragilityOutcome::rejected:
+      return "the lognormal function is rejected; the isotonic estimate and its band, of all levels at once, take its "
+             "place";
+    case FragilityOutcome::not_monotone:
+      return "no function describes these levels: the share of overturned realisations falls as the intensity "
+             "increases,\nwhich contradicts the lognormal function and every other that only rises";
+    case FragilityOutcome::unresolved:
+      return "no function is fitted: some realisations ended without an answer, and whether they overturn is not "
+             "known; "
+             "the\nintervals of the levels cover both";
+    case FragilityOutcome::too_little: break;
+  }
+  return "no function is fitted: this requires two intensities, and two realisations with different random numbers";
+}
+
+/// Pointers to all swept parameters.
+std::vector<std::string> swept_in(const FragilityCurve& curve) {
+  std::vector<std::string> swept{curve.subject.parameter};
+  for (const Parameter& other : curve.subject.others) swept.push_back(other.pointer);
+  return swept;
+}
+
+/// `2.31 [2.20, 2.43]`; outside the levels `> 1.2 (extrapolated: 1.31 [1.24, 1.42])`.
+std::string median_in_words(const FragilityCurve& curve) {
+  const stats::Bounded& median = curve.law->median;
+  if (!curve.law->is_extrapolated) return bounded_in_words(median);
+  const bool is_above = curve.levels.back().intensity < median.value;
+  const double nearest = is_above ? curve.levels.back().intensity : curve.levels.front().intensity;
+  return (is_above ? "> " : "< ") + significant(nearest, 6) + " (extrapolated: " + bounded_in_words(median) + ')';
+}
+
+TextRow row_of(const FragilityLevel& level) {
+  TextRow row{significant(level.intensity, 6),
+              std::to_string(level.overturned.trials),
+              per_cent(level.estimate) + count_if_open(level.overturned.successes, level.overturned.trials),
+              per_cent(level.exact),
+              ".",
+              "."};
+  if (level.fitted) row[4] = per_cent(*level.fitted) + (level.is_missed() ? " *" : "");
+  if (level.isotonic) row[4] = per_cent(*level.isotonic);
+  if (level.band) row[5] = per_cent(*level.band);
+  return row;
+}
+
+/// Median and dispersion, or why there are none, and the test of the function.
+std::string law_in_words(const FragilityCurve& curve) {
+  const std::string law =
+      curve.law ? "median " + median_in_words(curve) + ", dispersion " + bounded_in_words(curve.law->dispersion)
+                : std::string(words_for(curve.outcome));
+  return law + '\n' + (curve.test ? test_in_words(*curve.test) : "");
+}
+
+std::string curve_table(const FragilityCurve& curve, Extent extent) {
+  const bool is_isotonic = curve.outcome == FragilityOutcome::rejected;
+  std::vector<TextRow> rows{{last_key(curve.subject.parameter), "n", column_of(curve.subject.event), "exact",
+                             is_isotonic ? "isotonic" : "fitted", "band"}};
+  std::vector<std::optional<Shaking>> shakings;
+  for (const FragilityLevel& level : curve.levels) shakings.push_back(level.shaking);
+  const auto beside = shaking_columns(swept_in(curve), shakings);
+  rows.front().insert(rows.front().begin() + 1, beside.begin(), beside.end());
+  const std::size_t step = extent == Extent::all ? 1 : (curve.levels.size() + most_screen_rows - 1) / most_screen_rows;
+  for (std::size_t i = 0; i < curve.levels.size(); i += step) {
+    TextRow row = row_of(curve.levels[i]);
+    for (std::size_t k = beside.size(); k-- > 0;) row.insert(row.begin() + 1, column_cell(shakings[i], beside[k]));
+    rows.push_back(std::move(row));
+  }
+  add_unresolved(curve.levels, step, rows);
+  const std::string common = common_shaking(swept_in(curve), shakings);
+  std::string text = law_in_words(curve) + "\nshares at the levels\n" + aligned(rows) +
+                     rare_table(curve.rare, curve.subject.parameter) +
+                     (common.empty() ? "" : "shaking: " + common + '\n');
+  const std::size_t missed = curve.missed_levels();
+  if (missed == 0) return text;
+  return text + "* at " + std::to_string(missed) + " of " + std::to_string(curve.levels.size()) +
+         " levels the fitted function lies outside the simultaneous exact interval: it does not describe these data\n";
+}
+
+const stats::Proportion& counted_at(const FragilityLevel& level) { return level.overturned; }
+const stats::Proportion& counted_at(const SuiteLevel& level) { return level.happened; }
+
+/// Largest number of realisations of a level.
+template <class Levels>
+std::uint64_t most_realisations(const Levels& levels) {
+  std::uint64_t most = 0;
+  for (const auto& level : levels) most = std::max(most, counted_at(level).trials);
+  return most;
+}
+
+/// What is printed of each curve.
+struct Content {
+  RecordTable records = RecordTable::omitted;
+  Extent extent = Extent::all;
+};
+
+/// What the tables of a report have, for the legends below them.
+struct Shown {
+  bool has_curve = false, has_isotonic = false, has_suite = false;
+  std::uint64_t most = 0;  ///< realisations of a level
+};
+
+std::string legends(const Shown& shown) {
+  std::string text;
+  if (shown.has_curve) {
+    text +=
+        "per cent of n realisations [exact interval of each level alone]; fitted: lognormal function of maximum "
+        "likelihood "
+        "with its\nband; realisations with the same index use common random numbers at all levels; intervals treat "
+        "them as one\ncluster" +
+        count_legend(shown.most) + '\n';
+  }
+  if (shown.has_isotonic) {
+    text += "isotonic: most likely probabilities that do not decrease; their band covers all levels at once\n";
+  }
+  if (shown.has_suite) {
+    text +=
+        "per cent: mean over the records of their shares; fitted: lognormal law with scatter between and within "
+        "records;\nisotonic: the nearest shares that do not decrease; bands by bootstrap over records; the probability "
+        "is that of\na record like those of the suite" +
+        count_legend(shown.most) + '\n';
+  }
+  return text;
+}
+
+std::string table_of(const ReportedCurve& reported, const Content& content, Shown& shown) {
+  shown.has_curve = true;
+  shown.has_isotonic = shown.has_isotonic || reported.curve.outcome == FragilityOutcome::rejected;
+  return curve_table(reported.curve, content.extent);
+}
+
+std::string table_of(const ReportedSuite& reported, const Content& content, Shown& shown) {
+  shown.has_suite = true;
+  return suite_table(reported.curve, content.records, content.extent);
+}
+
+const AnnualRate* rate_of(const ReportedCurve& reported) { return reported.rate ? &*reported.rate : nullptr; }
+const AnnualRate* rate_of(const ReportedSuite& reported) { return reported.rate ? &reported.rate->chosen : nullptr; }
+
+/// Median and dispersion of a row of the summary; the outcome where there are none.
+TextRow law_cells(const FragilityCurve& curve) {
+  if (!curve.law) return {std::string(to_string(curve.outcome)), "."};
+  return {median_in_words(curve), bounded_in_words(curve.law->dispersion)};
+}
+
+TextRow law_cells(const SuiteCurve& curve) {
+  if (!curve.pooled || curve.outcome != FragilityOutcome::fitted) return {std::string(to_string(curve.outcome)), "."};
+  const auto words = [](const SuiteEstimate& found) {
+    return significant(found.value, 3) + ' ' + interval_in_words(found.interval);
+  };
+  return {words(curve.pooled->median), words(curve.pooled->dispersion)};
+}
+
+std::string values_of(const std::vector<Parameter>& parameters) {
+  std::string text;
+  for (const Parameter& parameter : parameters) {
+    text += (text.empty() ? "" : ", ") + last_key(parameter.pointer) + ' ' + short_value(parameter);
+  }
+  return text;
+}
+
+std::string comparisons_of(const FragilityReport& report) {
+  if (report.comparisons.empty()) return "";
+  std::vector<TextRow> rows{
+      {"option", "against", "event", "by", "difference per year", "interval", "ratio", "interval"}};
+  const auto interval = [](const std::optional<stats::Interval>& found) {
+    return found ? interval_in_words(*found) : std::string(".");
+  };
+  for (const auto& [run, found] : report.comparisons) {
+    rows.push_back({values_of(found.option), values_of(found.base), words_of(found.event),
+                    source_in_words(found.source), significant(found.difference, 3), interval(found.interval),
+                    found.ratio ? significant(*found.ratio, 3) : ".", interval(found.ratio_interval)});
+  }
+  return "rates compared, with the same records and random numbers; intervals hold what the levels leave undecided\n" +
+         aligned(rows) + '\n';
+}
+
+std::string curve_tables(const FragilityReport& report, const Content& content) {
+  std::string text;
+  Shown shown;
+  for (const auto& curve : report.curves) {
+    std::visit(
+        [&](const auto& reported) {
+          const CurveSubject& subject = reported.curve.subject;
+          shown.most = std::max(shown.most, most_realisations(reported.curve.levels));
+          text += heading_of_curve(reported.run.title, subject.others);
+          if (const AnnualRate* rate = rate_of(reported)) text += annual_rate_in_words(*rate, subject.event);
+          text += table_of(reported, content, shown);
+          if (reported.rate) text += annual_rate_table(*reported.rate, subject, content.extent);
+          text += '\n';
+        },
+        curve);
+  }
+  text += comparisons_of(report);
+  for (const auto& [run, analysis] : report.incremental) {
+    text += heading_of_curve(run.title, analysis.others) + incremental_table(analysis) + '\n';
+  }
+  return text + legends(shown);
+}
+
+/// A line for each reason why curves of one motion have no function.
+std::string reasons_in(const FragilityReport& report) {
+  std::set<FragilityOutcome> outcomes;
+  for (const auto& curve : report.curves) {
+    const auto* one = std::get_if<ReportedCurve>(&curve);
+    if (one != nullptr && !one->curve.law) outcomes.insert(one->curve.outcome);
+  }
+  std::string text;
+  for (const FragilityOutcome outcome : outcomes) {
+    text += std::string(to_string(outcome)) + ": " + std::string(words_for(outcome)) + '\n';
+  }
+  return text;
+}
+
+/// The name of a curve in the summary.
+template <class Reported>
+std::string curve_name(const Reported& reported) {
+  const std::string values = values_of(reported.curve.subject.others);
+  return values.empty() ? reported.run.title : values;
+}
+
+/// What the rates of the curves lack, each line with the curve to which it belongs, as many as fit a screen.
+std::string warnings_in(const FragilityReport& report) {
+  std::vector<std::string> all;
+  for (const auto& curve : report.curves) {
+    std::visit(
+        [&all](const auto& reported) {
+          if (!reported.rate) return;
+          const FragilityEvent& event = reported.curve.subject.event;
+          const std::string name =
+              curve_name(reported) + (event.peak_tilt ? ", " + column_of(event) : std::string()) + ": ";
+          std::string lines = annual_rate_warnings(*reported.rate);
+          for (std::size_t end = lines.find('\n'); end != std::string::npos; end = lines.find('\n')) {
+            all.push_back(name + lines.substr(0, end + 1));
+            lines.erase(0, end + 1);
+          }
+        },
+        curve);
+  }
+  std::string text;
+  for (std::size_t i = 0; i < std::min(all.size(), most_screen_rows); ++i) text += all[i];
+  if (all.size() <= most_screen_rows) return text;
+  return text + std::to_string(all.size() - most_screen_rows) + " more such lines: --all\n";
+}
+
+/// A row for each curve, in the units of its sweep.
+std::string summary_of(const FragilityReport& report) {
+  std::vector<TextRow> rows{{"curve", "event", "median", "dispersion", "per year", "years"}};
+  for (const auto& curve : report.curves) {
+    std::visit(
+        [&rows](const auto& reported) {
+          const CurveSubject& subject = reported.curve.subject;
+          TextRow row{curve_name(reported), column_of(subject.event)};
+          const TextRow law = law_cells(reported.curve);
+          row.insert(row.end(), law.begin(), law.end());
+          const AnnualRate* rate = rate_of(reported);
+          row.push_back(rate ? significant(rate->value, 3) : ".");
+          row.push_back(rate && rate->value > 0.0 ? years_in_words(1.0 / rate->value) : ".");
+          rows.push_back(std::move(row));
+        },
+        curve);
+  }
+  const std::size_t all = rows.size();
+  rows.resize(std::min(all, most_screen_rows));
+  return "curves, median and dispersion in the units of the sweep\n" + aligned(rows) + reasons_in(report) +
+         warnings_in(report);
+}
+
+/// A warning for each run whose suite lacks records.
+std::string warnings_of(const FragilityReport& report) {
+  std::vector<std::string> warnings;
+  for (const auto& curve : report.curves) {
+    const auto missing = left_out_records(std::visit([](const auto& one) { return one.run.left_out; }, curve));
+    if (missing && std::ranges::find(warnings, *missing) == warnings.end()) warnings.push_back(*missing);
+  }
+  std::string text;
+  for (const std::string& warning : warnings) text += "warning: " + warning + '\n';
+  return text;
+}
+
+std::string tables_of(const FragilityReport& report, RecordTable records, Extent extent) {
+  const std::string whole = curve_tables(report, {.records = records, .extent = Extent::all});
+  if (is_printed_whole(whole, extent)) return whole;
+  const std::string more = "more rows: --all, and --json\n";
+  const std::string shorter = curve_tables(report, {.records = records, .extent = Extent::one_screen});
+  if (report.curves.size() < 2 || is_printed_whole(shorter, extent)) return shorter + more;
+  return summary_of(report) + '\n' + comparisons_of(report) + more;
+}
+
+}  // namespace
+
+std::string fragility_table(const FragilityReport& report, RecordTable records, Extent extent) {
+  return tables_of(report, records, extent) + warnings_of(report);
+}
+
+}  // namespace rocking

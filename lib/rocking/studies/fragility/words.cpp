@@ -1,0 +1,54 @@
+#include "rocking/studies/fragility/words.hpp"
+
+#include <cmath>
+
+#include "rocking/output/mode_table.hpp"
+#include "rocking/output/text_table.hpp"
+#include "rocking/text/json.hpp"
+#include "rocking/text/number_text.hpp"
+
+namespace rocking {
+
+std::string words_of(const FragilityEvent& event) {
+  return event.peak_tilt ? "a peak tilt above " + significant(*event.peak_tilt, 6) : "overturning";
+}
+
+std::string column_of(const FragilityEvent& event) {
+  return event.peak_tilt ? "tilt > " + significant(*event.peak_tilt, 6) : "overturned";
+}
+
+std::string bounded_in_words(const stats::Bounded& bounded) {
+  return significant(bounded.value, 3) + ' ' + interval_in_words(bounded.interval);
+}
+
+std::string years_in_words(double years) {
+  if (!(years >= 100.0 && years < 1e9)) return significant(years, 3);
+  const double unit = std::pow(10.0, std::floor(std::log10(years)) - 2.0);
+  return std::to_string(std::llround(std::round(years / unit) * unit));
+}
+
+std::string test_in_words(const stats::LackOfFit& test) {
+  return "lack of fit: deviance " + significant(test.deviance, 3) + ", p = " + significant(test.p_value, 2) + " (" +
+         std::to_string(test.samples) + " bootstrap samples)\n";
+}
+
+std::string rare_table(const std::vector<RareLevel>& levels, const std::string& parameter) {
+  if (levels.empty()) return "";
+  std::vector<TextRow> rows{{last_key(parameter), "probability", "from", "to", "error"}};
+  for (const RareLevel& level : levels) {
+    rows.push_back({significant(level.intensity, 6), significant(level.probability, 3),
+                    significant(level.interval.low, 3), significant(level.interval.high, 3),
+                    significant(100.0 * level.relative_error, 2) + " %"});
+  }
+  return "rare estimates\n" + aligned(rows);
+}
+
+std::string heading_of_curve(const std::string& title, const std::vector<Parameter>& others) {
+  std::string heading = title;
+  for (const Parameter& parameter : others) {
+    heading += (heading.empty() ? "" : "; ") + parameter.pointer.substr(1) + ' ' + short_value(parameter);
+  }
+  return heading.empty() ? "" : heading + '\n';
+}
+
+}  // namespace rocking

@@ -1,0 +1,155 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "rocking/api/checks.hpp"
+#include "rocking/scene/counted_tests.hpp"
+#include "rocking/scene/experiment.hpp"
+#include "rocking/stats/interval.hpp"
+
+/// From counted tests back to the numbers that explain them (lib/docs/infer.md).
+namespace rocking {
+
+namespace infer {
+
+/// Realisations at one value of the unknowns.
+struct DesignPoint {
+  std::vector<double> at;                          ///< values of the unknowns
+  std::vector<std::vector<std::uint64_t>> counts;  ///< by condition, candidates last, and by group
+};
+
+/// A point of the profile likelihood of an unknown.
+struct ProfilePoint {
+  double at = 0.0;                ///< value of the unknown
+  double likelihood_ratio = 1.0;  ///< the largest likelihood with this value over the largest one
+};
+
+/// A point of the joint region.
+struct RegionPoint {
+  std::vector<double> at;         ///< values of the unknowns
+  double likelihood_ratio = 1.0;  ///< over the largest likelihood
+};
+
+}  // namespace infer
+
+/// Which ends of its range the interval of an unknown reaches.
+enum class ReachedBound : std::uint8_t { none, from, to, both };
+[[nodiscard]] std::string_view to_string(ReachedBound bound);
+
+/// Bayesian answer for one unknown.
+struct UnknownPosterior {
+  double mean = 0.0;
+  double median = 0.0;
+  stats::Interval interval;  ///< with equal tails
+};
+
+/// What the tests say of one unknown, in its unit.
+struct UnknownAnswer {
+  double estimate = 0.0;     ///< where the likelihood is largest
+  stats::Interval interval;  ///< by the profile likelihood
+  ReachedBound reaches = ReachedBound::none;
+  std::vector<infer::ProfilePoint> profile = {};             ///< at the values of the grid of the joint region
+  std::optional<UnknownPosterior> posterior = std::nullopt;  ///< present if some unknown has a prior
+};
+
+/// Predicted against counted tests of a condition, at the estimate.
+struct PredictedShares {
+  std::vector<double> shares;              ///< by group
+  std::vector<stats::Interval> intervals;  ///< of the counted shares: Clopper-Pearson
+};
+
+/// Whether the estimate explains the counts.
+struct InferenceFit {
+  double statistic = 0.0;  ///< deviance: 2 sum y ln(y/(N p))
+  double p_value = 1.0;    ///< share of made-up data sets with a larger one, by parametric bootstrap
+};
+
+/// What is expected of further tests under a candidate condition.
+struct CandidateGain {
+  double region = 1.0;             ///< expected size of the region over the present one, geometric mean
+  std::vector<double> deviations;  ///< by unknown: expected standard deviation over the present one
+};
+
+/// Why no more points were added to the design.
+enum class InferEnd : std::uint8_t {
+  settled,      ///< no end of an interval moved by more than a tenth of its width, twice
+  most_points,  ///< the largest number of points was reached
+  out_of_time,
+  stopped,  ///< it was asked to stop
+};
+[[nodiscard]] std::string_view to_string(InferEnd end);
+
+/// The answer, once the first design is finished and unless it was stopped.
+struct InferenceAnswer {
+  std::vector<UnknownAnswer> unknowns;
+  std::vector<infer::RegionPoint> region;  ///< points of a grid in the joint region
+  double region_limit = 0.0;               ///< least likelihood ratio in the region
+  double log_likelihood = 0.0;             ///< of the counts, at the estimate
+  InferenceFit fit;
+  std::vector<PredictedShares> predicted;  ///< by tested condition
+  std::vector<CandidateGain> candidates;
+};
+
+struct Inference {
+  std::vector<infer::DesignPoint> design;
+  std::optional<InferenceAnswer> answer;  ///< absent if the first design was not finished, or if it was stopped
+  std::uint64_t realisations = 0;         ///< of all points and conditions
+  InferEnd end = InferEnd::settled;
+};
+
+/// Counted tests of an experiment's block, and how its unknowns are inferred from them.
+struct InferRequest {
+  CountedTests tests;
+  std::uint64_t next_tests = 5;        ///< tests of a candidate condition; 1 to 1000
+  std::filesystem::path folder = ".";  ///< from which the files of the experiment are seen
+  /// Time [s] on the clock of `elapsed_seconds`, after which no points are added. Absent: no limit.
+  std::optional<double> seconds = {};
+  std::function<double()> elapsed_seconds = {};
+  std::vector<infer::DesignPoint> earlier = {};  ///< of an earlier answer to the same question; not simulated again
+  /// When it is asked to stop, it returns the finished points without an answer. Else it throws.
+  bool keeps_when_stopped = false;
+  /// Called with the design so far when some of its points have been simulated.
+  std::function<void(const std::vector<infer::DesignPoint>& design)> keep = {};
+};
+
+/// Reads a file of counted tests and one of candidate conditions (lib/docs/formats.md). Files of the experiment are
+/// seen from `folder`. Throws base::InputError with the line of each fault, and std::system_error where a file cannot
+/// be read.
+[[nodiscard]] ROCKING_API CountedTests counted_tests(const Experiment& experiment, const std::filesystem::path& tests,
+                                                     const std::optional<std::filesystem::path>& candidates = {},
+                                                     const std::filesystem::path& folder = ".");
+
+/// Throws base::InputError if the experiment has no text, no unknowns, no fixed number of realisations, a suite, or a prior
+/// without weight in the range of its unknown.
+ROCKING_API void check_infer(const Experiment& experiment);
+
+/// Throws as check_infer, and base::InputError with every number of the request that is out of range, every list of
+/// another length, and every parameter that is not in the experiment.
+ROCKING_API void check_request(const Experiment& experiment, const InferRequest& request);
+
+/// Estimates the unknowns of an experiment from counted tests, with intervals and a joint region. Uses `threads`,
+/// `on_progress` and `stop` of the execution; progress counts realisations, whose number grows until the intervals
+/// settle, and the data sets that are made up for the answer. Throws as check_request, and base::Stopped if it is asked to stop.
+/// Source: lib/docs/infer.md.
+[[nodiscard]] ROCKING_API Inference infer_unknowns(const Experiment& experiment, const InferRequest& request,
+                                                   const Execution& execution = {});
+
+/// The same as JSON text (`rocking.infer/1`).
+[[nodiscard]] ROCKING_API std::string infer_unknowns_text(const Experiment& experiment, const InferRequest& request,
+                                                          const Inference& found);
+
+/// Checks the `infer.json` of a folder, whose answer must follow from its design: makes about `sample` points of the
+/// design again, evenly spaced; absent: eight. `checked` and `different` count points. Which points a design has is not
+/// checked. Uses the execution as verify() and throws as it does.
+[[nodiscard]] ROCKING_API RunCheck verify_infer(const std::filesystem::path& folder,
+                                                std::optional<std::uint64_t> sample = {},
+                                                const Execution& execution = {});
+
+}  // namespace rocking

@@ -1,0 +1,164 @@
+#include "rocking/studies/infer/study.hpp"
+
+#include "rocking/api/questions.hpp"
+#include "rocking/scene/counted_tests.hpp"
+#include "rocking/studies/infer/figure.hpp"
+#include "rocking/studies/infer/result.hpp"
+
+namespace rocking {
+namespace {
+
+/// Of a condition, by group.
+const Rule tests_rule{.most = static_cast<double>(most_tests)};
+
+const StructType& tested_condition_fields() {
+  static const StructType fields{
+      "TestedCondition",
+      field<&TestedCondition::counts>("counts", "of tests by group", tests_rule),
+  };
+  return fields;
+}
+
+const StructType& design_point_fields() {
+  using infer::DesignPoint;
+  static const StructType fields{
+      "DesignPoint",
+      field<&DesignPoint::at>("at", "values of the unknowns"),
+      field<&DesignPoint::counts>("counts", "of realisations, by condition and by group"),
+  };
+  return fields;
+}
+
+}  // namespace
+
+const StructType& fields_of(const InferRequest*) {
+  using Type = InferRequest;
+  static const StructType fields{
+      "InferRequest",
+      field<&Type::tests, &CountedTests::conditions>("tests", "by tested condition",
+                                                     list_of<TestedCondition, tested_condition_fields>()),
+      asked(
+          field<&Type::next_tests>("next_tests", "Tests of a candidate condition", Rule{.least = 1.0, .most = 1000.0}),
+          {.names = "--next-tests", .letter = "N"}),
+      asked(field<&Type::seconds>(
+                "seconds",
+                "Add no points to the design after this time, e.g. 10min, and answer from those that are finished",
+                rule::positive),
+            {.names = "--max-time", .letter = "T", .kind = FlagKind::duration}),
+      field<&Type::earlier>("earlier", "points of an earlier answer",
+                            list_of<infer::DesignPoint, design_point_fields>()),
+  };
+  return fields;
+}
+
+namespace {
+
+/// A request, and the files of its tests.
+struct InferQuestion {
+  std::string tests;
+  std::optional<std::string> candidates;
+  InferRequest request;
+};
+
+const StructType& fields_of(const InferQuestion*) {
+  using Type = InferQuestion;
+  static const StructType fields{
+      "InferQuestion",
+      asked(field<&Type::tests>("tests_file", "Counted tests, CSV: a line for each condition"),
+            {.names = "--tests", .letter = "FILE", .is_required = true}, "tests"),
+      asked(field<&Type::candidates>(
+                "candidates_file", "Conditions that may be tested next, CSV without counts: how much each would tell"),
+            {.names = "--candidates", .letter = "FILE"}, "candidates"),
+      inlined<&Type::request>(),
+  };
+  return fields;
+}
+
+InferReport report_on(const Subject& subject, const InferRequest& request, const Inference& found) {
+  return infer_report(subject.experiment, request.tests, request.next_tests, found);
+}
+
+void check(const Subject& subject, InferQuestion& question) {
+  check_infer(subject.experiment);
+  question.request.folder = subject.folder;
+  std::optional<std::filesystem::path> candidates;
+  if (question.candidates) candidates = *question.candidates;
+  question.request.tests = counted_tests(subject.experiment, question.tests, candidates, subject.folder);
+}
+
+void resume(const Subject& subject, InferQuestion& question, const Json& earlier) {
+  question.request.earlier = design_for(report_on(subject, question.request, {}), infer_document().read(earlier));
+}
+
+Answer find(const Subject& subject, const InferQuestion& question, const Circumstances& circumstances) {
+  InferRequest request = question.request;
+  request.elapsed_seconds = circumstances.elapsed_seconds;
+  if (circumstances.keep) {
+    request.keeps_when_stopped = true;
+    request.keep = [&](const std::vector<infer::DesignPoint>& design) {
+      circumstances.keep([&] {
+        return infer_document().text(
+            report_on(subject, request, {.design = design, .answer = {}, .end = InferEnd::stopped}));
+      });
+    };
+  }
+  const Inference found = infer_unknowns(subject.experiment, request, circumstances.execution);
+  const InferReport report = report_on(subject, request, found);
+  return {.document = infer_document().text(report),
+          .table = infer_table(report),
+          .end = found.end == InferEnd::stopped ? AnswerEnd::stopped : AnswerEnd::complete};
+}
+
+std::vector<analysis::Figure> figures(const Json& document, std::span<const Json>) {
+  return analysis::infer_figures(infer_document().read(document));
+}
+
+constexpr StudyFunctions<InferQuestion> functions{.check = check, .find = find, .resume = resume, .figures = figures};
+
+}  // namespace
+
+const Study& infer_study() {
+  static const Study study = study_of<InferQuestion, functions>({
+      .name = "infer",
+      .sentence = "Infer unknown numbers from counted tests",
+      .example = "campaign.json --tests tests.csv -o out",
+      .text =
+          "answers which values of the unknowns of the experiment (its key `unknown`) make the counted response modes "
+          "of tests likely: estimates, intervals, a joint region, and whether the counts fit at all. tests.csv has a "
+          "line for each tested condition: parameters by JSON pointer or last key, then a column of counts for each "
+          "response mode, such as \"(1,1)\" or other. Writes out/infer.json.",
+      .python_notes = "``source`` is an experiment with ``unknown``. Raises InputError with the line of each fault, "
+                      "OSError if a file cannot be read.",
+      .python_example = R"(>>> import os, rocking, tempfile
+>>> slab = {"format": "rocking.experiment/1", "block": {"width_m": 1, "height_m": 4},
+...     "excitation": {"kind": "harmonic", "amplitude": 4.0, "frequency_ratio": 10.0,
+...                    "phase_rad": {"uniform": [0, 6.28]}}, "restitution": 0.9,
+...     "horizon": {"transient_periods": 10, "sampled_periods": 10}, "realisations": 20, "seed": "0x1",
+...     "unknown": [{"parameter": "/restitution", "from": 0.8, "to": 0.95}]}
+>>> with tempfile.TemporaryDirectory() as folder:
+...     tests = os.path.join(folder, "tests.csv")
+...     with open(tests, "w") as file:
+...         written = file.write("amplitude,overturned,other\n4.0,1,4\n")
+...     unknown, = rocking.infer(slab, tests).unknowns
+>>> unknown.interval[0] <= unknown.estimate <= unknown.interval[1]
+True)",
+      .takes_seed = true,
+      .realisations = "Realisations of each condition at each point, instead of the file's",
+      .progress = "realisations and made-up data sets",
+      .file = "infer.json",
+      .needs_folder = true,
+      .kept = "points",
+      .document = infer_document(),
+      .without_figures = {.place = "/fit",
+                          .value = "null",
+                          .reason = "there is no answer yet: a figure shows the answer",
+                          .remedy = "finish it with `rocking infer --resume`",
+                          .where = {}},
+      .verification =
+          {.verify = verify_infer, .progress = "realisations", .unit = "point", .units_key = "points_run_again"},
+      .is_shown_with_run = true,
+  });
+  return study;
+}
+
+}  // namespace rocking

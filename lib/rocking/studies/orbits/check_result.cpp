@@ -1,0 +1,88 @@
+#include "rocking/studies/orbits/check_result.hpp"
+
+#include <cstddef>
+#include <string>
+
+#include "rocking/output/provenance_fields.hpp"
+
+namespace rocking {
+namespace {
+
+/// Reports a place that is not in the list to which it leads.
+void check_place(std::size_t at, std::size_t size, const ReadingPlace& place) {
+  if (at >= size) place.reject(Json(at), "leads to none of the " + std::to_string(size) + " there");
+}
+
+void check_period(const Orbit& orbit, int period, const ReadingPlace& place) {
+  if (static_cast<std::size_t>(period) == orbit.points.size() && orbit.period == period) return;
+  place.at("points").reject(Json(orbit.points.size()), "differs in length from the period, " + std::to_string(period));
+}
+
+void check_condition_orbits(const OrbitsOfCondition& condition, const ReadingPlace& place) {
+  const std::size_t size = condition.orbits.size();
+  if (condition.run_on) check_place(*condition.run_on, size, place.at("run").at("orbit"));
+  for (std::size_t i = 0; i < size; ++i) {
+    const Orbit& orbit = condition.orbits[i];
+    const ReadingPlace at = place.at("orbits").at(std::to_string(i));
+    check_period(orbit, orbit.period, at);
+    if (orbit.mirror) check_place(*orbit.mirror, size, at.at("mirror"));
+  }
+}
+
+/// Calls `check` with each point, an orbit, of each entry of a list that has a period.
+template <class List, class PeriodOf>
+void check_points(const List& list, const ReadingPlace& place, PeriodOf period_of) {
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const ReadingPlace points = place.at(std::to_string(i)).at("points");
+    if (list[i].points.empty()) points.reject(Json::array(), "must not be empty");
+    for (std::size_t j = 0; j < list[i].points.size(); ++j) {
+      check_period(list[i].points[j].orbit, period_of(list[i]), points.at(std::to_string(j)));
+    }
+  }
+}
+
+void check_branches(const OrbitStudy& study, const ReadingPlace& place) {
+  const auto& [branches, bifurcations, is_complete] = study.branches->study;
+  check_points(branches, place.at("branches"), [](const OrbitBranch& branch) { return branch.period; });
+  for (std::size_t i = 0; i < branches.size(); ++i) {
+    const ReadingPlace at = place.at("branches").at(std::to_string(i));
+    if (branches[i].from) check_place(*branches[i].from, bifurcations.size(), at.at("from"));
+  }
+  for (std::size_t i = 0; i < bifurcations.size(); ++i) {
+    const ReadingPlace at = place.at("bifurcations").at(std::to_string(i));
+    check_place(bifurcations[i].branch, branches.size(), at.at("branch"));
+    if (const auto& orbit = bifurcations[i].orbit) check_period(*orbit, orbit->period, at.at("orbit"));
+  }
+  for (std::size_t i = 0; i < study.conditions.size(); ++i) {
+    if (swept_number(study.conditions[i], study.branches->pointer)) continue;
+    place.at("conditions")
+        .at(std::to_string(i))
+        .at("parameters")
+        .reject(Json(), "lacks a number for the parameter of the branches, " + study.branches->pointer);
+  }
+}
+
+void check_curves(const OrbitStudy& study, const ReadingPlace& place) {
+  if (!study.branches) return place.at("curves").reject(Json(), "need the branches whose bifurcations they follow");
+  const auto& curves = study.curves->curves;
+  if (study.curves->pointers.empty()) place.at("second_parameter").reject(Json::array(), "must not be empty");
+  check_points(curves, place.at("curves"), [](const BifurcationCurve& curve) { return curve.orbits.period; });
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    check_place(curves[i].bifurcation, study.branches->study.bifurcations.size(),
+                place.at("curves").at(std::to_string(i)).at("bifurcation"));
+  }
+}
+
+}  // namespace
+
+void check_orbits_report(const OrbitsReport& report, const ReadingPlace& place) {
+  check_input(report.input, place.at("input"));
+  const OrbitStudy& study = report.study;
+  for (std::size_t i = 0; i < study.conditions.size(); ++i) {
+    check_condition_orbits(study.conditions[i], place.at("conditions").at(std::to_string(i)));
+  }
+  if (study.branches) check_branches(study, place);
+  if (study.curves) check_curves(study, place);
+}
+
+}  // namespace rocking

@@ -1,0 +1,163 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "rocking/api/checks.hpp"
+#include "rocking/scene/experiment.hpp"
+#include "rocking/stats/interval.hpp"
+
+/// What is asked about a rare event, and what is estimated (lib/docs/rare.md).
+namespace rocking {
+
+namespace rare {
+
+/// The event: the block overturns, or abs(Theta) exceeds `peak_tilt` (also if it overturns).
+struct Event {
+  std::optional<double> peak_tilt;  ///< [-]
+};
+
+/// One unbiased estimate.
+struct Repetition {
+  double estimate = 0.0;
+  std::size_t ancestors = 0;  ///< first trajectories from which those that had the event descend
+  double work = 0.0;          ///< simulated time, in realisations to the horizon
+  /// Estimate of the probability that a motion ends before its horizon without an answer: by a budget of steps, or by
+  /// Painleve's paradox.
+  double unresolved = 0.0;
+};
+
+/// A point of the Poincare section of a path.
+struct StrobeState {
+  double tilt = 0.0;       ///< Theta [-]
+  double tilt_rate = 0.0;  ///< Theta' [-]
+};
+
+/// A trajectory that has the event, and the random numbers that make it again (lib/docs/draws.md).
+struct Path {
+  /// In place of draw 0 of a source, by the name of the source.
+  struct Given {
+    std::string source;
+    double number = 0.0;
+  };
+  /// From these indices on, by the number of the source, the normal draws along the way are those of this number.
+  struct Branch {
+    std::uint64_t number = 0;
+    std::vector<std::uint64_t> from;
+  };
+  std::uint64_t number = 0;  ///< realisation number of its draws
+  std::vector<Given> given;
+  std::vector<Branch> branches;  ///< in the order in which they were made
+  int samples_per_period = 0;
+  std::vector<std::vector<double>> tilts;  ///< Theta from the start to the event, by periods
+  std::vector<StrobeState> strobe;         ///< from strobe point 1 on
+};
+
+/// The probability of the event from points of the Poincare section with all of the horizon ahead, and V = 0.
+struct CommittorMap {
+  double tilt = 0.0;                      ///< columns are at even distances from -tilt to tilt
+  double tilt_rate = 0.0;                 ///< rows, likewise
+  std::vector<std::vector<double>> rows;  ///< by rising Theta'
+};
+
+}  // namespace rare
+
+/// What is asked for each condition.
+struct RareQuestion {
+  rare::Event event;
+  double relative_error = 0.1;  ///< standard error over the probability that is aimed at; > 0
+};
+
+/// Why no more repetitions were made.
+enum class RareEnd : std::uint8_t {
+  precise,  ///< the relative error is as small as was asked
+  out_of_time,
+  stopped,     ///< it was asked to stop
+  never_seen,  ///< the first repetitions have not seen the event
+  most_repetitions,
+};
+[[nodiscard]] std::string_view to_string(RareEnd end);
+
+/// What stands in the way of trusting an interval.
+enum class RareDiagnosis : std::uint8_t {
+  none,
+  not_found,        ///< the last pilot run has not seen the event
+  few_repetitions,  ///< fewer than 8 were finished: the interval is [0, 1]
+  uneven,           ///< a tenth of the repetitions or more missed the event, or one has more than a third of the sum
+};
+[[nodiscard]] std::string_view to_string(RareDiagnosis diagnosis);
+
+/// How the probability of a condition is estimated.
+enum class RareMethod : std::uint8_t {
+  twisted_run,          ///< a particle run that the committor steers; numbers are drawn along the way
+  importance_sampling,  ///< of numbers that are all drawn once
+};
+[[nodiscard]] std::string_view to_string(RareMethod method);
+
+/// The probability of the event for one condition.
+struct RareEstimate {
+  std::optional<double> probability;     ///< absent if no repetition was finished when the time was up
+  std::optional<double> relative_error;  ///< standard error over the probability; absent for 0, and of few repetitions
+  /// For a probability 0: see rare.md. Its upper end is that of the probability with `unresolved`.
+  stats::Interval interval;
+  double unresolved = 0.0;  ///< mean of Repetition::unresolved
+  RareMethod method = RareMethod::twisted_run;
+  std::vector<double> levels;   ///< of the search for the event, rising; empty for a twisted run
+  std::vector<double> reached;  ///< share of its particles at each level, and the event last
+  std::vector<rare::Repetition> repetitions;
+  double pilot_work = 0.0;
+  double work = 0.0;  ///< simulated time of what was finished, with the pilot runs, in realisations to the horizon
+  std::optional<double> crude_work;             ///< realisations for the same relative error by plain sampling
+  std::optional<rare::CommittorMap> committor;  ///< of a twisted run
+  std::vector<rare::Path> paths;  ///< drawn from those with the event, by their weights; none if the time was up
+  RareEnd end = RareEnd::precise;
+  RareDiagnosis diagnosis = RareDiagnosis::none;
+};
+
+/// What is asked of each condition, and with how much work.
+struct RareRequest {
+  RareQuestion question = {};
+  std::size_t particles = 1000;  ///< trajectories of a repetition; 20 to 100000
+  /// Time for all conditions together [s], on the clock of `elapsed_seconds`, which several threads call. What is not
+  /// finished then is left out. Absent: no limit, so that the same is estimated again.
+  std::optional<double> seconds = {};
+  std::function<double()> elapsed_seconds = {};
+  /// Of an earlier study with the same experiment, event and particles, by condition: their repetitions are not made again.
+  std::vector<RareEstimate> earlier = {};
+  /// When it is asked to stop, it returns what is finished. Else it throws.
+  bool keeps_when_stopped = false;
+  /// Called by one thread at a time after each repetition; `so_far` gives what would be returned if it had been asked to
+  /// stop after it.
+  std::function<void(const std::function<std::vector<RareEstimate>()>& so_far)> keep = {};
+};
+
+/// Throws base::InputError if nothing in a condition is random or a number is out of range.
+ROCKING_API void check_request(const Experiment& experiment, const RareRequest& request);
+
+/// Estimates the probability of overturning, or of a large tilt, one entry for each condition, by a particle run that
+/// the committor steers or by importance sampling. Uses `threads`, `on_progress` and `stop` of the execution; progress
+/// counts simulated time in realisations to the horizon. Their number is estimated; it is 0, not known, up to the end of
+/// the pilot runs of the first condition. Throws as check_request, and base::Stopped if it is asked to stop. Source:
+/// lib/docs/rare.md.
+[[nodiscard]] ROCKING_API std::vector<RareEstimate> rare_probabilities(const Experiment& experiment,
+                                                                       const RareRequest& request,
+                                                                       const Execution& execution = {});
+
+/// The same as JSON text (`rocking.rare/1`).
+[[nodiscard]] ROCKING_API std::string rare_probabilities_text(const Experiment& experiment, const RareRequest& request,
+                                                              const std::vector<RareEstimate>& found);
+
+/// Checks the `rare.json` of a folder, which must follow from its repetitions: makes the pilot runs and about `sample`
+/// repetitions again, evenly spaced, at least one of each condition; absent: four of each. `checked` and `different`
+/// count repetitions. Uses the execution as verify() and throws as it does.
+[[nodiscard]] ROCKING_API RunCheck verify_rare(const std::filesystem::path& folder,
+                                               std::optional<std::uint64_t> sample = {},
+                                               const Execution& execution = {});
+
+}  // namespace rocking

@@ -1,0 +1,142 @@
+#include "rocking/studies/rare/study.hpp"
+
+#include <algorithm>
+
+#include "rocking/api/questions.hpp"
+#include "rocking/studies/rare/figure.hpp"
+#include "rocking/studies/rare/result.hpp"
+
+namespace rocking {
+namespace {
+
+const StructType& repetition_fields() {
+  using rare::Repetition;
+  static const StructType fields{
+      "Repetition",
+      field<&Repetition::estimate>("estimate", "of the probability", rule::not_negative),
+      field<&Repetition::ancestors>("ancestors", "first trajectories from which those with the event descend"),
+      field<&Repetition::work>("work", "in realisations to the horizon", rule::not_negative),
+  };
+  return fields;
+}
+
+const StructType& earlier_fields() {
+  static const StructType fields{
+      "RareEstimate",
+      field<&RareEstimate::repetitions>("repetitions", "that are not made again",
+                                        list_of<rare::Repetition, repetition_fields>()),
+  };
+  return fields;
+}
+
+}  // namespace
+
+const StructType& fields_of(const RareRequest*) {
+  using Type = RareRequest;
+  static const StructType fields{
+      "RareRequest",
+      asked(field<&Type::question, &RareQuestion::relative_error>(
+                "relative_error", "Standard error over the probability that is aimed at",
+                Rule{.least = 1e-3, .most = 1.0}),
+            {.names = "--relative-error", .letter = "E"}),
+      asked(field<&Type::question, &RareQuestion::event, &rare::Event::peak_tilt>(
+                "peak_tilt", "Ask for abs(Theta) > A instead of overturning; 1 is the unstable equilibrium",
+                Rule{.least = 0.0, .most = 100.0}),
+            {.names = "--peak-tilt", .letter = "A"}),
+      asked(field<&Type::seconds>("seconds",
+                                  "Stop after this time for all conditions together, e.g. 10min; what is finished then "
+                                  "counts",
+                                  rule::positive),
+            {.names = "--max-time,--at-most-work", .letter = "T", .kind = FlagKind::duration}),
+      asked(
+          field<&Type::particles>("particles", "Trajectories of a repetition", Rule{.least = 20.0, .most = 100'000.0}),
+          {.names = "--particles", .letter = "N"}),
+      field<&Type::earlier>("earlier", "estimates of an earlier study, by condition",
+                            list_of<RareEstimate, earlier_fields>()),
+  };
+  return fields;
+}
+
+namespace {
+
+RareReport report_on(const Subject& subject, const RareRequest& request, const std::vector<RareEstimate>& found) {
+  return rare_report(subject.experiment, {.question = request.question, .particles = request.particles}, found);
+}
+
+void check(const Subject& subject, RareRequest& request) {
+  request.elapsed_seconds = [] { return 0.0; };
+  check_request(subject.experiment, request);
+}
+
+void resume(const Subject& subject, RareRequest& request, const Json& earlier) {
+  request.earlier = estimates_for(report_on(subject, request, {}), rare_document().read(earlier));
+}
+
+Answer find(const Subject& subject, const RareRequest& asked, const Circumstances& circumstances) {
+  RareRequest request = asked;
+  request.elapsed_seconds = circumstances.elapsed_seconds;
+  if (circumstances.keep) {
+    request.keeps_when_stopped = true;
+    request.keep = [&](const std::function<std::vector<RareEstimate>()>& so_far) {
+      circumstances.keep([&] { return rare_document().text(report_on(subject, request, so_far())); });
+    };
+  }
+  const RareReport report =
+      report_on(subject, request, rare_probabilities(subject.experiment, request, circumstances.execution));
+  const bool is_stopped =
+      std::ranges::any_of(report.conditions, [](const auto& one) { return one.estimate.end == RareEnd::stopped; });
+  return {.document = rare_document().text(report),
+          .table = rare_table(report),
+          .end = is_stopped ? AnswerEnd::stopped : AnswerEnd::complete};
+}
+
+std::vector<analysis::Figure> figures(const Json& document, std::span<const Json>) {
+  return analysis::rare_figures(rare_document().read(document));
+}
+
+constexpr StudyFunctions<RareRequest> functions{.check = check, .find = find, .resume = resume, .figures = figures};
+
+}  // namespace
+
+const Study& rare_study() {
+  static const Study study = study_of<RareRequest, functions>({
+      .name = "rare",
+      .sentence = "Estimate the probability of rare overturning",
+      .example = "experiments/headline/headline.json -o out --max-time 10min",
+      .text =
+          "estimates probabilities far below 1 over the number of simulated realisations: by a particle run that "
+          "prefers motions from which overturning is likely, or by importance sampling where all numbers are drawn "
+          "once. Writes the probability of each condition with its interval to out/rare.json and prints it. Something "
+          "must be random.",
+      .python_notes = "Without ``seconds`` the same is estimated again. Raises InputError if nothing in a condition is "
+                      "random or a number is out of range.",
+      .python_example = R"(>>> import rocking
+>>> slab = {"format": "rocking.experiment/1", "block": {"width_m": 1, "height_m": 4},
+...     "excitation": {"kind": "harmonic", "amplitude": 2.0, "frequency_ratio": 10.0,
+...                    "phase_rad": {"uniform": [0, 6.28]}}, "restitution": 0.9,
+...     "horizon": {"transient_periods": 5, "sampled_periods": 15}, "seed": "0x1"}
+>>> estimate, = rocking.rare(slab, peak_tilt=0.05, particles=20, relative_error=1.0).conditions
+>>> estimate.interval[0] <= estimate.probability <= estimate.interval[1]
+True)",
+      .takes_seed = true,
+      .progress = "realisations",
+      .file = "rare.json",
+      .needs_folder = true,
+      .kept = "repetitions",
+      .document = rare_document(),
+      .without_figures = {.place = "/conditions/0/paths",
+                          .value = "",
+                          .reason = "are missing: a figure shows how the event happens",
+                          .remedy = "give `rocking rare` more time",
+                          .where = {}},
+      .verification = {.verify = verify_rare,
+                       .progress = "realisations",
+                       .unit = "repetition",
+                       .units_key = "repetitions_run_again",
+                       .and_more = " and the pilot runs"},
+      .is_shown_with_run = true,
+  });
+  return study;
+}
+
+}  // namespace rocking

@@ -1,0 +1,53 @@
+// From which base acceleration a block lifts, and below which friction it slides, beside the forces of the model.
+
+#include <cstdlib>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "rocking/dynamics/forces.hpp"
+#include "rocking/input/read_experiment.hpp"
+#include "rocking/plan/thresholds.hpp"
+
+namespace {
+
+using namespace rocking;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+std::string thresholds_of(const std::string& more) {
+  return thresholds_text(read_experiment(R"({ "format": "rocking.experiment/1",
+    "block": { "width_m": 1.0, "height_m": 4.0 },
+    "excitation": { "kind": "harmonic", "amplitude": 4.2, "frequency_ratio": 10.0 })" +
+                                         more + " }"));
+}
+
+/// Friction over the normal force of a block 1 x 4 that begins to rock without slip.
+double demand_at(double base_acceleration) {
+  const dynamics::Geometry block = dynamics::geometry_of({.width = 1.0, .height = 4.0});
+  const auto forces = dynamics::forces_without_slip<double>(
+      {.edge = {.sine = block.sine, .cosine = block.cosine}, .omega = 0.0, .beta = base_acceleration, .weight = 1.0});
+  return forces.friction / forces.normal;
+}
+
+TEST(Thresholds, AreThoseOfTheForcesOfTheModel) {
+  const std::string text = thresholds_of(R"(, "friction": { "static": 0.35, "kinetic": 0.3 })");
+  EXPECT_THAT(text, HasSubstr("lifts if the base exceeds 0.25 g. Static friction 0.35:"));
+  EXPECT_THAT(text, HasSubstr("an impact slips if it is below 0.185"));  // lib/docs/model.md, section 4
+  const std::string words = "begins to rock slides if the base exceeds ";
+  ASSERT_THAT(text, HasSubstr(words));
+  const double slide = std::strtod(text.c_str() + text.find(words) + words.size(), nullptr);
+  EXPECT_NEAR(demand_at(slide), 0.35, 1e-3);
+  EXPECT_GT(slide, 0.25);
+}
+
+TEST(Thresholds, NameNoSlidingThatCannotBe) {
+  EXPECT_THAT(thresholds_of(""), HasSubstr("Friction is not given: the block does not slide."));
+  // Below tan(psi) the block slides and never begins to rock without slip; above the bound no acceleration is enough.
+  EXPECT_THAT(thresholds_of(R"(, "friction": { "static": 0.2, "kinetic": 0.2 })"), Not(HasSubstr("begins to rock")));
+  EXPECT_THAT(thresholds_of(R"(, "friction": { "static": 1.7, "kinetic": 0.3 })"), Not(HasSubstr("begins to rock")));
+  EXPECT_LT(demand_at(1e9), 1.7);
+}
+
+}  // namespace

@@ -1,0 +1,48 @@
+// The answer of counted tests as text.
+
+#include <gmock/gmock.h>
+
+#include "rocking/studies/infer/result.hpp"
+
+namespace {
+
+using namespace rocking;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+/// Two conditions, a design of two points.
+InferReport answered() {
+  const auto tests = [](const char* amplitude, std::vector<std::uint64_t> counts) {
+    return ReportedTests{.parameters = {{"/excitation/amplitude", amplitude}},
+                         .counts = std::move(counts),
+                         .predicted = {0.5, 0.2, 0.3},
+                         .intervals = std::vector<stats::Interval>(3)};
+  };
+  return {.input = {},
+          .unknowns = {{.parameter = "/friction/static",
+                        .from = 0.3,
+                        .to = 0.4,
+                        .estimate = 0.35,
+                        .interval = stats::Interval{.low = 0.32, .high = 0.38},
+                        .reaches = ReachedBound::none}},
+          .fit = InferenceFit{},
+          .groups = {"(1,1)", "chaotic", "other"},
+          .tests = {tests("4.5", {9, 1, 0}), tests("6.0", {7, 2, 1})},
+          .design = {{.at = {0.3}, .counts = {{40, 0, 0}, {30, 10, 0}}},
+                     {.at = {0.4}, .counts = {{39, 1, 0}, {40, 0, 0}}}}};
+}
+
+TEST(InferTable, NamesWhatWasCountedButNeverSimulated) {
+  InferReport report = answered();
+  const std::string table = infer_table(report);
+  EXPECT_THAT(table, HasSubstr("\nother with amplitude 6 was counted 1 time, but never simulated at any value of the "
+                               "unknowns\n"));
+  EXPECT_THAT(table, Not(HasSubstr("chaotic with"))) << "one point of the design has it";
+  EXPECT_THAT(table, Not(HasSubstr("other with amplitude 4.5"))) << "it was not counted";
+  report.design[1].counts[0] = {40, 0, 0};
+  EXPECT_THAT(infer_table(report), HasSubstr("chaotic with amplitude 4.5 was counted 1 time, but never simulated"));
+  for (ReportedTests& tests : report.tests) tests.parameters.clear();
+  EXPECT_THAT(infer_table(report), HasSubstr("\nother was counted 1 time, but never simulated"));
+}
+
+}  // namespace

@@ -1,0 +1,95 @@
+// Periodic orbits in files: what contradicts itself is refused.
+
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+
+#include "rocking/base/error.hpp"
+#include "rocking/studies/orbits/result.hpp"
+
+namespace {
+
+using namespace rocking;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+Orbit orbit_of_two_periods() {
+  Orbit orbit;
+  orbit.period = 2;
+  orbit.points.resize(2);
+  return orbit;
+}
+
+/// One condition with an orbit, on a branch with a bifurcation from which a curve was followed.
+Json orbits_example() {
+  const Orbit orbit = orbit_of_two_periods();
+  OrbitsReport report;
+  report.input.sha256 = std::string(64, '0');
+  OrbitsOfCondition& condition = report.study.conditions.emplace_back();
+  condition.parameters = {{.pointer = "/restitution", .value = "0.5"}};
+  condition.orbits = {orbit};
+  condition.orbits[0].mirror = 0;
+  condition.run_on = 0;
+  report.study.longest = 2;
+  FoundBranches& branches = report.study.branches.emplace();
+  branches.pointer = "/restitution";
+  branches.most_points = 2;
+  branches.study.branches = {{.period = 2, .points = {{.value = 0.5, .orbit = orbit}}, .from = 0}};
+  branches.study.bifurcations = {{.error = 1e-9, .orbit = orbit}};
+  FoundCurves& curves = report.study.curves.emplace();
+  curves.pointers = {"/friction/static"};
+  curves.most_points = 2;
+  curves.curves = {{.orbits = {.period = 2}, .points = {{.value = 0.5, .orbit = orbit}}}};
+  return Json::parse(orbits_document().text(report));
+}
+
+std::string refusal(const Json& json) {
+  try {
+    static_cast<void>(orbits_document().read(json));
+  } catch (const base::InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(OrbitsReport, IsReadWhereItsPlacesLeadToWhatTheyName) {
+  const Json good = orbits_example();
+  EXPECT_THAT(refusal(good), IsEmpty());
+  for (const char* place : {"/conditions/0/run/orbit", "/conditions/0/orbits/0/mirror", "/branches/0/from",
+                            "/bifurcations/0/branch", "/curves/0/bifurcation"}) {
+    Json bad = good;
+    ASSERT_EQ(bad.at(Json::json_pointer(place)), 0) << place;
+    bad[Json::json_pointer(place)] = 1;
+    EXPECT_THAT(refusal(bad), HasSubstr(std::string(place) + " = 1: leads to none of the 1 there"));
+  }
+}
+
+TEST(OrbitsReport, RefusesOrbitsThatAreNotAsLongAsTheirPeriod) {
+  const Json good = orbits_example();
+  for (const char* place : {"/conditions/0/orbits/0/points", "/branches/0/points/0/points",
+                            "/bifurcations/0/orbit/points", "/curves/0/points/0/points"}) {
+    Json bad = good;
+    bad[Json::json_pointer(place)].push_back({0.0, 0.0, 0.0});
+    EXPECT_THAT(refusal(bad), HasSubstr(place));
+    bad[Json::json_pointer(place)] = Json::array();
+    EXPECT_THAT(refusal(bad), HasSubstr("at least one state"));
+  }
+}
+
+TEST(OrbitsReport, RefusesBranchesOverWhatIsNotSwept) {
+  Json bad = orbits_example();
+  bad["parameter"] = "/block/width_m";
+  EXPECT_THAT(refusal(bad), HasSubstr("/conditions/0/parameters"));
+  bad = orbits_example();
+  bad["range"] = {1.0, 1.0};
+  EXPECT_THAT(refusal(bad), HasSubstr("/range/1"));
+  bad = orbits_example();
+  for (const char* key : {"parameter", "range", "most_points", "complete", "branches", "bifurcations"}) bad.erase(key);
+  EXPECT_THAT(refusal(bad), HasSubstr("need the branches"));
+  Json partly = orbits_example();
+  partly.erase("range");
+  EXPECT_THAT(refusal(partly), HasSubstr("/range = null: is missing"));
+}
+
+}  // namespace

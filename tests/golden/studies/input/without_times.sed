@@ -1,0 +1,8 @@
+s/about [0-9.e-]+ (s|min|h|days) at this rate/about * at this rate/
+s/It is [0-9.]+ times (faster|slower)/It is * times faster/
+# Columns "us" and "speed" of the first table, "time" of the second; all are at the end of a line.
+s/ +us +speed$/ us speed/
+s/ +time$/ time/
+/^ *[0-9.e-]+( \*)? .* [0-9.]+ +[0-9.]+$/s/ +[0-9.]+ +[0-9.]+$/ * */
+s/ +[0-9.e-]+ (s|min|h)$/ */
+s/realisations, [0-9.e-]+ (s|min|h);/realisations, *;/

@@ -53,7 +53,7 @@ ExperimentText load_experiment_text(const std::string& path) {
 }
 
 Experiment load_experiment(const ExperimentText& source, const Overrides& overrides) {
-  return input_of([&] { return read_experiment(source, overrides); });
+  return input_of([&] { return experiment_in(source, overrides); });
 }
 
 Experiment load_experiment(const std::string& path, const Overrides& overrides) {

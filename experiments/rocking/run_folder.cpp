@@ -156,7 +156,7 @@ void RunFolder::expect_installed() const {
 
 Experiment experiment_of(const Identity& identity, const Overrides& overrides) {
   return input_of(
-      [&] { return read_experiment(identity.experiment, overrides, {.files = files_seen_from(identity.files)}); });
+      [&] { return experiment_in(identity.experiment, overrides, {.files = files_seen_from(identity.files)}); });
 }
 
 }  // namespace rocking::program

@@ -48,7 +48,7 @@ inline std::vector<std::string> made_up_matches(const std::string& pattern) {
 
 /// Reads an experiment with few conditions. Throws base::InputError if it is not valid.
 inline Experiment read_small_experiment(std::string_view text) {
-  return read_experiment(text, {}, {.files = made_up_file, .matches = made_up_matches, .most_conditions = 32});
+  return experiment_in(text, {}, {.files = made_up_file, .matches = made_up_matches, .most_conditions = 32});
 }
 
 /// A text is refused with its problems, or its canonical text reproduces itself and has the same number of conditions.

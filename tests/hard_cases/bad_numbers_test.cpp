@@ -128,7 +128,7 @@ TEST(BadNumber, InAnyKeyOfAnExperimentIsRefusedByItsNameOrRunsToFiniteNumbers) {
       for (const char* word : bad_numbers) {
         const std::string what = pointer + " = " + word;
         try {
-          const auto read = read_experiment(with_word(document, pointer, word), {}, {.files = record_file});
+          const auto read = experiment_in(with_word(document, pointer, word), {}, {.files = record_file});
           ++ran;
           expect_finite_result(read, what);
         } catch (const base::InputError& error) {

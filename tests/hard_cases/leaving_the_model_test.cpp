@@ -64,7 +64,7 @@ struct Replayed {
 };
 
 Replayed replay(const Json& document) {
-  const Experiment read = read_experiment(document.dump());
+  const Experiment read = experiment_in(document.dump());
   const Condition& condition = read.conditions.at(0);
   Replayed replayed{.result = run(read, {})->conditions.at(0), .trajectories = {}};
   const auto& horizon = condition.horizon;

@@ -98,7 +98,7 @@ Json document_of(const Combination& combination) {
 
 Condition condition_of(const Json& document, BaseMotion base) {
   const auto file = [base](const std::string&, std::size_t) { return record_text(base); };
-  return read_experiment(document.dump(), {}, {.files = file}).conditions.at(0);
+  return experiment_in(document.dump(), {}, {.files = file}).conditions.at(0);
 }
 
 Condition condition_of(const Combination& combination) {

@@ -16,7 +16,7 @@ TEST(PublishedExperiment, IsValidAndItsCanonicalTextIsItsOwn) {
     if (entry.path().extension() != ".json") continue;
     const auto experiment = read_experiment_file(entry.path());
     const Surroundings beside_it{.files = files_seen_from(entry.path().parent_path())};
-    EXPECT_EQ(read_experiment(experiment.canonical_text, {}, beside_it).canonical_text, experiment.canonical_text)
+    EXPECT_EQ(experiment_in(experiment.canonical_text, {}, beside_it).canonical_text, experiment.canonical_text)
         << entry.path();
     ++found;
   }

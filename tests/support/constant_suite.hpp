@@ -51,7 +51,7 @@ struct ConstantSuite {
       files[name] = "0 " + value + "\n6 " + value + '\n';
       json["excitation"]["suite"].push_back(name);
     }
-    Experiment experiment = read_experiment(
+    Experiment experiment = experiment_in(
         json.dump(), {}, {.files = [files](const std::string& name, std::size_t) { return files.at(name); }});
     if (has_common_numbers) {
       for (Condition& condition : experiment.conditions) condition.record_stream = 0;

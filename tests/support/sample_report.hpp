@@ -29,7 +29,7 @@ inline Estimate sample_estimate(std::uint64_t count, std::uint64_t n) {
 /// An invented report of a grid of two frictions and three amplitudes: (1,1) is replaced by (1,3), some realisations
 /// overturn.
 inline Json sample_report() {
-  const auto experiment = read_experiment(R"({
+  const auto experiment = experiment_in(R"({
     "format": "rocking.experiment/1", "title": "made up", "block": { "width_m": 1.0, "height_m": 4.0 },
     "excitation": { "amplitude": 4.2, "frequency_ratio": 10.0 },
     "friction": { "static": 0.35, "kinetic": 0.30 }, "fluctuation": { "friction": { "sigma": 0.03 } },

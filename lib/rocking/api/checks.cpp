@@ -99,7 +99,7 @@ std::vector<std::string> report_faults(std::string_view text, const StoredRun& s
 RunCheck verify_report(std::string_view text, const std::filesystem::path& files, const Execution& execution) {
   const ReportClaims claims = claims_of_report(text);
   if (!has_stated_digest(claims)) return {.findings = {std::string(wrong_digest_of_experiment)}};
-  const Experiment experiment = read_experiment(claims.experiment, Overrides{}, {.files = files_seen_from(files)});
+  const Experiment experiment = experiment_in(claims.experiment, Overrides{}, {.files = files_seen_from(files)});
   const OptionsOfExecution asked(execution);
   const ReportRerun again = rerun_report(text, experiment, asked.options());
   if (again.was_stopped) throw base::Stopped();

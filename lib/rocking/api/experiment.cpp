@@ -15,7 +15,7 @@ Experiment read_experiment(const std::filesystem::path& file, const Overrides& o
 
 Experiment parse_experiment(std::string_view text, const std::filesystem::path& folder, const std::string& name,
                             const Overrides& overrides) {
-  return read_experiment(ExperimentText{.text = std::string(text), .name = name, .folder = folder}, overrides);
+  return experiment_in(ExperimentText{.text = std::string(text), .name = name, .folder = folder}, overrides);
 }
 
 Experiment experiment_of(std::vector<Condition> conditions, const Declaration& declaration) {

@@ -32,7 +32,7 @@ namespace {
 namespace fs = std::filesystem;
 
 Experiment experiment_of(const Identity& identity) {
-  return read_experiment(identity.experiment, Overrides{}, {.files = files_seen_from(identity.files)});
+  return experiment_in(identity.experiment, Overrides{}, {.files = files_seen_from(identity.files)});
 }
 
 /// Whether the experiments differ in a fixed number of realisations only.

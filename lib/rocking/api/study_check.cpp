@@ -21,7 +21,7 @@ std::optional<Experiment> stated_experiment(const InputFacts& input, const Surro
   if (input.experiment.is_null()) return {};
   const std::string text = input.experiment.dump();
   if (!has_stated_digest({.experiment = text, .sha256 = input.sha256, .code = ""})) return {};
-  return read_experiment(text, {}, surroundings);
+  return experiment_in(text, {}, surroundings);
 }
 
 }  // namespace rocking

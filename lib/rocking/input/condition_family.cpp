@@ -10,7 +10,7 @@ namespace {
 /// The experiment at the document; absent where a value of it is not allowed.
 std::optional<Condition> condition_of(const Json& document) {
   try {
-    return read_experiment(document.dump()).conditions.front();
+    return experiment_in(document.dump()).conditions.front();
   } catch (const base::InputError&) {
     return std::nullopt;
   }
@@ -91,7 +91,7 @@ std::function<Condition(const std::vector<Parameter>&)> condition_maker(const Ex
   return [document = document_without_sweep(experiment), surroundings](const std::vector<Parameter>& values) {
     Json one = document;
     for (const Parameter& value : values) one[Json::json_pointer(value.pointer)] = Json::parse(value.value);
-    Condition condition = read_experiment(one.dump(), {}, surroundings).conditions.front();
+    Condition condition = experiment_in(one.dump(), {}, surroundings).conditions.front();
     condition.parameters = values;
     return condition;
   };

@@ -326,7 +326,7 @@ Surroundings seen_from(const std::filesystem::path& folder) {
   return {.files = files_seen_from(folder), .matches = matches_seen_from(folder)};
 }
 
-Experiment read_experiment(std::string_view text, const Overrides& overrides, const Surroundings& surroundings) {
+Experiment experiment_in(std::string_view text, const Overrides& overrides, const Surroundings& surroundings) {
   Problems problems;
   Json document = parse_json(text, problems);
   return ExperimentBuilder(std::move(document), surroundings, std::move(problems)).build(overrides);
@@ -336,7 +336,7 @@ ExperimentText experiment_text_of(const std::filesystem::path& path) {
   return {.text = read_file(path, most_experiment_bytes), .name = path.string(), .folder = path.parent_path()};
 }
 
-Experiment read_experiment(const ExperimentText& source, const Overrides& overrides) {
+Experiment experiment_in(const ExperimentText& source, const Overrides& overrides) {
   if (source.text.size() > most_experiment_bytes) {
     throw base::InputError({.place = source.name,
                             .value = "",
@@ -344,14 +344,14 @@ Experiment read_experiment(const ExperimentText& source, const Overrides& overri
                             .remedy = "give a range instead of a list of values"});
   }
   try {
-    return read_experiment(source.text, overrides, seen_from(source.folder));
+    return experiment_in(source.text, overrides, seen_from(source.folder));
   } catch (const base::InputError& error) {
     throw located(error, source.text, source.name);
   }
 }
 
 Experiment read_experiment_file(const std::filesystem::path& path, const Overrides& overrides) {
-  return read_experiment(experiment_text_of(path), overrides);
+  return experiment_in(experiment_text_of(path), overrides);
 }
 
 }  // namespace rocking

@@ -25,8 +25,8 @@ struct Surroundings {
 /// Reads an experiment file (`rocking.experiment/1`, lib/docs/formats.md), works out its sweep and checks every
 /// condition. Throws InputError with all problems found, and std::system_error where a file that it names cannot be
 /// read.
-[[nodiscard]] Experiment read_experiment(std::string_view text, const Overrides& overrides = {},
-                                         const Surroundings& surroundings = {});
+[[nodiscard]] Experiment experiment_in(std::string_view text, const Overrides& overrides = {},
+                                       const Surroundings& surroundings = {});
 
 /// The text of an experiment, as it was given.
 struct ExperimentText {
@@ -42,7 +42,7 @@ inline constexpr std::size_t most_experiment_bytes = 64'000'000;
 [[nodiscard]] ExperimentText experiment_text_of(const std::filesystem::path& path);
 
 /// The same of a text; problems have the name and the line.
-[[nodiscard]] Experiment read_experiment(const ExperimentText& source, const Overrides& overrides);
+[[nodiscard]] Experiment experiment_in(const ExperimentText& source, const Overrides& overrides);
 
 /// The same from a file, from whose folder the files that it names are seen. Throws std::system_error with the path
 /// where it cannot be read.

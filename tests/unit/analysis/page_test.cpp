@@ -43,7 +43,7 @@ using namespace rocking::analysis;
 const char* hostile = "</title></script><script>alert(1)</script><img src=x onerror=alert(2)> \"&'";
 
 Json report_of(const Json& question) {
-  const auto experiment = rocking::read_experiment(question.dump(), {}, {});
+  const auto experiment = rocking::experiment_in(question.dump(), {}, {});
   const auto result = rocking::run(experiment, {.threads = 1, .on_progress = {}, .stop_requested = nullptr});
   return Json::parse(
       rocking::report_text(experiment, result.value(), {.build = {}, .machine = "m", .start = "2012-02-01T12:00:00Z"}));

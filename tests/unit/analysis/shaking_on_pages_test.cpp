@@ -30,7 +30,7 @@ using testing::StartsWith;
 
 /// The report of a run in which every realisation had the mode (1,1).
 Json report_json(const Json& document) {
-  const Experiment experiment = read_experiment(document.dump());
+  const Experiment experiment = experiment_in(document.dump());
   ExperimentResult result{.conditions = {}, .digest = base::sha256("made up")};
   for (std::size_t i = 0; i < experiment.conditions.size(); ++i) {
     ConditionResult condition;

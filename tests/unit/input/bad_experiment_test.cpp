@@ -21,7 +21,7 @@ using ::testing::HasSubstr;
 
 std::vector<base::Problem> problems_of(const Json& document, const Overrides& overrides = {}) {
   try {
-    static_cast<void>(read_experiment(document.dump(), overrides));
+    static_cast<void>(experiment_in(document.dump(), overrides));
   } catch (const base::InputError& error) {
     return error.problems();
   }
@@ -266,7 +266,7 @@ TEST(BadExperiment, TellsAFewOfAMillionUnknownKeys) {
   text += R"("excitation": {"amplitude": 1, "frequency_ratio": 1}, "sweep": [{"parameter": "/excitation/amplitude",
              "from": 0, "to": 1000, "step": 0.01}]})";
   try {
-    static_cast<void>(read_experiment(text));
+    static_cast<void>(experiment_in(text));
     ADD_FAILURE() << "accepted";
   } catch (const base::InputError& error) {
     EXPECT_LE(error.problems().size(), 20U);

@@ -14,7 +14,7 @@ using support::example_experiment;
 using support::least_experiment;
 using support::with;
 
-std::string canonical(const Json& document) { return read_experiment(document.dump()).canonical_text; }
+std::string canonical(const Json& document) { return experiment_in(document.dump()).canonical_text; }
 
 TEST(CanonicalText, IsItsOwnCanonicalText) {
   for (
@@ -42,7 +42,7 @@ TEST(CanonicalText, DoesNotDependOnSpelling) {
     "friction": {"kinetic": 0.3, "static": 0.35},
     "excitation": {"frequency_ratio": 10, "amplitude": 4.20}, "block": {"height_m": 4, "width_m": 1},
     "title": "Does the same shaking give the same rocking?", "format": "rocking.experiment/1"})";
-  EXPECT_EQ(read_experiment(spelled_otherwise).canonical_text, canonical(example_experiment()));
+  EXPECT_EQ(experiment_in(spelled_otherwise).canonical_text, canonical(example_experiment()));
 }
 
 TEST(CanonicalText, WritesEveryDefaultOut) {
@@ -68,7 +68,7 @@ TEST(CanonicalText, GivesAFormerKeyItsPresentName) {
 TEST(FormerKey, IsNamedAsItIsWritten) {
   const auto place_of_problem = [](const Json& document) {
     try {
-      (void)read_experiment(document.dump());
+      (void)experiment_in(document.dump());
     } catch (const base::InputError& error) {
       return error.problems().at(0).place;
     }
@@ -92,7 +92,7 @@ TEST(CanonicalText, NamesTheOptionsOfAFormulation) {
 }
 
 TEST(CanonicalText, HoldsWhatTheFlagsSay) {
-  const auto experiment = read_experiment(example_experiment().dump(), {.seed = "17", .realisations = "3"});
+  const auto experiment = experiment_in(example_experiment().dump(), {.seed = "17", .realisations = "3"});
   EXPECT_EQ(experiment.seed, 17U);
   EXPECT_EQ(experiment.conditions[0].realisations, 3U);
   const Json written = Json::parse(experiment.canonical_text);
@@ -103,7 +103,7 @@ TEST(CanonicalText, HoldsWhatTheFlagsSay) {
 TEST(CanonicalText, KeepsEveryBitOfANumber) {
   for (const double amplitude : {4.2, 1.0 / 3.0, 0x1.fffffffffffffp1, 5e-324, 123456.789012345678}) {
     const auto document = with(least_experiment(), "/excitation/amplitude", Json(amplitude).dump());
-    const auto experiment = read_experiment(canonical(document));
+    const auto experiment = experiment_in(canonical(document));
     EXPECT_EQ(support::harmonic(experiment.conditions[0].scene).amplitude, amplitude);
   }
 }
@@ -112,12 +112,12 @@ TEST(Seed, MeansTheSameHoweverItIsWritten) {
   constexpr std::uint64_t largest = ~std::uint64_t{0};
   for (const std::string text :
        {"\"0xffffffffffffffff\"", "\"0xFFFFFFFFFFFFFFFF\"", "\"18446744073709551615\"", "18446744073709551615"}) {
-    EXPECT_EQ(read_experiment(with(least_experiment(), "/seed", text).dump()).seed, largest) << text;
+    EXPECT_EQ(experiment_in(with(least_experiment(), "/seed", text).dump()).seed, largest) << text;
   }
 }
 
 TEST(Fluctuation, IsSharedByBothFrictionsUnderOneName) {
-  const auto scene = read_experiment(example_experiment().dump()).conditions[0].scene;
+  const auto scene = experiment_in(example_experiment().dump()).conditions[0].scene;
   EXPECT_EQ(scene.fluctuation.static_friction, 0.03);
   EXPECT_EQ(scene.fluctuation.kinetic_friction, 0.03);
   EXPECT_EQ(scene.fluctuation.refreshes_per_period, 200);
@@ -127,7 +127,7 @@ TEST(Fluctuation, IsSharedByBothFrictionsUnderOneName) {
 TEST(Fluctuation, MayBeSetForEachFrictionByItself) {
   const auto document = with(example_experiment(), "/fluctuation", R"({"static_friction": {"sigma": 0.01},
     "kinetic_friction": {"relative_sigma": 0.1, "refreshes_per_period": 50}, "amplitude": {"relative_sigma": 0.5}})");
-  const auto scene = read_experiment(document.dump()).conditions[0].scene;
+  const auto scene = experiment_in(document.dump()).conditions[0].scene;
   EXPECT_EQ(scene.fluctuation.static_friction, 0.01);
   EXPECT_DOUBLE_EQ(scene.fluctuation.kinetic_friction, 0.03);
   EXPECT_EQ(scene.fluctuation.refreshes_per_period, 50);

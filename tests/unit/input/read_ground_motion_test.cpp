@@ -297,7 +297,7 @@ std::string a_file(const std::string& name, std::size_t) {
   return name == "r.txt" ? record_text : "0 0 0\n0.5 3 1\n1 0 0\n";
 }
 
-Experiment experiment_of(const Json& document) { return read_experiment(document.dump(), {}, {.files = a_file}); }
+Experiment experiment_of(const Json& document) { return experiment_in(document.dump(), {}, {.files = a_file}); }
 
 Json recorded(const std::string& excitation = R"({"kind": "recorded", "file": "r.txt"})") {
   return with(support::least_experiment(), "/excitation", excitation);
@@ -370,10 +370,10 @@ TEST(RecordedExcitation, IsReadOnceForAllConditions) {
   int opened = 0;
   const auto document =
       with(recorded(), "/sweep", R"([{"parameter": "/excitation/scale", "from": 0, "to": 10, "step": 0.1}])");
-  const auto experiment = read_experiment(document.dump(), {}, {.files = [&](const std::string&, std::size_t) {
-                                            ++opened;
-                                            return std::string(record_text);
-                                          }});
+  const auto experiment = experiment_in(document.dump(), {}, {.files = [&](const std::string&, std::size_t) {
+                                          ++opened;
+                                          return std::string(record_text);
+                                        }});
   EXPECT_EQ(opened, 1);
   EXPECT_EQ(support::recorded(experiment.conditions.front().scene).ground_motion,
             support::recorded(experiment.conditions.back().scene).ground_motion);
@@ -381,7 +381,7 @@ TEST(RecordedExcitation, IsReadOnceForAllConditions) {
 }
 
 TEST(RecordedExcitation, OpensNoFileWhereNoneIsAskedFor) {
-  EXPECT_NO_THROW(static_cast<void>(read_experiment(
+  EXPECT_NO_THROW(static_cast<void>(experiment_in(
       support::example_experiment().dump(), {},
       {.files = [](const std::string&, std::size_t) -> std::string { throw std::logic_error("opened"); }})));
 }

@@ -26,7 +26,7 @@ Json pulse_experiment(
                     excitation + "}");
 }
 
-Experiment pulse_experiment_of(const Json& document) { return read_experiment(document.dump()); }
+Experiment pulse_experiment_of(const Json& document) { return experiment_in(document.dump()); }
 
 TEST(PulseInFiles, IsReadWithItsShapeAmplitudeAndFrequency) {
   for (const auto& [name, shape] : {std::pair{"sine", dynamics::PulseShape::sine},
@@ -44,7 +44,7 @@ TEST(PulseInFiles, HasACanonicalTextThatIsItsOwn) {
   const auto experiment = pulse_experiment_of(pulse_experiment());
   EXPECT_THAT(experiment.canonical_text,
               HasSubstr(R"("excitation":{"kind":"pulse","shape":"ricker","amplitude":3.0,"frequency_ratio":5.0})"));
-  EXPECT_EQ(read_experiment(experiment.canonical_text).canonical_text, experiment.canonical_text);
+  EXPECT_EQ(experiment_in(experiment.canonical_text).canonical_text, experiment.canonical_text);
 }
 
 // The pulse lasts 2.6504 periods; then 8 + 4/(1 - delta) in units of 1/p, delta = 1 - 1.5 sin^2(psi) = 1 - 1.5/17.

@@ -19,11 +19,11 @@ using ::testing::Not;
 /// With unknown friction and an amplitude that each line of tests gives.
 Experiment tested_experiment(
     const std::string& unknown = R"({"parameter": "/friction/static", "from": 0.3, "to": 0.4})") {
-  return read_experiment(R"({"format": "rocking.experiment/1", "block": {"width_m": 1.0, "height_m": 4.0},
+  return experiment_in(R"({"format": "rocking.experiment/1", "block": {"width_m": 1.0, "height_m": 4.0},
       "excitation": {"amplitude": 4.2, "frequency_ratio": 10.0},
       "friction": {"static": 0.35, "kinetic": {"ratio": 0.8}},
       "unknown": [)" + unknown +
-                         "]}");
+                       "]}");
 }
 
 CountedTests tests_in(const std::string& text) { return read_tests(text, "t.csv", tested_experiment(), "."); }
@@ -119,7 +119,7 @@ TEST(ReadTests, RefusesAColumnThatSeveralPlacesHaveOrThatASweepNeeds) {
   document["fluctuation"] = Json::parse(R"({"amplitude": {"sigma": 0.1}})");
   const auto complaint_about = [&document](const char* text) {
     try {
-      static_cast<void>(read_tests(text, "t.csv", read_experiment(document.dump()), "."));
+      static_cast<void>(read_tests(text, "t.csv", experiment_in(document.dump()), "."));
     } catch (const base::InputError& error) {
       return std::string(error.what());
     }

@@ -25,7 +25,7 @@ Json shaken_by(const std::string& excitation) {
   return support::with(support::least_experiment(), "/excitation", excitation);
 }
 
-Experiment experiment_of(const Json& document) { return read_experiment(document.dump()); }
+Experiment experiment_of(const Json& document) { return experiment_in(document.dump()); }
 
 const Scene& scene_of(const Experiment& experiment, std::size_t condition = 0) {
   return experiment.conditions.at(condition).scene;
@@ -52,7 +52,7 @@ TEST(UnitsInFiles, GiveTheSameShakingInEveryUnit) {
         EXPECT_NEAR(amplitude_of(scene_of(experiment)), 4.5, 4.5 * 0x1p-50);
         EXPECT_NEAR(support::mean_frequency_ratio(scene_of(experiment)), 10.0, 10.0 * 0x1p-50);
         EXPECT_EQ(support::objections("experiment", document.dump()), "");
-        EXPECT_EQ(read_experiment(experiment.canonical_text).canonical_text, experiment.canonical_text);
+        EXPECT_EQ(experiment_in(experiment.canonical_text).canonical_text, experiment.canonical_text);
         EXPECT_EQ(support::objections("experiment", experiment.canonical_text), "");
       }
     }
@@ -124,7 +124,7 @@ TEST(UnitsInFiles, SetTheDefaultHorizonOfAPulse) {
   document["sweep"] = parse_json(R"([{"parameter": "/excitation/period_s", "values": [0.5, 2]}])");
   const auto swept = experiment_of(document);
   EXPECT_EQ(swept.conditions[1].horizon.sampled_periods, static_cast<int>(std::ceil(1.0 + rest_s / 2.0)));
-  EXPECT_EQ(read_experiment(swept.canonical_text).canonical_text, swept.canonical_text);
+  EXPECT_EQ(experiment_in(swept.canonical_text).canonical_text, swept.canonical_text);
 }
 
 TEST(UnitsInFiles, AreTheUnitsOfAFluctuation) {
@@ -146,7 +146,7 @@ TEST(ARateRatioInFiles, IsThatOfAnImpactWithoutSlipOfEachBlock) {
   EXPECT_EQ(support::objections("experiment", document.dump()), "");
   const auto experiment = experiment_of(document);
   EXPECT_THAT(experiment.canonical_text, HasSubstr(R"("restitution":{"rate_ratio":0.93})"));
-  EXPECT_EQ(read_experiment(experiment.canonical_text).canonical_text, experiment.canonical_text);
+  EXPECT_EQ(experiment_in(experiment.canonical_text).canonical_text, experiment.canonical_text);
   for (const Condition& condition : experiment.conditions) {
     const dynamics::Geometry block = geometry_of(condition.scene);
     const double e = restitution_of(condition.scene, block);

@@ -56,7 +56,7 @@ class Suite : public ::testing::Test {
     return json;
   }
 
-  Experiment read(const Json& json) const { return read_experiment(json.dump(), {}, surroundings()); }
+  Experiment read(const Json& json) const { return experiment_in(json.dump(), {}, surroundings()); }
 
   std::string refusal_of(const Json& json) const {
     try {
@@ -107,7 +107,7 @@ TEST_F(Suite, HasACanonicalTextWithFilesAndDigestsThatIsItsOwn) {
       R"([{ "parameter": "/excitation/pgv_m_s", "values": [0.1, 0.2] }])"};
   for (const std::string& sweep : sweeps) {
     const Experiment once = read(experiment(R"("records/*.at2")", sweep));
-    const Experiment again = read_experiment(once.canonical_text, {}, surroundings());
+    const Experiment again = experiment_in(once.canonical_text, {}, surroundings());
     EXPECT_EQ(again.canonical_text, once.canonical_text);
     EXPECT_EQ(again.conditions.size(), once.conditions.size());
     const Json suite = Json::parse(once.canonical_text)["excitation"]["suite"];
@@ -135,7 +135,7 @@ TEST_F(Suite, GivesEachRecordRandomNumbersByItsBytesAlone) {
                             R"([{ "file": "records/b.at2", "vertical_file": "up.at2" }])"}) {
     EXPECT_EQ(read(experiment(suite)).conditions.front().record_stream, of_b) << suite;
   }
-  const Experiment again = read_experiment(two.canonical_text, {}, surroundings());
+  const Experiment again = experiment_in(two.canonical_text, {}, surroundings());
   EXPECT_EQ(again.conditions[2].record_stream, of_b);
   Json alone = experiment("null");
   alone["excitation"] = {{"kind", "recorded"}, {"file", "records/b.at2"}};
@@ -159,7 +159,7 @@ TEST_F(Suite, IsScaledToASpectralAcceleration) {
                            R"([{ "parameter": "/excitation/)" + std::string(key) + R"(", "values": [0.2, 0.6] }])");
     if (!value.is_null()) json["excitation"][more] = value;
     const Experiment once = read(json);
-    EXPECT_EQ(read_experiment(once.canonical_text, {}, surroundings()).canonical_text, once.canonical_text);
+    EXPECT_EQ(experiment_in(once.canonical_text, {}, surroundings()).canonical_text, once.canonical_text);
     return recorded(once.conditions[3]);
   };
   const auto point = [](const Recorded& motion, double period) {
@@ -208,7 +208,7 @@ TEST_F(Suite, MayHaveRecordsWithAVerticalComponent) {
   EXPECT_TRUE(recorded(both.conditions[0]).ground_motion->has_vertical);
   EXPECT_EQ(recorded(both.conditions[0]).ground_motion->samples[1].vertical, 0.02);
   EXPECT_FALSE(recorded(both.conditions[1]).ground_motion->has_vertical);
-  const Experiment again = read_experiment(both.canonical_text, {}, surroundings());
+  const Experiment again = experiment_in(both.canonical_text, {}, surroundings());
   EXPECT_EQ(again.canonical_text, both.canonical_text);
 }
 
@@ -325,7 +325,7 @@ TEST_F(Suite, RefusesANameThatIsNoUtf8AndFitsAPattern) {
   Surroundings with_such_a_name = surroundings();
   with_such_a_name.matches = [](const std::string&) { return std::vector<std::string>{"records/\xff.at2"}; };
   try {
-    static_cast<void>(read_experiment(experiment(R"("records/*.at2")").dump(), {}, with_such_a_name));
+    static_cast<void>(experiment_in(experiment(R"("records/*.at2")").dump(), {}, with_such_a_name));
     ADD_FAILURE() << "accepted";
   } catch (const base::InputError& error) {
     EXPECT_THAT(error.what(), HasSubstr("/excitation/suite = \"records/\\ufffd.at2\""));
@@ -357,7 +357,7 @@ TEST_F(Suite, SkipsAFileThatIsCutOrInAnotherUnitAndNamesTheFlag) {
   for (const char* bad : {"cut.at2", "velocity.at2"}) {
     const Json json = experiment("[\"records/a.at2\", \"" + std::string(bad) + "\"]");
     EXPECT_THAT(refusal_of(json), HasSubstr("--skip-unreadable goes on with the other 1: a.at2")) << bad;
-    const Experiment read = read_experiment(json.dump(), skip, surroundings());
+    const Experiment read = experiment_in(json.dump(), skip, surroundings());
     EXPECT_THAT(left_out_of(Json::parse(read.canonical_text)), ElementsAre(bad));
   }
 }
@@ -376,21 +376,21 @@ TEST_F(Suite, GoesOnWithoutRecordsThatCannotBeRead) {
                                       R"([{ "parameter": "/excitation/pga_g", "values": [0.2, 0.4] }])")
                                .dump();
   const Overrides skip{.seed = {}, .realisations = {}, .levels = {}, .skips_unreadable = true};
-  const Experiment read = read_experiment(text, skip, surroundings());
+  const Experiment read = experiment_in(text, skip, surroundings());
   EXPECT_THAT(read.sweep_sizes, ElementsAre(2U, 2U));
   EXPECT_EQ(recorded(read.conditions[2]).ground_motion->name, "v.at2");
   const Json canonical = Json::parse(read.canonical_text);
   EXPECT_THAT(left_out_of(canonical), ::testing::UnorderedElementsAre("missing.at2", "records/b.at2"));
   // The canonical text is that of the readable records and says what was left out, also when it is read again.
-  EXPECT_EQ(read_experiment(read.canonical_text, {}, surroundings()).canonical_text, read.canonical_text);
-  EXPECT_EQ(read_experiment(read.canonical_text, skip, surroundings()).canonical_text, read.canonical_text);
+  EXPECT_EQ(experiment_in(read.canonical_text, {}, surroundings()).canonical_text, read.canonical_text);
+  EXPECT_EQ(experiment_in(read.canonical_text, skip, surroundings()).canonical_text, read.canonical_text);
   // Nothing is left out without a reason, nor if nothing would be left.
   const std::string good = experiment(R"(["records/a.at2", "v.at2"])").dump();
-  EXPECT_EQ(read_experiment(good, skip, surroundings()).canonical_text,
-            read_experiment(good, {}, surroundings()).canonical_text);
+  EXPECT_EQ(experiment_in(good, skip, surroundings()).canonical_text,
+            experiment_in(good, {}, surroundings()).canonical_text);
   const std::string bad = experiment(R"(["records/b.at2"])").dump();
-  EXPECT_THROW(static_cast<void>(read_experiment(bad, skip, surroundings())), base::InputError);
-  EXPECT_THROW(static_cast<void>(read_experiment(experiment(R"(["gone.at2"])").dump(), skip, surroundings())),
+  EXPECT_THROW(static_cast<void>(experiment_in(bad, skip, surroundings())), base::InputError);
+  EXPECT_THROW(static_cast<void>(experiment_in(experiment(R"(["gone.at2"])").dump(), skip, surroundings())),
                base::InputError);
 }
 

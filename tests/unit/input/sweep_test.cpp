@@ -17,7 +17,7 @@ using support::with;
 using ::testing::HasSubstr;
 
 Experiment read_with_sweep(const std::string& sweep) {
-  return read_experiment(with(example_experiment(), "/sweep", sweep).dump());
+  return experiment_in(with(example_experiment(), "/sweep", sweep).dump());
 }
 
 std::vector<base::Problem> problems_with_sweep(const std::string& sweep) {
@@ -30,7 +30,7 @@ std::vector<base::Problem> problems_with_sweep(const std::string& sweep) {
 }
 
 TEST(Sweep, HasBothEndsAndNoRunningSum) {
-  const auto experiment = read_experiment(example_experiment().dump());
+  const auto experiment = experiment_in(example_experiment().dump());
   ASSERT_EQ(experiment.conditions.size(), 21U);
   for (std::size_t i = 0; i < 21; ++i) {
     const double expected =
@@ -94,7 +94,7 @@ TEST(Sweep, MakesAGridWhoseLastEntryVariesFastest) {
 }
 
 TEST(Sweep, ChangesWhatFollowsFromTheValue) {
-  const auto experiment = read_experiment(R"({"format": "rocking.experiment/1",
+  const auto experiment = experiment_in(R"({"format": "rocking.experiment/1",
     "block": {"width_m": 1, "height_m": 4}, "excitation": {"amplitude": 2, "frequency_ratio": 10},
     "friction": {"static": 0.4, "kinetic": 0.3}, "fluctuation": {"friction": {"relative_sigma": 0.1}},
     "sweep": [{"parameter": "/formulation", "values": ["consistent", "as-printed", "as-plotted"]},
@@ -173,9 +173,8 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(Sweep, OfRealisationsExcludesTheFlag) {
   const auto document = with(example_experiment(), "/sweep", R"([{"parameter": "/realisations", "values": [10, 20]}])");
-  EXPECT_EQ(read_experiment(document.dump()).conditions[1].realisations, 20U);
-  EXPECT_THROW(static_cast<void>(read_experiment(document.dump(), {.seed = {}, .realisations = "5"})),
-               base::InputError);
+  EXPECT_EQ(experiment_in(document.dump()).conditions[1].realisations, 20U);
+  EXPECT_THROW(static_cast<void>(experiment_in(document.dump(), {.seed = {}, .realisations = "5"})), base::InputError);
 }
 
 }  // namespace

@@ -14,10 +14,10 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 Experiment with_unknowns(const std::string& list, const std::string& more = "") {
-  return read_experiment(R"({"format": "rocking.experiment/1", "block": {"width_m": 1.0, "height_m": 4.0},
+  return experiment_in(R"({"format": "rocking.experiment/1", "block": {"width_m": 1.0, "height_m": 4.0},
       "excitation": {"amplitude": 4.2, "frequency_ratio": 10.0},
       "friction": {"static": {"normal": {"mean": 0.35, "sigma": 0.02}}, "kinetic": {"ratio": 0.8}}, )" +
-                         more + R"("unknown": )" + list + "}");
+                       more + R"("unknown": )" + list + "}");
 }
 
 std::string complaint_of_unknowns(const std::string& list, const std::string& more = "") {

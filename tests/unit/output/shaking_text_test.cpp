@@ -24,7 +24,7 @@ using testing::IsEmpty;
 Experiment shaken_by(const std::string& excitation, const std::string& sweep = "") {
   Json document = support::with(support::least_experiment(), "/excitation", excitation);
   if (!sweep.empty()) document["sweep"] = Json::parse(sweep);
-  return read_experiment(document.dump());
+  return experiment_in(document.dump());
 }
 
 std::vector<std::optional<Shaking>> shakings_of(const Experiment& experiment) {

@@ -49,7 +49,7 @@ ExperimentResult result_for(const Experiment& experiment) {
   return {.conditions = std::vector(experiment.conditions.size(), condition), .digest = base::sha256("made up")};
 }
 
-Experiment example() { return read_experiment(support::example_experiment().dump()); }
+Experiment example() { return experiment_in(support::example_experiment().dump()); }
 
 SystemFacts facts(const std::string& machine) {
   return {.build = base::build_info(),
@@ -138,7 +138,7 @@ INSTANTIATE_TEST_SUITE_P(All, Sabotage,
 TEST(ExperimentSchema, AllowsWhatTheReaderAllows) {
   EXPECT_EQ(objections("experiment", support::example_experiment().dump()), "");
   EXPECT_EQ(objections("experiment", support::least_experiment().dump()), "");
-  EXPECT_EQ(objections("experiment", read_experiment(support::least_experiment().dump()).canonical_text), "");
+  EXPECT_EQ(objections("experiment", experiment_in(support::least_experiment().dump()).canonical_text), "");
 }
 
 TEST(ExperimentSchema, RefusesWhatTheReaderRefuses) {
@@ -155,7 +155,7 @@ TEST(ExperimentSchema, RefusesWhatTheReaderRefuses) {
                                        {"/fluctuation/friction/relative_sigma", "1"}}) {
     const std::string text = support::with(support::example_experiment(), pointer, value).dump();
     EXPECT_NE(objections("experiment", text), "") << pointer;
-    EXPECT_THROW(static_cast<void>(read_experiment(text)), base::InputError) << pointer;
+    EXPECT_THROW(static_cast<void>(experiment_in(text)), base::InputError) << pointer;
   }
 }
 

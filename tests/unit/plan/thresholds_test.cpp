@@ -17,10 +17,10 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 
 std::string thresholds_of(const std::string& more) {
-  return thresholds_text(read_experiment(R"({ "format": "rocking.experiment/1",
+  return thresholds_text(experiment_in(R"({ "format": "rocking.experiment/1",
     "block": { "width_m": 1.0, "height_m": 4.0 },
     "excitation": { "kind": "harmonic", "amplitude": 4.2, "frequency_ratio": 10.0 })" +
-                                         more + " }"));
+                                       more + " }"));
 }
 
 /// Friction over the normal force of a block 1 x 4 that begins to rock without slip.

@@ -153,11 +153,11 @@ TEST(DrawnOnce, IsReadFromEveryPlaceAndWrittenBack) {
       {"/excitation/frequency_ratio", R"({"uniform": [8, 12]})"}};
   for (const auto& [place, law] : laws) {
     const Json changed = with(document, place, law);
-    const Experiment experiment = read_experiment(changed.dump());
+    const Experiment experiment = experiment_in(changed.dump());
     EXPECT_TRUE(is_random(experiment.conditions.front().scene)) << place << law;
     const Json canonical = Json::parse(experiment.canonical_text);
     EXPECT_EQ(canonical.at(Json::json_pointer(place)), Json::parse(law)) << place;
-    EXPECT_EQ(read_experiment(experiment.canonical_text).canonical_text, experiment.canonical_text);
+    EXPECT_EQ(experiment_in(experiment.canonical_text).canonical_text, experiment.canonical_text);
   }
 }
 

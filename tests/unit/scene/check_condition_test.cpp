@@ -24,7 +24,7 @@ using support::recorded;
 
 std::string record_of_file(const std::string&, std::size_t) { return "0 0 0\n1 2 1\n2 -1 0\n"; }
 
-Experiment read(const Json& document) { return read_experiment(document.dump(), {}, {.files = record_of_file}); }
+Experiment read(const Json& document) { return experiment_in(document.dump(), {}, {.files = record_of_file}); }
 
 /// A file that has every key of a condition.
 Json full_document() {
@@ -363,7 +363,7 @@ TEST(CheckCondition, RefusesAGroundMotionAsItsFileIsRefused) {
   for (std::size_t i = 0; i < files.size(); ++i) {
     const auto source = [&](const std::string&, std::size_t) { return files[i]; };
     const auto of_file =
-        problems_of([&] { static_cast<void>(read_experiment(recorded_document().dump(), {}, {.files = source})); });
+        problems_of([&] { static_cast<void>(experiment_in(recorded_document().dump(), {}, {.files = source})); });
     Condition condition = read(recorded_document()).conditions.at(0);
     recorded(condition.scene).ground_motion = std::make_shared<const GroundMotion>(GroundMotion{motions[i], true});
     const auto of_condition = problems_of([&] { check_condition(condition); });

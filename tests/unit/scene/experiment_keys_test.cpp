@@ -34,7 +34,7 @@ bool is_refused(const std::string& place, const Json& value) {
   }
   document[Json::json_pointer(place)] = value;
   try {
-    static_cast<void>(read_experiment(document.dump()));
+    static_cast<void>(experiment_in(document.dump()));
   } catch (const base::InputError& error) {
     for (const base::Problem& problem : error.problems()) {
       if (problem.place == place && problem.reason.starts_with("must")) return true;
@@ -64,7 +64,7 @@ TEST(SchemaOfExperiments, HasTheBoundsThatTheReaderKeeps) {
 }
 
 TEST(AFileThatSaysTheLeast, GivesTheDefaultsOfTheStructs) {
-  const auto read = read_experiment(support::least_experiment().dump());
+  const auto read = experiment_in(support::least_experiment().dump());
   const Condition& condition = read.conditions.at(0);
   const Condition standard;
   EXPECT_EQ(condition.scene.block.gravity, standard.scene.block.gravity);

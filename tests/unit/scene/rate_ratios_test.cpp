@@ -22,7 +22,7 @@ std::string plan_of_block(const std::string& restitution, const std::string& wid
                            R"(, "height_m": 1.6 }, "restitution": )" + restitution +
                            R"(, "excitation": { "kind": "harmonic", "amplitude": 2.0, "frequency_ratio": 5.0 })" +
                            (sweep == "[]" ? "" : R"(, "sweep": )" + sweep) + " }";
-  return plan_text(plan_of(read_experiment(text), {.threads = 1, .shard = {}}));
+  return plan_text(plan_of(experiment_in(text), {.threads = 1, .shard = {}}));
 }
 
 // sin^2(psi) = 0.1225/2.6825, so that 1 - 1.5 sin^2(psi) = 0.93150 and 1 - 1.5 (1 + e) sin^2(psi) = 0.868 for e = 0.93.

@@ -161,7 +161,7 @@ Json swept(const std::string& sweep) {
   return document;
 }
 
-Experiment experiment_from(const Json& document) { return read_experiment(document.dump(), {}); }
+Experiment experiment_from(const Json& document) { return experiment_in(document.dump(), {}); }
 
 std::vector<Diagram> drawn(const Experiment& experiment, unsigned threads = 1) {
   RunOptions options;

@@ -8,11 +8,11 @@
 #include "exit_code.hpp"
 #include "output.hpp"
 #include "process_pool.hpp"
+#include "rocking/api/run_folder.hpp"
 #include "rocking/ensemble/result.hpp"
 #include "rocking/output/report.hpp"
 #include "rocking/scene/experiment.hpp"
 #include "rocking/store/store.hpp"
-#include "run_folder.hpp"
 
 namespace rocking::program {
 

@@ -7,10 +7,10 @@
 
 #include "commands.hpp"
 #include "output.hpp"
+#include "rocking/api/run_folder.hpp"
 #include "rocking/output/comparison.hpp"
 #include "rocking/studies/comparison.hpp"
 #include "rocking/text/number_text.hpp"
-#include "run_folder.hpp"
 
 namespace rocking::program {
 namespace {

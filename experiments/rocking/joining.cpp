@@ -9,13 +9,13 @@
 #include <fmt/ranges.h>
 
 #include "output.hpp"
+#include "rocking/api/run_folder.hpp"
 #include "rocking/base/build_info.hpp"
 #include "rocking/ensemble/run.hpp"
 #include "rocking/store/difference.hpp"
 #include "rocking/store/merge.hpp"
 #include "rocking/store/results_version.hpp"
 #include "rocking/text/number_text.hpp"
-#include "run_folder.hpp"
 
 namespace rocking::program {
 namespace {
@@ -127,7 +127,7 @@ ExitCode join_shards(const MergeRequest& request) {
   expect_shards_elsewhere(request);
   RunFolder folder(request.folder);
   folder.claim();
-  folder.tidy_up();
+  folder.tidy_up(print_notice);
   expect_room(folder, request);
   const SystemFacts system = system_facts(1);
   Identity identity = sources.front().store.identity();

@@ -12,7 +12,7 @@
 #include "arguments.hpp"
 #include "rocking/base/error.hpp"
 #include "rocking/output/text_table.hpp"
-#include "rocking/text/json_writer.hpp"
+#include "rocking/text/files.hpp"
 
 namespace rocking::program {
 
@@ -54,8 +54,5 @@ inline void expect_free(const std::filesystem::path& file, bool overwrite) { exp
 
 /// `FILE: 2 problems` and a line for each.
 [[nodiscard]] std::string listed_problems(const base::InputError& error);
-
-/// A word as a shell takes it from a command line: in single quotes where it needs them.
-[[nodiscard]] std::string shell_word(const std::string& word);
 
 }  // namespace rocking::program

@@ -10,6 +10,7 @@
 #include "needs.hpp"
 #include "output.hpp"
 #include "realisation_list.hpp"
+#include "rocking/api/run_folder.hpp"
 #include "rocking/base/build_info.hpp"
 #include "rocking/ensemble/extension.hpp"
 #include "rocking/ensemble/run.hpp"
@@ -17,7 +18,6 @@
 #include "rocking/store/salvage.hpp"
 #include "rocking/studies/plan/plan.hpp"
 #include "rocking/text/number_text.hpp"
-#include "run_folder.hpp"
 
 namespace rocking::program {
 namespace {
@@ -90,7 +90,7 @@ ExitCode resume_run(const ResumeRequest& request) {
   }
   RunFolder folder(request.folder);
   folder.claim();
-  folder.tidy_up();
+  folder.tidy_up(print_notice);
   if (folder.has_replacement()) folder.enter_replacement();
   count_pages_again(folder.store_path());
   Store store = folder.open_store(sqlite::Access::write);

@@ -13,9 +13,9 @@
 #include "ground_motion_notes.hpp"
 #include "needs.hpp"
 #include "output.hpp"
+#include "rocking/api/run_folder.hpp"
 #include "rocking/base/build_info.hpp"
 #include "rocking/output/plan_text.hpp"
-#include "run_folder.hpp"
 
 namespace rocking::program {
 namespace {
@@ -57,7 +57,7 @@ ExitCode run(const RunRequest& request) {
   if (request.shard) expect_fixed_numbers(experiment);
   RunFolder folder(request.folder);
   folder.claim();
-  folder.tidy_up();
+  folder.tidy_up(print_notice);
   if (!request.overwrite) folder.expect_no_run();
   if (loudness.verbose) print_notice(fmt::format("{}: {}", request.file, plan_text(plan)));
   if (!plan.at_most) folder.expect_room(plan.needs.disk_bytes);

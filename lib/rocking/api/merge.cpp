@@ -32,7 +32,7 @@ class UnfinishedWhole {
 
   [[nodiscard]] const fs::path& path() const { return path_; }
   /// The store is closed.
-  void install() const { fs::rename(path_, store_in(folder_)); }
+  void install() const { fs::rename(path_, RunFiles{folder_}.store()); }
 
  private:
   fs::path folder_;
@@ -67,12 +67,13 @@ void join(Store& whole, const Store& part, const fs::path& name) {
 StoredRun merge(const fs::path& folder, const std::vector<fs::path>& parts) {
   if (parts.empty()) refuse("parts", "", "are missing: give at least one folder");
   std::vector<Store> stores;
-  for (const fs::path& part : parts) stores.push_back(valid_store(part));
+  for (const fs::path& part : parts) stores.push_back(RunFolder(part).open_valid_store());
   Identity identity = stores.front().identity();
   for (std::size_t i = 0; i < parts.size(); ++i) check_same_run(identity, stores[i].identity(), parts[i]);
-  const FolderLock lock = claimed(folder);
-  if (has_store(folder)) throw refused(folder, "already contains a run", "choose another folder for the whole");
-  expect_own_report(folder, identity);
+  RunFolder run(folder);
+  run.claim();
+  if (run.has_store()) throw refused(folder, "already contains a run", "choose another folder for the whole");
+  run.expect_own_report(identity);
   const UnfinishedWhole unfinished(folder);
   {
     identity.shard.reset();

@@ -128,7 +128,7 @@ TEST_F(Interface, RunsInOneFolderExcludeEachOther) {
         ADD_FAILURE() << "both are at work in one folder";
       } catch (const std::system_error& error) {
         EXPECT_EQ(error.code(), std::errc::device_or_resource_busy);
-        EXPECT_THAT(error.what(), HasSubstr("another run is at work in this folder"));
+        EXPECT_THAT(error.what(), HasSubstr("is working in this folder"));
         ++refused;
       }
     }

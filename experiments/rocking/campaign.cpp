@@ -56,12 +56,12 @@ RunOptions options_of(const Store& store, const ExecutionOptions& execution) {
   return options;
 }
 
-TimeSlice work(const RunFolder& folder, const Experiment& experiment, Store& store, const ExecutionOptions& execution) {
+TimeSlice work(FolderRun& run, const ExecutionOptions& execution) {
   Progress progress(suitable_progress_style(execution.loudness), "realisations");
-  RunningEstimate estimate(experiment);
+  RunningEstimate estimate(run.experiment);
   TimeSlice slice{};
-  ProgressFile file(folder.progress_path());
-  RunOptions options = options_of(store, execution);
+  ProgressFile file(run.folder.progress_path());
+  RunOptions options = options_of(run.store, execution);
   options.on_realisations = [&](std::size_t condition, const auto& summaries) { estimate.add(condition, summaries); };
   options.on_progress = [&](std::uint64_t done, std::uint64_t all) {
     progress.show(done, all, [&] { return estimate.text(); });
@@ -70,28 +70,28 @@ TimeSlice work(const RunFolder& folder, const Experiment& experiment, Store& sto
   std::optional<TimeLimit> limit;
   if (execution.max_time) limit.emplace(*execution.max_time);
   try {
-    slice.end = run(experiment, store, options);
+    slice.end = run_in_folder(run, options);
   } catch (const std::system_error&) {
     print_notice(
         fmt::format("stored realisations are kept; when the cause is removed, `rocking resume {}` continues the run",
-                    shell_word(folder.name())));
+                    shell_word(run.folder.name())));
     throw;
   }
   slice.duration_s = progress.elapsed();
   return slice;
 }
 
-ExitCode explain_stop(const RunFolder& folder, const Completeness& reached) {
+ExitCode explain_stop(const FolderRun& run) {
+  const Completeness reached = completeness(run.experiment, run.store);
   const bool interrupted = why_stopped() == StopReason::signal;
   print_notice(fmt::format("{}; {} of {} realisations are done and kept. `rocking resume {}` continues the run{}",
                            interrupted ? "interrupted" : "the time limit was reached", reached.done, reached.all,
-                           shell_word(folder.name()),
-                           folder.has_earlier_run() ? ". Until it is complete the earlier run is kept" : ""));
+                           shell_word(run.folder.name()),
+                           run.folder.has_earlier_run() ? ". Until it is complete the earlier run is kept" : ""));
   return interrupted ? ExitCode::interrupted : ExitCode::stopped_early;
 }
 
-ExitCode explain_shard(RunFolder& folder, const Shard& shard) {
-  folder.install_replacement();
+ExitCode explain_shard(const RunFolder& folder, const Shard& shard) {
   print_notice(fmt::format(
       "shard {} of {} is done; when the other shards are done too, `rocking merge DIR {} ...` writes the report",
       shard.part, shard.parts, shell_word(folder.name())));
@@ -129,36 +129,12 @@ std::exception_ptr failure_of(const std::function<void()>& act) {
   return nullptr;
 }
 
-}  // namespace
-
-void add_threads(CLI::App& command, ExecutionOptions& execution) {
-  command.add_option("-j,--threads", execution.threads, "Number of threads; changes the time, never the result")
-      ->check(whole_number(1, 4096))
-      ->capture_default_str()
-      ->type_name("N");
-}
-
-void add_max_time(CLI::App& command, ExecutionOptions& execution) {
-  add_duration(command, "--max-time", execution.max_time,
-               "Stop cleanly after this time, e.g. 90s, 15min, 2h; can be resumed");
-}
-
-void add_page_choice(CLI::App& command, PageChoice& page) {
-  command.add_flag_callback(
-      "--no-page", [&page] { page = PageChoice::omitted; }, "Draw no page; `rocking report DIR` draws it later");
-}
-
-ExperimentResult complete_result(const RunFolder& folder, const Experiment& experiment, const Store& store) {
-  if (auto result = result_of(experiment, store, stop_on_signal())) return std::move(*result);
-  throw sqlite::UnusableFile(
-      fmt::format("{}: is damaged: stored realisations are missing; `rocking resume {}` runs them "
-                  "again",
-                  folder.store_path().string(), shell_word(folder.name())));
-}
-
-ExitCode write_results(RunFolder& folder, const Experiment& experiment, ExperimentResult result,
-                       const ResultWriting& how) {
-  const Report report = report_of(experiment, std::move(result), how.system);
+/// Writes the report and its page, replaces an earlier run by them, and prints the table. Without a page, that of an
+/// earlier report in the folder is removed.
+ExitCode write_results(FolderRun& run, ExperimentResult result, const SystemFacts& system,
+                       const ExecutionOptions& how) {
+  RunFolder& folder = run.folder;
+  const Report report = report_of(run.experiment, std::move(result), system);
   const auto write = [&](const TextSink& sink) { report_document().write(sink, report); };
   std::exception_ptr failure;
   DrawingFailures failures;
@@ -186,43 +162,83 @@ ExitCode write_results(RunFolder& folder, const Experiment& experiment, Experime
     if (how.page == PageChoice::drawn) where += fmt::format("page: {}\n", folder.page_path().string());
     TableLook look = table_look();
     if (how.extent == Extent::one_screen) look.most_rows = most_screen_rows;
-    print_result(base::printable(run_table(experiment, report, look) + where));
+    print_result(base::printable(run_table(run.experiment, report, look) + where));
   }
   if (failure) std::rethrow_exception(failure);
   return failures.tell(no_page_picture, PictureRole::addition);
+}
+
+}  // namespace
+
+void add_threads(CLI::App& command, ExecutionOptions& execution) {
+  command.add_option("-j,--threads", execution.threads, "Number of threads; changes the time, never the result")
+      ->check(whole_number(1, 4096))
+      ->capture_default_str()
+      ->type_name("N");
+}
+
+void add_max_time(CLI::App& command, ExecutionOptions& execution) {
+  add_duration(command, "--max-time", execution.max_time,
+               "Stop cleanly after this time, e.g. 90s, 15min, 2h; can be resumed");
+}
+
+void add_page_choice(CLI::App& command, PageChoice& page) {
+  command.add_flag_callback(
+      "--no-page", [&page] { page = PageChoice::omitted; }, "Draw no page; `rocking report DIR` draws it later");
 }
 
 SystemFacts system_facts(unsigned threads) {
   return {.build = base::build_info(), .machine = machine_description(), .start = utc_now(), .threads = threads};
 }
 
-ExitCode run_to_end(RunFolder& folder, const Experiment& experiment, Store& store, const ExecutionOptions& execution) {
+FolderMeans means_of(const ExecutionOptions& execution) {
+  const bool quiet = execution.loudness.quiet;
+  return {.threads = execution.threads,
+          .page = execution.page == PageChoice::drawn,
+          .is_limited = execution.max_time.has_value(),
+          .free_memory = available_memory(),
+          .tell = print_notice,
+          .remark = [quiet](const std::string& text) {
+            if (!quiet) print_notice(text);
+          }};
+}
+
+ExitCode run_to_end(FolderRun run, const ExecutionOptions& execution) {
   SystemFacts system = system_facts(execution.threads * execution.pool.processes);
-  if (store.journalling() == Journalling::rollback) {
+  if (run.store.journalling() == Journalling::rollback) {
     print_notice(
         fmt::format("{}: this file system has no shared memory for SQLite's log; a slower journal is "
                     "used, and commands that read the run may have to wait for a moment",
-                    folder.name()));
+                    run.folder.name()));
   }
-  const TimeSlice slice = work(folder, experiment, store, execution);
-  if (slice.end == RunEnd::stopped) {
-    return explain_stop(folder, completeness(experiment, store));
-  }
-  if (const auto& shard = store.identity().shard) return explain_shard(folder, *shard);
+  const TimeSlice slice = work(run, execution);
+  if (slice.end == RunEnd::stopped) return explain_stop(run);
+  if (const auto& shard = run.store.identity().shard) return explain_shard(run.folder, *shard);
   system.duration_s = slice.duration_s;
   std::optional<ExperimentResult> result;
   try {
-    result = complete_result(folder, experiment, store);
+    result = complete_result(run, stop_on_signal());
   } catch (const base::Stopped&) {
-    return explain_stop(folder, completeness(experiment, store));
+    return explain_stop(run);
   }
-  const ExitCode code = write_results(
-      folder, experiment, *std::move(result),
-      {.system = system, .loudness = execution.loudness, .page = execution.page, .extent = execution.extent});
+  const ExitCode code = write_results(run, *std::move(result), system, execution);
   if (code == ExitCode::done && !execution.loudness.quiet) {
     print_notice(fmt::format("{} on {}", duration_in_words(system.duration_s), counted(system.threads, "thread")));
   }
   return code;
+}
+
+ExitCode write_merged(FolderRun run, const ExecutionOptions& execution) {
+  const Completeness found = completeness(run.experiment, run.store);
+  if (found.done == found.all) {
+    return write_results(run, complete_result(run, stop_on_signal()), system_facts(1), execution);
+  }
+  const bool replaces = run.folder.has_earlier_run();
+  if (!replaces) run.folder.install_replacement();
+  print_notice(fmt::format("{} of {} realisations are present; `rocking resume {}` runs the rest{}", found.done,
+                           found.all, shell_word(run.folder.name()),
+                           replaces ? ". Until then the earlier run is kept" : ""));
+  return ExitCode::stopped_early;
 }
 
 }  // namespace rocking::program

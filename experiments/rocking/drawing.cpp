@@ -34,7 +34,7 @@ void add_suite(const Store& store, const std::optional<HazardCurve>& hazard, std
   } catch (const base::InputError& error) {
     if (hazard && error.problems().front().place.starts_with(hazard->name)) throw;
     tell(error);
-  } catch (const MissingInput& error) {
+  } catch (const base::FolderError& error) {
     tell(error);
   }
 }

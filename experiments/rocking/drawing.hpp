@@ -14,9 +14,9 @@
 #include "analysis/look.hpp"
 #include "exit_code.hpp"
 #include "rocking/figures/figure.hpp"
+#include "rocking/api/run_folder.hpp"
 #include "rocking/output/report.hpp"
 #include "rocking/scene/hazard.hpp"
-#include "run_folder.hpp"
 
 namespace rocking::program {
 

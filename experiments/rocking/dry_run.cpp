@@ -11,7 +11,8 @@
 
 namespace rocking::program {
 
-ExitCode show_plan(const Experiment& experiment, const Means& means, const ExecutionOptions& execution) {
+ExitCode show_plan(const Experiment& experiment, const std::optional<Shard>& shard, const ExecutionOptions& execution) {
+  const Means means{.threads = execution.threads, .shard = shard, .page = execution.page == PageChoice::drawn};
   Plan plan = plan_of(experiment, means);
   plan.time = estimate_time(experiment, means, {.elapsed_seconds = seconds_from_now(), .stop = stop_on_signal()});
   if (why_stopped() == StopReason::signal) return ExitCode::interrupted;

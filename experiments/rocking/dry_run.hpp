@@ -7,6 +7,7 @@
 namespace rocking::program {
 
 /// Prints what a run would do, with its time.
-[[nodiscard]] ExitCode show_plan(const Experiment& experiment, const Means& means, const ExecutionOptions& execution);
+[[nodiscard]] ExitCode show_plan(const Experiment& experiment, const std::optional<Shard>& shard,
+                                 const ExecutionOptions& execution);
 
 }  // namespace rocking::program

@@ -3,6 +3,8 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "rocking/base/error.hpp"
+
 namespace rocking::program {
 
 /// Exit codes of the program; those of BSD's sysexits.h where it has one.
@@ -28,6 +30,8 @@ template <class Read>
 auto input_of(Read read) {
   try {
     return read();
+  } catch (const base::FolderError&) {
+    throw;
   } catch (const std::system_error& error) {
     throw MissingInput(error.what());
   }

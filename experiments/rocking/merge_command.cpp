@@ -1,10 +1,27 @@
+#include <filesystem>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "campaign.hpp"
 #include "commands.hpp"
-#include "joining.hpp"
 
 namespace rocking::program {
+namespace {
+
+struct MergeRequest {
+  std::string folder;
+  std::vector<std::string> shards;
+  bool overwrite = false;
+  ExecutionOptions execution;
+};
+
+ExitCode merge(const MergeRequest& request) {
+  const std::vector<std::filesystem::path> parts(request.shards.begin(), request.shards.end());
+  return write_merged(merge_runs(request.folder, parts, request.overwrite, print_notice), request.execution);
+}
+
+}  // namespace
 
 void add_merge(CLI::App& app, Action& action) {
   const auto request = std::make_shared<MergeRequest>();
@@ -16,10 +33,10 @@ void add_merge(CLI::App& app, Action& action) {
   command->add_option("DIR", request->folder, "Folder for the whole; created if necessary")->required();
   command->add_option("SHARD", request->shards, "Folders of the parts")->required();
   command->add_flag("--overwrite", request->overwrite, "Replace the run in the folder, after all shards are joined");
-  add_page_choice(*command, request->page);
-  add_extent(*command, request->extent);
-  add_loudness(*command, request->loudness);
-  command->final_callback([&action, request] { action = [request] { return join_shards(*request); }; });
+  add_page_choice(*command, request->execution.page);
+  add_extent(*command, request->execution.extent);
+  add_loudness(*command, request->execution.loudness);
+  command->final_callback([&action, request] { action = [request] { return merge(*request); }; });
 }
 
 }  // namespace rocking::program

@@ -14,6 +14,7 @@
 #include "rocking/output/text_table.hpp"
 #include "rocking/text/json_writer.hpp"
 #include "rocking/text/spelling.hpp"
+#include "rocking/text/files.hpp"
 
 namespace rocking::program {
 

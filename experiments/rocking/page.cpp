@@ -26,7 +26,7 @@ analysis::ShownAnimations animations_of(const RunFolder& folder, const Report& r
     experiment = experiment_of(store.identity());
   } catch (const base::InputError&) {
     return pages::no_animations("a file that the experiment names has changed");
-  } catch (const MissingInput&) {
+  } catch (const base::FolderError&) {
     return pages::no_animations("a file that the experiment names is missing");
   }
   return pages::animations_of(*experiment, store, report);

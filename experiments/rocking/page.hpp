@@ -1,8 +1,8 @@
 #pragma once
 
 #include "drawing.hpp"
+#include "rocking/api/run_folder.hpp"
 #include "rocking/output/report.hpp"
-#include "run_folder.hpp"
 
 namespace rocking::program {
 

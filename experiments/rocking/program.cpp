@@ -93,6 +93,17 @@ ExitCode code_of(const base::InputError& error) {
   return ExitCode::usage;
 }
 
+ExitCode code_of(base::FolderError::Kind kind) {
+  switch (kind) {
+    case base::FolderError::Kind::missing: return ExitCode::missing_input;
+    case base::FolderError::Kind::contradiction: return ExitCode::usage;
+    case base::FolderError::Kind::different: return ExitCode::check_failed;
+    case base::FolderError::Kind::in_the_way:
+    case base::FolderError::Kind::at_work: break;
+  }
+  return ExitCode::input_output;
+}
+
 ExitCode carry_out(const Action& action) {
   try {
     return action();
@@ -100,6 +111,8 @@ ExitCode carry_out(const Action& action) {
     return fail(ExitCode::interrupted, "interrupted; nothing was written. The same command starts again");
   } catch (const base::InputError& error) {
     return fail(code_of(error), "the input cannot be used: " + listed_problems(error));
+  } catch (const base::FolderError& error) {
+    return fail(code_of(error.kind()), error.what());
   } catch (const UsageError& error) {
     return fail(ExitCode::usage, error.what());
   } catch (const MissingInput& error) {

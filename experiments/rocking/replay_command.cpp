@@ -6,12 +6,12 @@
 
 #include "commands.hpp"
 #include "output.hpp"
+#include "rocking/api/run_folder.hpp"
 #include "rocking/base/build_info.hpp"
 #include "rocking/random/draws.hpp"
 #include "rocking/realisation/realisation_digest.hpp"
 #include "rocking/realisation/realisation_result.hpp"
 #include "rocking/realisation/trajectory.hpp"
-#include "run_folder.hpp"
 #include "trajectory_output.hpp"
 
 namespace rocking::program {

@@ -12,13 +12,13 @@
 
 #include "analysis/table_files.hpp"
 #include "page.hpp"
+#include "rocking/api/run_folder.hpp"
 #include "rocking/output/exponent_table.hpp"
 #include "rocking/output/mode_table.hpp"
 #include "rocking/output/settling_table.hpp"
 #include "rocking/output/write_facts.hpp"
 #include "rocking/text/files.hpp"
 #include "rocking/text/locate.hpp"
-#include "run_folder.hpp"
 #include "terminal.hpp"
 #include "usage.hpp"
 

@@ -1,10 +1,23 @@
 #include <memory>
+#include <string>
 
 #include "campaign.hpp"
 #include "commands.hpp"
-#include "resumption.hpp"
 
 namespace rocking::program {
+namespace {
+
+struct ResumeRequest {
+  std::string folder;
+  Overrides extension;
+  ExecutionOptions execution;
+};
+
+ExitCode resume(const ResumeRequest& request) {
+  return run_to_end(resume_run(request.folder, request.extension, means_of(request.execution)), request.execution);
+}
+
+}  // namespace
 
 void add_resume(CLI::App& app, Action& action, const ProcessPool& pool) {
   const auto request = std::make_shared<ResumeRequest>();
@@ -18,11 +31,11 @@ void add_resume(CLI::App& app, Action& action, const ProcessPool& pool) {
       "those of one run of N, or with these levels.");
   command->add_option("DIR", request->folder, "Folder of the run")->required();
   command
-      ->add_option("--realisations", request->realisations,
+      ->add_option("--realisations", request->extension.realisations,
                    "Extend the run, finished or not, to N realisations per condition")
       ->type_name("N");
   command
-      ->add_option("--levels", request->levels,
+      ->add_option("--levels", request->extension.levels,
                    "Extend the run by intensities, as `rocking fragility --suggest` names them: 0.23,0.9")
       ->type_name("X")
       ->delimiter(',')
@@ -34,7 +47,7 @@ void add_resume(CLI::App& app, Action& action, const ProcessPool& pool) {
   add_page_choice(*command, request->execution.page);
   add_extent(*command, request->execution.extent);
   add_loudness(*command, request->execution.loudness);
-  command->final_callback([&action, request] { action = [request] { return resume_run(*request); }; });
+  command->final_callback([&action, request] { action = [request] { return resume(*request); }; });
 }
 
 }  // namespace rocking::program

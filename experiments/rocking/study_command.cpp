@@ -15,7 +15,7 @@
 #include "machine.hpp"
 #include "rocking/studies/studies.hpp"
 #include "rocking/text/files.hpp"
-#include "run_folder.hpp"
+#include "rocking/api/run_folder.hpp"
 #include "study_file.hpp"
 #include "study_flags.hpp"
 #include "watched.hpp"

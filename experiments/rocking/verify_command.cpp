@@ -14,11 +14,11 @@
 #include "commands.hpp"
 #include "machine.hpp"
 #include "rocking/api/checks.hpp"
+#include "rocking/api/run_folder.hpp"
 #include "rocking/output/write_facts.hpp"
 #include "rocking/random/draws.hpp"
 #include "rocking/studies/studies.hpp"
 #include "rocking/text/number_text.hpp"
-#include "run_folder.hpp"
 #include "study_file.hpp"
 #include "watched.hpp"
 

@@ -800,7 +800,7 @@ class Interrupting(unittest.TestCase):
                 self.assertEqual(left, {"realisations.sqlite"})
                 for error in outcomes.values():
                     if not isinstance(error, str):
-                        self.assertRegex(str(error), "another run is at work|realisations of another experiment")
+                        self.assertRegex(str(error), "is working in this folder|realisations of another experiment")
 
     def test_a_stopped_run_goes_on_in_its_folder(self):
         longer = changed(realisations=1500)

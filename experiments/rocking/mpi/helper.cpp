@@ -9,9 +9,9 @@
 #include "assignment.hpp"
 #include "exit_code.hpp"
 #include "interrupt.hpp"
+#include "rocking/api/run_folder.hpp"
 #include "rocking/base/build_info.hpp"
 #include "rocking/ensemble/pair_workers.hpp"
-#include "run_folder.hpp"
 
 namespace rocking::program::mpi {
 namespace {

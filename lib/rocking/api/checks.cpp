@@ -69,7 +69,7 @@ RunCheck verify_alone(const std::string& text, const std::filesystem::path& fold
                       const std::optional<std::uint64_t>& sample, const Execution& execution) {
   if (sample) {
     refuse("sample", std::to_string(*sample),
-           "asks for realisations of " + store_in(folder).string() + ", which is missing; omit it");
+           "asks for realisations of " + RunFolder(folder).store_path().string() + ", which is missing; omit it");
   }
   RunCheck check = verify_report(text, folder, execution);
   for (std::string& finding : check.findings) finding.insert(0, "report.json: ");
@@ -111,8 +111,10 @@ RunCheck verify(const std::filesystem::path& folder, std::optional<std::uint64_t
   if (!std::filesystem::exists(file)) return verify(open_run(folder), sample, execution);
   const std::string text = read_file(file);
   const ReportClaims claims = claims_in(text, file);
-  RunCheck check = has_store(folder) ? verify_both(text, claims, stored_run(folder), sample, execution)
-                                     : verify_alone(text, folder, sample, execution);
+  const RunFolder run(folder);
+  RunCheck check = run.has_store() ? verify_both(text, claims, stored_run(run.open_valid_store_beside_any_report()),
+                                                 sample, execution)
+                                   : verify_alone(text, folder, sample, execution);
   if (!check.findings.empty() && claims.code != base::code_identity()) {
     check.findings.push_back("the run was made by rocking " + claims.code + ", this is " + base::code_identity() +
                              ": another version may give different results");

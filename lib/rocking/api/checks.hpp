@@ -54,6 +54,29 @@ struct RunCheck {
 [[nodiscard]] ROCKING_API RunCheck verify_report(std::string_view report, const std::filesystem::path& files = ".",
                                                  const Execution& execution = {});
 
+/// State of the run in a folder.
+struct RunStatus {
+  std::string state;         ///< running, stopped or finished
+  std::string part;          ///< `2/5` of a shard; empty: the whole
+  std::uint64_t done = 0;    ///< realisations
+  std::uint64_t all = 0;     ///< of the experiment, or of the shard
+  std::uint64_t failed = 0;  ///< of those that are done: stopped, or ended by Painleve's paradox
+  bool replaces = false;     ///< will replace an earlier run in the folder
+  double rate = 0.0;         ///< realisations per second of the active run; 0 if none is active or it has just started
+
+  [[nodiscard]] std::uint64_t missing() const { return all - done; }
+};
+
+/// Reads the state of the run in a folder, of the one that replaces it if there is one; also while it is in progress.
+/// Throws FolderError if there is none, or if a file that the experiment names cannot be read; otherwise as open_run.
+[[nodiscard]] ROCKING_API RunStatus status(const std::filesystem::path& folder);
+
+/// A state in words, as `rocking status` prints it.
+[[nodiscard]] ROCKING_API std::string describe(const RunStatus& status, const std::filesystem::path& folder);
+
+/// The same as JSON text, as with `--json`.
+[[nodiscard]] ROCKING_API std::string describe_as_json(const RunStatus& status);
+
 /// The trajectory of a realisation of a run, checked against its digest. Throws base::InputError if the run has no such
 /// realisation, DifferentBits if this version gives it another result, and otherwise as trajectory().
 [[nodiscard]] ROCKING_API Trajectory replay(const StoredRun& stored, const TrajectoryRequest& request = {},

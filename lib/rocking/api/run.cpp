@@ -16,24 +16,17 @@
 #include "rocking/base/stop_request.hpp"
 #include "rocking/ensemble/extension.hpp"
 #include "rocking/ensemble/run.hpp"
-#include "rocking/input/read_experiment.hpp"
 #include "rocking/output/report.hpp"
 #include "rocking/output/report_differences.hpp"
 #include "rocking/output/run_table.hpp"
 #include "rocking/scene/check_condition.hpp"
 #include "rocking/store/results_version.hpp"
-#include "rocking/store/salvage.hpp"
 #include "rocking/store/store.hpp"
-#include "rocking/text/files.hpp"
 
 namespace rocking {
 namespace {
 
 namespace fs = std::filesystem;
-
-Experiment experiment_of(const Identity& identity) {
-  return experiment_in(identity.experiment, Overrides{}, {.files = files_seen_from(identity.files)});
-}
 
 /// Whether the experiments differ in a fixed number of realisations only.
 bool is_extension(const Experiment& experiment, const Identity& identity) {
@@ -43,31 +36,31 @@ bool is_extension(const Experiment& experiment, const Identity& identity) {
                              [](const std::string& difference) { return difference.starts_with("/realisations is "); });
 }
 
-void expect_extensible(const Experiment& experiment, const fs::path& folder, const Store& store) {
+void expect_extensible(const Experiment& experiment, const RunFolder& folder, const Store& store) {
   if (!is_extension(experiment, store.identity())) {
-    throw refused(folder, "has realisations of another experiment", "choose another folder");
+    throw refused(folder.name(), "has realisations of another experiment", "choose another folder");
   }
   const std::uint64_t stored = most_stored_realisations(store);
   const std::uint64_t wanted = experiment.conditions.front().realisations;
   if (stored > wanted) {
-    throw refused(folder,
+    throw refused(folder.name(),
                   "has " + std::to_string(stored) + " realisations of a condition, more than " + std::to_string(wanted),
                   "ask for at least as many, or choose another folder");
   }
   if (store.identity().shard) {
-    throw refused(folder, "has a part of a run with another number of realisations", "merge the parts first");
+    throw refused(folder.name(), "has a part of a run with another number of realisations", "merge the parts first");
   }
-  if (fs::exists(folder / "report.json")) {
-    throw refused(folder, "has the report of a run with another number of realisations",
+  if (folder.has_report()) {
+    throw refused(folder.name(), "has the report of a run with another number of realisations",
                   "`rocking resume DIR --realisations N` extends it");
   }
 }
 
 /// The store in a folder, with the realisations of this experiment.
-Store store_in_folder(const Experiment& experiment, const Execution& execution, std::optional<fs::path>& damaged_file) {
-  const fs::path path = store_in(execution.folder);
-  const auto open = [&path] { return Store::open(path, sqlite::Access::write); };
-  if (execution.repair) count_pages_again(path);
+Store store_in_folder(const Experiment& experiment, const RunFolder& folder, const Execution& execution,
+                      std::optional<fs::path>& damaged_file) {
+  const auto open = [&folder] { return folder.open_store(sqlite::Access::write); };
+  if (execution.repair) count_pages_again(folder.store_path());
   Store store = open();
   if (store.identity().results != results_version) {
     throw refused(execution.folder, "was written by a version that may give other results", "choose another folder");
@@ -77,13 +70,13 @@ Store store_in_folder(const Experiment& experiment, const Execution& execution, 
       throw sqlite::UnusableFile(*damage + ". `repair` keeps the intact realisations and runs the rest again");
     }
     const Experiment stored = experiment_of(store.identity());
-    damaged_file = mend_store(path, execution.folder, std::move(store), stored).damaged_file;
+    damaged_file = folder.mend_store(std::move(store), stored).damaged_file;
     store = open();
   }
   if (store.identity().experiment != experiment.canonical_text) {
-    expect_extensible(experiment, execution.folder, store);
+    expect_extensible(experiment, folder, store);
     const Experiment former = experiment_of(store.identity());
-    extend_store(path, std::move(store), former, experiment, base::code_identity());
+    folder.extend_store(std::move(store), former, experiment);
     store = open();
   }
   if (store.identity().shard != execution.shard) {
@@ -92,19 +85,20 @@ Store store_in_folder(const Experiment& experiment, const Execution& execution, 
   return store;
 }
 
-Store store_for(const Experiment& experiment, const Execution& execution, std::optional<fs::path>& damaged_file) {
-  const fs::path& folder = execution.folder;
+/// `folder`: claimed; absent: in memory.
+Store store_for(const Experiment& experiment, const std::optional<RunFolder>& folder, const Execution& execution,
+                std::optional<fs::path>& damaged_file) {
   Identity identity{
       .experiment = experiment.canonical_text, .code = base::code_identity(), .files = ".", .shard = execution.shard};
-  if (folder.empty()) return Store::in_memory(identity);
+  if (!folder) return Store::in_memory(identity);
   if (experiment.canonical_text.empty()) {
-    throw refused(folder, "an experiment without text cannot be kept in a folder",
+    throw refused(folder->name(), "an experiment without text cannot be kept in a folder",
                   "read the experiment from a file or from text, or run it in memory");
   }
-  if (has_store(folder)) return store_in_folder(experiment, execution, damaged_file);
-  expect_own_report(folder, identity);
+  if (folder->has_store()) return store_in_folder(experiment, *folder, execution, damaged_file);
+  folder->expect_own_report(identity);
   identity.files = fs::absolute(execution.files).lexically_normal().string();
-  return Store::create(store_in(folder), identity);
+  return folder->create_store(identity);
 }
 
 /// What both ways to a result have in common.
@@ -139,27 +133,22 @@ void check_shard(const Experiment& experiment, const Shard& shard) {
 RunResult run(const Experiment& experiment, const Execution& execution) {
   check_experiment(experiment);
   if (execution.shard) check_shard(experiment, *execution.shard);
-  std::optional<FolderLock> lock;
-  if (!execution.folder.empty()) lock.emplace(claimed(execution.folder));
+  std::optional<RunFolder> folder;
+  if (!execution.folder.empty()) folder.emplace(execution.folder).claim();
   std::optional<fs::path> damaged_file;
-  Store store = store_for(experiment, execution, damaged_file);
+  Store store = store_for(experiment, folder, execution, damaged_file);
   const OptionsOfExecution asked(execution);
   // Whether it ended or was stopped follows from the rows.
   static_cast<void>(run(experiment, store, asked.options()));
-  if (!execution.folder.empty()) store.close_up();
+  if (folder) store.close_up();
   RunResult found = look_at(experiment, std::move(store), asked.stop());
   found.damaged_file = std::move(damaged_file);
   return found;
 }
 
-StoredRun open_run(const std::filesystem::path& folder) {
-  StoredRun stored = stored_run(folder);
-  expect_own_report(folder, store_of(stored.run).identity());
-  return stored;
-}
+StoredRun open_run(const fs::path& folder) { return stored_run(RunFolder(folder).open_valid_store()); }
 
-StoredRun stored_run(const std::filesystem::path& folder) {
-  Store store = valid_store(folder);
+StoredRun stored_run(Store store) {
   StoredRun stored{.experiment = experiment_of(store.identity()), .run = {}};
   stored.run = look_at(stored.experiment, std::move(store));
   return stored;

@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "rocking/api/run.hpp"
+#include "rocking/store/store.hpp"
 
 namespace rocking {
 
@@ -24,5 +25,8 @@ namespace rocking {
   if (result.conditions.size() == experiment.conditions.size()) return result;
   throw std::invalid_argument("the run is of another experiment: it has another number of conditions");
 }
+
+/// The run of a store, with its result if it is complete.
+[[nodiscard]] StoredRun stored_run(Store store);
 
 }  // namespace rocking

@@ -17,6 +17,17 @@ std::string message_of(const std::vector<Problem>& problems) {
   return message;
 }
 
+std::error_code code_of(FolderError::Kind kind) {
+  switch (kind) {
+    case FolderError::Kind::missing: return std::make_error_code(std::errc::no_such_file_or_directory);
+    case FolderError::Kind::contradiction: return std::make_error_code(std::errc::invalid_argument);
+    case FolderError::Kind::in_the_way:
+    case FolderError::Kind::different: return std::make_error_code(std::errc::file_exists);
+    case FolderError::Kind::at_work: break;
+  }
+  return std::make_error_code(std::errc::device_or_resource_busy);
+}
+
 std::string escape_of(unsigned char byte) {
   constexpr char digits[] = "0123456789abcdef";
   return {'\\', 'x', digits[byte >> 4U], digits[byte & 15U]};
@@ -72,5 +83,17 @@ InputError::InputError(std::vector<Problem> problems)
 
 ContractViolation::ContractViolation(const char* condition, const char* file, int line)
     : std::logic_error(std::string(file) + ":" + std::to_string(line) + ": contract broken: " + condition) {}
+
+FolderError::FolderError(Kind kind, const std::string& place, const std::string& reason, const std::string& remedy)
+    : std::system_error(code_of(kind)),
+      kind_(kind),
+      problem_{.place = place, .value = "", .reason = reason, .remedy = remedy, .where = {}},
+      text_((place.empty() ? "" : place + ": ") + reason + (remedy.empty() ? "" : "; " + remedy)) {}
+
+FolderError::FolderError(const std::system_error& cause)
+    : std::system_error(cause.code()),
+      kind_(Kind::missing),
+      problem_{.place = "", .value = "", .reason = cause.what(), .remedy = {}, .where = {}},
+      text_(cause.what()) {}
 
 }  // namespace rocking::base

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 namespace rocking::base {
@@ -42,6 +44,32 @@ class InputError : public std::runtime_error {
 /// Thrown for a file of a run that is damaged or is not a store.
 class UnusableFile : public std::runtime_error {
   using std::runtime_error::runtime_error;
+};
+
+/// A folder, or a file of its run, cannot be used as asked.
+class FolderError : public std::system_error {
+ public:
+  enum class Kind : std::uint8_t {
+    missing,        ///< there is no run, or a file that its experiment names cannot be read
+    contradiction,  ///< what is asked does not fit the run that is there
+    in_the_way,     ///< something there prevents it, such as another run
+    at_work,        ///< a process is working in it
+    different,      ///< realisations that should agree differ
+  };
+
+  /// what() is `PLACE: REASON; REMEDY`. `place`: path of a folder or file; `place` and `remedy` may be empty.
+  FolderError(Kind kind, const std::string& place, const std::string& reason, const std::string& remedy = "");
+  /// A file that cannot be read is missing.
+  explicit FolderError(const std::system_error& cause);
+
+  [[nodiscard]] const char* what() const noexcept override { return text_.c_str(); }
+  [[nodiscard]] Kind kind() const { return kind_; }
+  [[nodiscard]] const Problem& problem() const { return problem_; }
+
+ private:
+  Kind kind_;
+  Problem problem_;
+  std::string text_;
 };
 
 /// Thrown if a contract does not hold, which only a fault of the library can cause.

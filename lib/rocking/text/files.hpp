@@ -41,4 +41,7 @@ void write_atomically(const std::filesystem::path& path, const std::function<voi
 /// processes that were killed. Throws std::system_error with the path.
 void ensure_writable(const std::filesystem::path& folder);
 
+/// A word as a shell takes it from a command line: in single quotes where it needs them.
+[[nodiscard]] std::string shell_word(const std::string& word);
+
 }  // namespace rocking

@@ -86,14 +86,15 @@ TEST_F(Interface, RefusesPartsThatContradictEachOtherAndKeepsNothing) {
 
 TEST_F(Interface, RefusesToMergeIntoAFolderWithARun) {
   const fs::path whole = part("a", {});
-  EXPECT_THAT(refusal([&] { static_cast<void>(merge(whole, {whole})); }), HasSubstr("already contains a run"));
+  EXPECT_THAT(refusal([&] { static_cast<void>(merge(whole, {whole})); }), HasSubstr("cannot be both"));
+  EXPECT_THAT(refusal([&] { static_cast<void>(merge(whole, {part("b", {})})); }), HasSubstr("already contains a run"));
 }
 
 TEST_F(Interface, MergesInAFolderWhereAMergeWasKilled) {
   const fs::path whole = part("a", {});
-  fs::create_directory(in("killed"));
+  fs::create_directories(in("killed") / "replacement");
   for (const char* left : {"merging.sqlite", "merging.sqlite-wal", "merging.sqlite.new"}) {
-    std::ofstream(in("killed") / left) << "part of a store";
+    std::ofstream(in("killed") / "replacement" / left) << "part of a store";
   }
   EXPECT_TRUE(merge(in("killed"), {whole}).run.is_complete());
   const fs::directory_iterator files(in("killed"));
@@ -128,7 +129,7 @@ TEST_F(Interface, RunsInOneFolderExcludeEachOther) {
         ADD_FAILURE() << "both are at work in one folder";
       } catch (const std::system_error& error) {
         EXPECT_EQ(error.code(), std::errc::device_or_resource_busy);
-        EXPECT_THAT(error.what(), HasSubstr("another run is at work in this folder"));
+        EXPECT_THAT(error.what(), HasSubstr("is working in this folder"));
         ++refused;
       }
     }

@@ -1,9 +1,9 @@
-#include "replacement.hpp"
+#include "rocking/api/replacement.hpp"
 
 #include <fcntl.h>
 #include <unistd.h>
 
-namespace rocking::program {
+namespace rocking {
 namespace {
 
 namespace fs = std::filesystem;
@@ -59,4 +59,4 @@ void Replacement::finish_installing() const {
   fs::remove_all(complete());
 }
 
-}  // namespace rocking::program
+}  // namespace rocking

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-namespace rocking::program {
+namespace rocking {
 
 /// Names of a run's files within a folder.
 struct RunFiles {
@@ -44,4 +44,4 @@ class Replacement {
   std::filesystem::path folder_;
 };
 
-}  // namespace rocking::program
+}  // namespace rocking

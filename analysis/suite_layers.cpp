@@ -10,7 +10,7 @@
 
 #include "analysis/palette.hpp"
 #include "analysis/sweep_view.hpp"
-#include "rocking/stats/probit_interpolation.hpp"
+#include "rocking/stats/probit.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking::analysis {

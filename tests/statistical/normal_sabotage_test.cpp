@@ -14,7 +14,7 @@
 #include "rocking/random/engine.hpp"
 #include "rocking/random/sampler.hpp"
 #include "rocking/random/uniform.hpp"
-#include "rocking/stats/correlation.hpp"
+#include "rocking/stats/moments.hpp"
 #include "rocking/stats/normal_check.hpp"
 #include "support/normal_samples.hpp"
 

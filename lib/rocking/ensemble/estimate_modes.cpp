@@ -2,7 +2,7 @@
 
 #include <numeric>
 
-#include "rocking/stats/sison_glaz.hpp"
+#include "rocking/stats/interval.hpp"
 
 namespace rocking {
 

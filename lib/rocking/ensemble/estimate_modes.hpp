@@ -5,7 +5,7 @@
 
 #include "rocking/ensemble/mode_family.hpp"
 #include "rocking/ensemble/result.hpp"
-#include "rocking/stats/covering.hpp"
+#include "rocking/stats/mean_share.hpp"
 
 namespace rocking {
 

@@ -17,6 +17,7 @@
 #include "rocking/section/response_mode.hpp"
 #include "rocking/stats/interval.hpp"
 #include "rocking/stats/paired.hpp"
+#include "rocking/stats/quantile.hpp"
 
 namespace rocking {
 

@@ -8,7 +8,6 @@
 #include "rocking/base/error.hpp"
 #include "rocking/stats/normal_law.hpp"
 #include "rocking/stats/probit.hpp"
-#include "rocking/stats/student_law.hpp"
 
 namespace rocking::stats {
 namespace {

@@ -7,7 +7,7 @@
 #include <boost/math/special_functions/beta.hpp>
 
 #include "rocking/base/error.hpp"
-#include "rocking/stats/student_law.hpp"
+#include "rocking/stats/normal_law.hpp"
 
 namespace rocking::stats {
 namespace {

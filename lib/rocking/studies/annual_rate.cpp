@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "rocking/base/error.hpp"
-#include "rocking/stats/student_law.hpp"
+#include "rocking/stats/normal_law.hpp"
 #include "rocking/studies/counted_hazard.hpp"
 #include "rocking/studies/rare_tail.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "rocking/stats/sison_glaz.hpp"
+#include "rocking/stats/interval.hpp"
 
 namespace {
 

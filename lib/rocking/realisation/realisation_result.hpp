@@ -12,7 +12,7 @@
 #include "rocking/scene/experiment.hpp"
 #include "rocking/section/classification.hpp"
 #include "rocking/section/classify.hpp"
-#include "rocking/section/mode_counts.hpp"
+#include "rocking/section/response_mode.hpp"
 
 namespace rocking {
 

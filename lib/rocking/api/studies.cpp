@@ -21,7 +21,7 @@
 #include "rocking/output/fragility_report.hpp"
 #include "rocking/output/trajectory_report.hpp"
 #include "rocking/scene/check_condition.hpp"
-#include "rocking/scene/check_hazard.hpp"
+#include "rocking/scene/hazard.hpp"
 #include "rocking/store/store.hpp"
 #include "rocking/studies/bifurcation.hpp"
 #include "rocking/studies/comparison.hpp"

@@ -2,7 +2,7 @@
 
 #include "rocking/base/digest.hpp"
 #include "rocking/input/record_component.hpp"
-#include "rocking/scene/response_spectrum.hpp"
+#include "rocking/scene/intensity_measures.hpp"
 #include "rocking/scene/rules.hpp"
 
 namespace rocking {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "rocking/input/read_ground_motion.hpp"
-#include "rocking/scene/response_spectrum.hpp"
+#include "rocking/scene/intensity_measures.hpp"
 #include "rocking/text/files.hpp"
 
 namespace rocking {

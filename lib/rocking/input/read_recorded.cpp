@@ -11,7 +11,7 @@
 
 #include "rocking/base/number_text.hpp"
 #include "rocking/scene/defaults.hpp"
-#include "rocking/scene/ground_motion_peaks.hpp"
+#include "rocking/scene/intensity_measures.hpp"
 #include "rocking/scene/rules.hpp"
 
 namespace rocking {

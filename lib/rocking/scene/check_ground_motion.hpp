@@ -6,7 +6,6 @@
 
 #include "rocking/dynamics/excitation/shape.hpp"
 #include "rocking/scene/number_rule.hpp"
-#include "rocking/scene/refusal.hpp"
 
 /// What the samples of a ground motion must be, for the reader of its file and for motions that come from C++.
 namespace rocking {

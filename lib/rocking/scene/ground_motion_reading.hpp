@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "rocking/scene/refusal.hpp"
+#include "rocking/scene/number_rule.hpp"
 
 namespace rocking {
 

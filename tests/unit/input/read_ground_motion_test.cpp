@@ -14,7 +14,7 @@
 
 #include "rocking/base/digest.hpp"
 #include "rocking/input/read_experiment.hpp"
-#include "rocking/scene/periods_until_rest.hpp"
+#include "rocking/scene/defaults.hpp"
 #include "support/excitation.hpp"
 #include "support/experiment_text.hpp"
 #include "support/json_schema.hpp"

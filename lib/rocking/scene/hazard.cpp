@@ -1,4 +1,4 @@
-#include "rocking/scene/check_hazard.hpp"
+#include "rocking/scene/hazard.hpp"
 
 #include <cmath>
 #include <cstddef>

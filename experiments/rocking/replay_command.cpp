@@ -8,7 +8,6 @@
 #include "output.hpp"
 #include "rocking/base/build_info.hpp"
 #include "rocking/random/draws.hpp"
-#include "rocking/realisation/realisation_digest.hpp"
 #include "rocking/realisation/realisation_result.hpp"
 #include "rocking/realisation/trajectory.hpp"
 #include "run_folder.hpp"

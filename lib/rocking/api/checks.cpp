@@ -16,7 +16,6 @@
 #include "rocking/output/check_normal_fields.hpp"
 #include "rocking/output/report_differences.hpp"
 #include "rocking/output/report_rerun.hpp"
-#include "rocking/realisation/realisation_digest.hpp"
 #include "rocking/realisation/realisation_result.hpp"
 #include "rocking/realisation/trajectory.hpp"
 #include "rocking/store/store.hpp"

@@ -1,5 +1,5 @@
 #include "rocking/ensemble/pair_in_progress.hpp"
-#include "rocking/realisation/divergence.hpp"
+#include "rocking/realisation/realisation_result.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -24,7 +24,7 @@ class GroundMotionFiles {
   [[nodiscard]] std::shared_ptr<const GroundMotion> motion(const GroundMotionReading& how, Problems& problems);
 
   /// The spectral acceleration of a motion at a period, or the average of its pseudo-acceleration over a range of periods
-  /// (response_spectrum.hpp), over g; computed once.
+  /// (intensity_measures.hpp), over g; computed once.
   [[nodiscard]] double spectral_acceleration(const std::shared_ptr<const GroundMotion>& motion,
                                              const std::vector<double>& periods, OscillatorAcceleration which);
 

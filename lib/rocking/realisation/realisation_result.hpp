@@ -59,4 +59,11 @@ struct RealisationResult {
 [[nodiscard]] RealisationResult realise_unchecked(const Condition& condition, std::uint64_t seed,
                                                   std::uint64_t realisation, base::StopRequest stop = {});
 
+/// First period, counted from 1, in which the two results have diverged: their strobe points are more than 0.01 apart
+/// in (Theta, Theta'), or only one of the runs has ended. Absent if they have not diverged.
+[[nodiscard]] std::optional<std::int64_t> divergence_period(const RealisationResult& a, const RealisationResult& b);
+
+/// SHA-256 over the bits of a result: realisation number, termination, response mode, strobe points, counts of events.
+[[nodiscard]] base::Sha256 digest_of(const RealisationResult& result, std::uint64_t realisation);
+
 }  // namespace rocking

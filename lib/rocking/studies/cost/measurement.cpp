@@ -11,7 +11,7 @@
 #include "rocking/base/error.hpp"
 #include "rocking/base/on_threads.hpp"
 #include "rocking/ensemble/group_scheduler.hpp"
-#include "rocking/realisation/divergence.hpp"
+#include "rocking/realisation/realisation_result.hpp"
 #include "rocking/scene/check_condition.hpp"
 #include "rocking/studies/cost/cost.hpp"
 #include "rocking/studies/cost/sample.hpp"

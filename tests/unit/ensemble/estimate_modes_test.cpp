@@ -1,4 +1,4 @@
-#include "rocking/ensemble/estimate_modes.hpp"
+#include "rocking/ensemble/mode_family.hpp"
 
 #include <vector>
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "rocking/ensemble/result.hpp"
@@ -22,6 +23,18 @@ class PeakTally {
  private:
   std::vector<double> tilt_, tilt_rate_, slip_, slip_m_, final_slip_, final_slip_m_;
   std::uint64_t ended_before_ = 0;  ///< realisations that did not reach the horizon
+};
+
+/// Collects the Lyapunov exponents of the realisations of a condition: 16 bytes for each that has one.
+class ExponentTally {
+ public:
+  void add(const Summary& summary);
+
+  /// Absent where no realisation has one.
+  [[nodiscard]] std::optional<Exponents> exponents(double confidence) const;
+
+ private:
+  std::vector<double> exponents_, errors_;
 };
 
 }  // namespace rocking

@@ -5,7 +5,6 @@
 #include "analysis/data_file.hpp"
 #include "rocking/output/text_table.hpp"
 #include "rocking/text/number_text.hpp"
-#include "rocking/text/seed_text.hpp"
 
 namespace rocking::analysis {
 namespace {

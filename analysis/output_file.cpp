@@ -1,7 +1,7 @@
 #include "analysis/output_file.hpp"
 
 #include "rocking/base/error.hpp"
-#include "rocking/text/parse_json.hpp"
+#include "rocking/text/json.hpp"
 
 namespace rocking::analysis {
 

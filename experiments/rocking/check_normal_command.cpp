@@ -9,7 +9,7 @@
 #include "rocking/api/checks.hpp"
 #include "rocking/output/check_normal_fields.hpp"
 #include "rocking/output/check_normal_summary.hpp"
-#include "rocking/text/seed_text.hpp"
+#include "rocking/text/number_text.hpp"
 #include "study_file.hpp"
 #include "usage.hpp"
 

@@ -19,8 +19,8 @@
 #include "rocking/output/infer_report.hpp"
 #include "rocking/output/rare_report.hpp"
 #include "rocking/text/files.hpp"
+#include "rocking/text/json.hpp"
 #include "rocking/text/locate.hpp"
-#include "rocking/text/parse_json.hpp"
 
 namespace rocking::program {
 namespace {

@@ -17,8 +17,8 @@
 #include "rocking/stats/repetitions.hpp"
 #include "rocking/studies/suite/stripes.hpp"
 #include "rocking/text/files.hpp"
+#include "rocking/text/json.hpp"
 #include "rocking/text/locate.hpp"
-#include "rocking/text/parse_json.hpp"
 
 namespace rocking {
 namespace {

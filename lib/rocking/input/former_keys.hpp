@@ -2,7 +2,6 @@
 
 #include "rocking/scene/number_rule.hpp"
 #include "rocking/text/json.hpp"
-#include "rocking/text/parse_json.hpp"
 
 namespace rocking {
 

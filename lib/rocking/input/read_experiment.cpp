@@ -12,8 +12,8 @@
 #include "rocking/input/sweep.hpp"
 #include "rocking/input/unknowns.hpp"
 #include "rocking/scene/relations.hpp"
+#include "rocking/text/json.hpp"
 #include "rocking/text/locate.hpp"
-#include "rocking/text/parse_json.hpp"
 
 namespace rocking {
 namespace {

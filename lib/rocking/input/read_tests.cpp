@@ -13,7 +13,7 @@
 #include "rocking/input/condition_family.hpp"
 #include "rocking/input/line_problems.hpp"
 #include "rocking/input/test_columns.hpp"
-#include "rocking/text/parse_json.hpp"
+#include "rocking/text/json.hpp"
 
 namespace rocking {
 namespace {

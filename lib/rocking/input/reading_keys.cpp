@@ -10,7 +10,7 @@
 #include "rocking/input/swept_place.hpp"
 #include "rocking/scene/law_keys.hpp"
 #include "rocking/scene/rules.hpp"
-#include "rocking/text/seed_text.hpp"
+#include "rocking/text/number_text.hpp"
 
 namespace rocking {
 namespace {

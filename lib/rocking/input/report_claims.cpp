@@ -3,7 +3,6 @@
 #include "rocking/base/digest.hpp"
 #include "rocking/base/error.hpp"
 #include "rocking/text/json.hpp"
-#include "rocking/text/parse_json.hpp"
 
 namespace rocking {
 namespace {

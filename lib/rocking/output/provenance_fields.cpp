@@ -5,7 +5,7 @@
 #include <string_view>
 #include <utility>
 
-#include "rocking/text/seed_text.hpp"
+#include "rocking/text/number_text.hpp"
 
 namespace rocking {
 namespace {

@@ -9,8 +9,8 @@
 #include "rocking/input/report_claims.hpp"
 #include "rocking/output/check_reported_counts.hpp"
 #include "rocking/output/text_table.hpp"
+#include "rocking/text/json.hpp"
 #include "rocking/text/number_text.hpp"
-#include "rocking/text/parse_json.hpp"
 
 namespace rocking {
 

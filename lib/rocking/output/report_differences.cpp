@@ -1,7 +1,6 @@
 #include "rocking/output/report_differences.hpp"
 
 #include "rocking/text/json.hpp"
-#include "rocking/text/parse_json.hpp"
 
 namespace rocking {
 namespace {

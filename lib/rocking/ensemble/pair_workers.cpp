@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "rocking/base/on_threads.hpp"
+#include "rocking/base/many_parts.hpp"
 #include "rocking/ensemble/group_scheduler.hpp"
 #include "rocking/ensemble/work_list.hpp"
 #include "rocking/realisation/realisation_result.hpp"

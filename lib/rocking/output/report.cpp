@@ -5,7 +5,6 @@
 
 #include "rocking/base/error.hpp"
 #include "rocking/ensemble/mode_family.hpp"
-#include "rocking/input/check_report.hpp"
 #include "rocking/input/report_claims.hpp"
 #include "rocking/output/check_reported_counts.hpp"
 #include "rocking/output/text_table.hpp"

@@ -1,6 +1,6 @@
 // Ground motions: what is read from a file, faults of a file, and the effect on an experiment.
 
-#include "rocking/input/read_ground_motion.hpp"
+#include "rocking/input/record_formats.hpp"
 #include "rocking/scene/rules.hpp"
 
 #include <cmath>

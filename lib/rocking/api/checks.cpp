@@ -15,7 +15,6 @@
 #include "rocking/input/report_claims.hpp"
 #include "rocking/output/check_normal_fields.hpp"
 #include "rocking/output/report_differences.hpp"
-#include "rocking/output/report_rerun.hpp"
 #include "rocking/realisation/realisation_result.hpp"
 #include "rocking/realisation/trajectory.hpp"
 #include "rocking/store/store.hpp"

@@ -6,7 +6,7 @@
 #include "rocking/fields/named_type.hpp"
 #include "rocking/output/bifurcation_report.hpp"
 #include "rocking/output/provenance_fields.hpp"
-#include "rocking/output/shaking_fields.hpp"
+#include "rocking/output/shaking_text.hpp"
 #include "rocking/output/validity_fields.hpp"
 
 namespace rocking {

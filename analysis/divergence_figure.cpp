@@ -1,4 +1,4 @@
-#include "analysis/divergence_figure.hpp"
+#include "analysis/run_figures.hpp"
 
 #include <algorithm>
 #include <map>

@@ -2,10 +2,10 @@
 
 #include <system_error>
 
+#include "analysis/child_process.hpp"
 #include "analysis/data_file.hpp"
 #include "analysis/gnuplot_script.hpp"
 #include "analysis/matplotlib_script.hpp"
-#include "analysis/temporary_folder.hpp"
 #include "rocking/text/files.hpp"
 
 namespace rocking::analysis {

@@ -1,4 +1,4 @@
-#include "analysis/non_recurrence_figures.hpp"
+#include "analysis/run_figures.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,11 +1,6 @@
 #include "analysis/run_figures.hpp"
 
-#include "analysis/divergence_figure.hpp"
-#include "analysis/incidence_figure.hpp"
 #include "analysis/mode_figures.hpp"
-#include "analysis/non_recurrence_figures.hpp"
-#include "analysis/quantile_figure.hpp"
-#include "analysis/scene_sketch.hpp"
 
 namespace rocking::analysis {
 

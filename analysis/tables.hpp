@@ -1,5 +1,7 @@
 #pragma once
 
+#include <map>
+#include <set>
 #include <string>
 
 #include "rocking/output/report.hpp"
@@ -25,5 +27,9 @@ namespace rocking::analysis {
 /// (overturning among them if it occurs) the per cent with the interval, or the upper end of the interval of a mode
 /// that did not occur.
 [[nodiscard]] std::string modes_latex(const Report& report);
+
+/// The tables of a report in the formats `csv` and `latex`, as far as they are asked for: text by the name of the file.
+[[nodiscard]] std::map<std::string, std::string> table_files(const Report& report,
+                                                             const std::set<std::string>& formats);
 
 }  // namespace rocking::analysis

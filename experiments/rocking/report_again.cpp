@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "analysis/table_files.hpp"
+#include "analysis/tables.hpp"
 #include "page.hpp"
 #include "pages/suite_figures.hpp"
 #include "rocking/output/mode_table.hpp"

@@ -1,6 +1,6 @@
 // The figure of settling where nothing has settled.
 
-#include "analysis/incidence_figure.hpp"
+#include "analysis/run_figures.hpp"
 
 #include <algorithm>
 #include <cmath>

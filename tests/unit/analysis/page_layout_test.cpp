@@ -12,7 +12,6 @@
 #include "analysis/page/figure_section.hpp"
 #include "analysis/page/page.hpp"
 #include "analysis/page/tables.hpp"
-#include "analysis/quantile_figure.hpp"
 #include "analysis/run_figures.hpp"
 #include "rocking/output/report.hpp"
 #include "support/sample_report.hpp"

@@ -9,7 +9,7 @@
 
 #include "analysis/page/question.hpp"
 #include "analysis/page/tables.hpp"
-#include "analysis/scene_sketch.hpp"
+#include "analysis/run_figures.hpp"
 #include "analysis/sweep_view.hpp"
 #include "analysis/tables.hpp"
 #include "rocking/input/read_experiment.hpp"

@@ -9,7 +9,7 @@
 #include "analysis/mode_figures.hpp"
 #include "analysis/overview.hpp"
 #include "analysis/page/along.hpp"
-#include "analysis/page/answer.hpp"
+#include "analysis/page/sections.hpp"
 #include "analysis/page/html.hpp"
 #include "rocking/text/number_text.hpp"
 

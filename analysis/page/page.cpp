@@ -6,11 +6,8 @@
 #include <fmt/format.h>
 
 #include "analysis/page/animation.hpp"
-#include "analysis/page/answer.hpp"
+#include "analysis/page/sections.hpp"
 #include "analysis/page/html.hpp"
-#include "analysis/page/limits.hpp"
-#include "analysis/page/question.hpp"
-#include "analysis/page/settling.hpp"
 #include "analysis/page/tables.hpp"
 #include "analysis/page/trust.hpp"
 #include "analysis/run_figures.hpp"

@@ -1,4 +1,4 @@
-#include "analysis/page/question.hpp"
+#include "analysis/page/sections.hpp"
 
 #include <algorithm>
 #include <array>

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "analysis/overview.hpp"
-#include "analysis/page/answer.hpp"
+#include "analysis/page/sections.hpp"
 #include "analysis/page/html.hpp"
 #include "analysis/page/words.hpp"
 #include "rocking/text/number_text.hpp"

@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 
 #include "analysis/mode_figures.hpp"
-#include "analysis/page/answer.hpp"
+#include "analysis/page/sections.hpp"
 #include "analysis/page/figure_section.hpp"
 #include "analysis/page/page.hpp"
 #include "analysis/page/tables.hpp"

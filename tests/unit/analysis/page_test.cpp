@@ -10,9 +10,8 @@
 
 #include "analysis/draw.hpp"
 #include "analysis/page/animation.hpp"
-#include "analysis/page/answer.hpp"
+#include "analysis/page/sections.hpp"
 #include "analysis/page/html.hpp"
-#include "analysis/page/limits.hpp"
 #include "analysis/page/mode_drawing.hpp"
 #include "analysis/page/page.hpp"
 #include "analysis/page/tables.hpp"

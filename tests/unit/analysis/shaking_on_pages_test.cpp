@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "analysis/page/question.hpp"
+#include "analysis/page/sections.hpp"
 #include "analysis/page/tables.hpp"
 #include "analysis/run_figures.hpp"
 #include "analysis/sweep_view.hpp"

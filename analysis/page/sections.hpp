@@ -28,4 +28,20 @@ namespace rocking::analysis {
 /// about a suite of ground motions, a line each, which replace the places of overturning; empty if there are none.
 [[nodiscard]] std::string answer_in_brief(const Report& report, const std::string& suite = "");
 
+/// The experiment in two or three sentences of HTML: block, excitation, friction, what is random and what is varied.
+[[nodiscard]] std::string question_at_once(const Report& report);
+
+/// The same with the impacts and the number of realisations.
+[[nodiscard]] std::string question_in_brief(const Report& report);
+
+/// What question_at_once omits, and a list of all settings, followed by the experiment file.
+[[nodiscard]] std::string question_in_full(const Report& report);
+
+/// HTML: when the responses of a run with `until_classified` settled: a table with a row for each condition, which limit
+/// would do where it was too short, and the rates at which settled responses were left. Empty for another run.
+[[nodiscard]] std::string settling_html(const Report& report);
+
+/// HTML: what the model leaves out, and what this means for the results, with literature. Independent of a report.
+[[nodiscard]] std::string limits_html();
+
 }  // namespace rocking::analysis

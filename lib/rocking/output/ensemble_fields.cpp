@@ -14,21 +14,14 @@
 #include "rocking/output/validity_fields.hpp"
 
 namespace rocking {
-namespace {
-
-constexpr std::array stop_causes{StoppedBecause::deterministic, StoppedBecause::all_realisations_done,
-                                 StoppedBecause::half_width_reached, StoppedBecause::at_most_reached};
-constexpr std::array numerical_errors{NumericalError::small, NumericalError::not_small, NumericalError::undecided};
-
-}  // namespace
 
 template <>
 struct TypeOf<StoppedBecause> {
-  static const ValueType& get() { return the_only<NamedType<stop_causes>>(); }
+  static const ValueType& get() { return the_only<WordType<StoppedBecause, stop_cause_names>>(); }
 };
 template <>
 struct TypeOf<NumericalError> {
-  static const ValueType& get() { return the_only<NamedType<numerical_errors>>(); }
+  static const ValueType& get() { return the_only<WordType<NumericalError, numerical_error_names>>(); }
 };
 
 namespace {

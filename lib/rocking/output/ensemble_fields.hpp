@@ -4,7 +4,7 @@
 #include "rocking/ensemble/settling_tally.hpp"
 #include "rocking/fields/struct_type.hpp"
 #include "rocking/fields/value_type.hpp"
-#include "rocking/realisation/operation_counts.hpp"
+#include "rocking/realisation/measures.hpp"
 
 /// How the results of a run stand in documents.
 namespace rocking {

@@ -58,7 +58,9 @@ const ValueType& open_interval_type() {
   return the_only<ConvertedType<stats::Interval, OpenEnds, written_ends, set_ends>>();
 }
 
-const ValueType& TypeOf<stats::FragilityOutcome>::get() { return the_only<NamedType<stats::all_fragility_outcomes>>(); }
+const ValueType& TypeOf<stats::FragilityOutcome>::get() {
+  return the_only<WordType<stats::FragilityOutcome, stats::fragility_outcome_names>>();
+}
 
 const ValueType& TypeOf<FragilityEvent>::get() { return the_only<EventType>(); }
 

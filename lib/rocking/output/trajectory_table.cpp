@@ -44,7 +44,7 @@ std::string trajectory_table(const TrajectoryReport& report) {
   std::string text = "# format: " + std::string(trajectory_document().format());
   text += "\n# condition: " + std::to_string(report.key.condition);
   text += "\n# realisation: " + std::to_string(report.key.realisation);
-  text += "\n# units: " + std::string(to_string(report.units));
+  text += "\n# units: " + std::string(trajectory_unit_names[static_cast<std::size_t>(report.units)]);
   const Json block = block_fields().json(&report.block);
   for (const auto& [name, value] : block.items()) text += "\n# " + name + ": " + value.dump();
   text += "\n# termination: " + std::string(to_string(report.termination));

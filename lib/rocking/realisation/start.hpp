@@ -7,7 +7,7 @@
 #include "rocking/integrate/hybrid.hpp"
 #include "rocking/integrate/step_length.hpp"
 #include "rocking/random/branched_draws.hpp"
-#include "rocking/realisation/operation_counts.hpp"
+#include "rocking/realisation/measures.hpp"
 #include "rocking/realisation/scene_coefficients.hpp"
 #include "rocking/scene/experiment.hpp"
 

@@ -158,14 +158,6 @@ std::vector<HistorySample> in_units_of_files(const std::vector<HistoryPoint>& po
 
 }  // namespace
 
-std::string_view to_string(TrajectoryUnits units) {
-  switch (units) {
-    case TrajectoryUnits::normalised: return "normalised";
-    case TrajectoryUnits::si: return "si";
-  }
-  return "";
-}
-
 Trajectory trajectory_of(const Condition& condition, std::uint64_t seed, std::uint64_t realisation,
                          const TrajectoryExtent& extent) {
   check_condition(condition);

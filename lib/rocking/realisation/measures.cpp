@@ -1,4 +1,4 @@
-#include "rocking/realisation/operation_counts.hpp"
+#include "rocking/realisation/measures.hpp"
 
 namespace rocking {
 

@@ -11,7 +11,6 @@
 #include <gtest/gtest.h>
 
 #include "rocking/random/draws.hpp"
-#include "rocking/random/engine.hpp"
 #include "rocking/random/sampler.hpp"
 #include "rocking/random/uniform.hpp"
 #include "rocking/stats/moments.hpp"

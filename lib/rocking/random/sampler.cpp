@@ -6,7 +6,7 @@
 #include <boost/random/normal_distribution.hpp>
 
 #include "rocking/base/error.hpp"
-#include "rocking/random/engine.hpp"
+#include "rocking/random/draws.hpp"
 #include "rocking/random/uniform.hpp"
 
 namespace rocking::random {

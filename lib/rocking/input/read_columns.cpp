@@ -12,7 +12,7 @@
 #include "rocking/input/line_problems.hpp"
 #include "rocking/input/lines_above_columns.hpp"
 #include "rocking/input/record_unit.hpp"
-#include "rocking/scene/check_ground_motion.hpp"
+#include "rocking/scene/ground_motion_reading.hpp"
 #include "rocking/scene/rules.hpp"
 
 namespace rocking {

@@ -5,8 +5,8 @@
 
 #include "rocking/base/error.hpp"
 #include "rocking/base/number_text.hpp"
-#include "rocking/scene/check_ground_motion.hpp"
 #include "rocking/scene/experiment_keys.hpp"
+#include "rocking/scene/ground_motion_reading.hpp"
 #include "rocking/scene/law_keys.hpp"
 #include "rocking/scene/relations.hpp"
 #include "rocking/scene/rules.hpp"

@@ -6,11 +6,10 @@
 #include <vector>
 
 #include "rocking/input/check_suite.hpp"
-#include "rocking/input/former_keys.hpp"
 #include "rocking/input/read_question.hpp"
 #include "rocking/input/suite.hpp"
 #include "rocking/input/sweep.hpp"
-#include "rocking/input/unknowns.hpp"
+#include "rocking/input/swept_place.hpp"
 #include "rocking/scene/relations.hpp"
 #include "rocking/text/json.hpp"
 #include "rocking/text/locate.hpp"

@@ -4,7 +4,6 @@
 #include <array>
 
 #include "analysis/data_file.hpp"
-#include "analysis/mode_figures.hpp"
 #include "analysis/palette.hpp"
 #include "analysis/sweep_view.hpp"
 

@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "analysis/data_file.hpp"
-#include "analysis/mode_figures.hpp"
 #include "analysis/palette.hpp"
 #include "analysis/sweep_view.hpp"
 #include "rocking/text/number_text.hpp"

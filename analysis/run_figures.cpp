@@ -1,7 +1,5 @@
 #include "analysis/run_figures.hpp"
 
-#include "analysis/mode_figures.hpp"
-
 namespace rocking::analysis {
 
 std::vector<Figure> run_figures(const Report& report, const Store* store) {

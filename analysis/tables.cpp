@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "analysis/data_file.hpp"
-#include "analysis/mode_figures.hpp"
+#include "analysis/run_figures.hpp"
 #include "analysis/settling_tables.hpp"
 #include "analysis/sweep_view.hpp"
 #include "analysis/table_text.hpp"

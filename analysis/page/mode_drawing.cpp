@@ -1,4 +1,4 @@
-#include "analysis/page/mode_drawing.hpp"
+#include "analysis/page/sections.hpp"
 
 #include <algorithm>
 #include <array>

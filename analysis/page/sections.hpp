@@ -3,6 +3,7 @@
 #include <string>
 
 #include "rocking/output/report.hpp"
+#include "rocking/section/response_mode.hpp"
 
 namespace rocking::analysis {
 
@@ -43,5 +44,9 @@ namespace rocking::analysis {
 
 /// HTML: what the model leaves out, and what this means for the results, with literature. Independent of a report.
 [[nodiscard]] std::string limits_html();
+
+/// Inline SVG: a schematic time history of a response mode, tilt above base acceleration. For (m,n): m rocks in n
+/// periods, repeated. Empty for `unresolved`, which has no typical form.
+[[nodiscard]] std::string mode_drawing(const section::ResponseMode& mode);
 
 }  // namespace rocking::analysis

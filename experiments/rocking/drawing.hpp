@@ -10,8 +10,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "analysis/draw.hpp"
 #include "analysis/figure.hpp"
-#include "analysis/gnuplot.hpp"
 #include "analysis/look.hpp"
 #include "exit_code.hpp"
 #include "rocking/output/report.hpp"

@@ -7,7 +7,6 @@
 #include "analysis/child_process.hpp"
 #include "analysis/draw.hpp"
 #include "analysis/fragility_figure.hpp"
-#include "analysis/gnuplot.hpp"
 #include "analysis/page/sheet.hpp"
 #include "rocking/api/refuse.hpp"
 #include "rocking/api/run_store.hpp"

@@ -10,10 +10,9 @@
 
 #include "analysis/draw.hpp"
 #include "analysis/page/animation.hpp"
-#include "analysis/page/sections.hpp"
 #include "analysis/page/html.hpp"
-#include "analysis/page/mode_drawing.hpp"
 #include "analysis/page/page.hpp"
+#include "analysis/page/sections.hpp"
 #include "analysis/page/tables.hpp"
 #include "analysis/page/trust.hpp"
 #include "analysis/page/words.hpp"

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "rocking/base/error.hpp"
-#include "rocking/integrate/bernstein.hpp"
 #include "rocking/integrate/polynomial.hpp"
 #include "rocking/integrate/refine.hpp"
 

@@ -1,8 +1,6 @@
 #include "analysis/tables.hpp"
 
-#include <algorithm>
 #include <cstdint>
-#include <optional>
 #include <set>
 #include <string_view>
 #include <utility>

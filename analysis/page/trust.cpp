@@ -1,7 +1,6 @@
 #include "analysis/page/trust.hpp"
 
 #include <algorithm>
-#include <optional>
 
 #include <fmt/format.h>
 

@@ -1,10 +1,8 @@
 #include "rocking/input/ground_motion_files.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <utility>

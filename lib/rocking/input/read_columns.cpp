@@ -1,7 +1,6 @@
 #include "rocking/input/record_formats.hpp"
 
 #include <algorithm>
-#include <array>
 #include <optional>
 #include <string>
 #include <string_view>

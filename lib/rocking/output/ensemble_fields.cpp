@@ -1,10 +1,7 @@
 #include "rocking/output/ensemble_fields.hpp"
 
 #include <array>
-#include <map>
 #include <optional>
-#include <string>
-#include <vector>
 
 #include "rocking/fields/container_types.hpp"
 #include "rocking/fields/converted_type.hpp"

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <vector>
 
 #include "rocking/base/error.hpp"
 #include "rocking/output/mode_table.hpp"

@@ -1,7 +1,6 @@
 #include "rocking/scene/hazard.hpp"
 
 #include <cmath>
-#include <cstddef>
 #include <string>
 
 #include "rocking/base/number_text.hpp"

@@ -1,7 +1,6 @@
 #include "rocking/stats/mean_share.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include <boost/math/special_functions/beta.hpp>

@@ -1,6 +1,5 @@
 #include "rocking/stats/newton_ascent.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 

@@ -57,6 +57,7 @@ std::optional<double> censored_quantile(const std::map<std::int64_t, std::uint64
   ROCKING_EXPECT(0.0 < level && level <= 1.0);
   std::uint64_t all = later;
   for (const auto& [value, count] : tally) all += count;
+  if (all == 0) return std::nullopt;
   const std::uint64_t rank = nearest_rank(all, level);
   std::uint64_t passed = 0;
   for (const auto& [value, count] : tally) {

@@ -12,9 +12,9 @@
 
 #include "interrupt.hpp"
 #include "machine.hpp"
+#include "output.hpp"
 #include "page.hpp"
 #include "progress.hpp"
-#include "progress_file.hpp"
 #include "rocking/base/build_info.hpp"
 #include "rocking/base/stop_request.hpp"
 #include "rocking/ensemble/run.hpp"
@@ -23,7 +23,6 @@
 #include "rocking/text/files.hpp"
 #include "rocking/text/number_text.hpp"
 #include "running_estimate.hpp"
-#include "terminal.hpp"
 
 namespace rocking::program {
 namespace {

@@ -11,6 +11,7 @@
 #include <fmt/ranges.h>
 
 #include "analysis/tables.hpp"
+#include "output.hpp"
 #include "page.hpp"
 #include "pages/suite_figures.hpp"
 #include "rocking/output/mode_table.hpp"
@@ -20,7 +21,6 @@
 #include "rocking/text/files.hpp"
 #include "rocking/text/locate.hpp"
 #include "run_folder.hpp"
-#include "terminal.hpp"
 #include "usage.hpp"
 
 namespace rocking::program {

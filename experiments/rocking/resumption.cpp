@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "needs.hpp"
+#include "machine.hpp"
 #include "output.hpp"
 #include "realisation_list.hpp"
 #include "rocking/base/build_info.hpp"

@@ -11,7 +11,7 @@
 #include "dry_run.hpp"
 #include "experiment_argument.hpp"
 #include "ground_motion_notes.hpp"
-#include "needs.hpp"
+#include "machine.hpp"
 #include "output.hpp"
 #include "rocking/base/build_info.hpp"
 #include "rocking/output/plan_text.hpp"

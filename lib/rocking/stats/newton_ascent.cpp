@@ -1,4 +1,4 @@
-#include "rocking/stats/newton_ascent.hpp"
+#include "rocking/stats/mixed_probit.hpp"
 
 #include <cmath>
 #include <utility>

@@ -7,7 +7,6 @@
 #include "rocking/base/error.hpp"
 #include "rocking/section/noisy_response.hpp"
 #include "rocking/section/recurrence.hpp"
-#include "rocking/section/regimes.hpp"
 
 namespace rocking::section {
 namespace {

@@ -14,7 +14,6 @@
 #include "rocking/section/clouds.hpp"
 #include "rocking/section/line_bounds.hpp"
 #include "rocking/section/recurrence.hpp"
-#include "rocking/section/spectral_line.hpp"
 
 namespace rocking::section {
 namespace {

@@ -9,7 +9,7 @@
 #include "rocking/dynamics/contact.hpp"
 #include "rocking/dynamics/forces.hpp"
 #include "rocking/dynamics/setting.hpp"
-#include "rocking/realisation/sampled_motion.hpp"
+#include "rocking/realisation/forwarded_motion.hpp"
 #include "rocking/realisation/start.hpp"
 #include "rocking/scene/check_condition.hpp"
 

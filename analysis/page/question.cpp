@@ -14,7 +14,6 @@
 #include "analysis/page/words.hpp"
 #include "analysis/quantity.hpp"
 #include "analysis/sweep_view.hpp"
-#include "rocking/input/excitation_words.hpp"
 #include "rocking/input/quantities_in_text.hpp"
 #include "rocking/output/impacts_text.hpp"
 #include "rocking/output/shaking_text.hpp"

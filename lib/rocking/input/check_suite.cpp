@@ -1,4 +1,4 @@
-#include "rocking/input/check_suite.hpp"
+#include "rocking/input/suite.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,6 @@
 #include <utility>
 #include <vector>
 
-#include "rocking/input/check_suite.hpp"
 #include "rocking/input/read_question.hpp"
 #include "rocking/input/suite.hpp"
 #include "rocking/input/sweep.hpp"

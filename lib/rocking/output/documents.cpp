@@ -1,6 +1,6 @@
 #include "rocking/output/documents.hpp"
 
-#include "rocking/input/describe_experiment.hpp"
+#include "rocking/input/read_experiment.hpp"
 #include "rocking/output/bifurcation_report.hpp"
 #include "rocking/output/check_normal_fields.hpp"
 #include "rocking/output/comparison.hpp"

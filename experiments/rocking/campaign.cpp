@@ -18,7 +18,6 @@
 #include "rocking/base/build_info.hpp"
 #include "rocking/base/stop_request.hpp"
 #include "rocking/ensemble/run.hpp"
-#include "rocking/output/run_summary.hpp"
 #include "rocking/output/run_table.hpp"
 #include "rocking/text/files.hpp"
 #include "rocking/text/number_text.hpp"

@@ -8,10 +8,8 @@
 
 #include "rocking/output/alarms.hpp"
 #include "rocking/output/mode_table.hpp"
-#include "rocking/output/run_summary.hpp"
 #include "rocking/output/settling_table.hpp"
 #include "rocking/output/text_table.hpp"
-#include "rocking/output/unreached_precision.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking {

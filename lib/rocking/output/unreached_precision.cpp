@@ -1,4 +1,4 @@
-#include "rocking/output/unreached_precision.hpp"
+#include "rocking/output/run_table.hpp"
 
 #include <algorithm>
 #include <cstddef>

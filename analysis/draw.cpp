@@ -8,8 +8,7 @@
 
 #include "analysis/child_process.hpp"
 #include "analysis/data_file.hpp"
-#include "analysis/gnuplot_script.hpp"
-#include "analysis/matplotlib_script.hpp"
+#include "analysis/figure_scripts.hpp"
 #include "rocking/text/files.hpp"
 
 namespace rocking::analysis {

@@ -1,4 +1,4 @@
-#include "analysis/gnuplot_script.hpp"
+#include "analysis/figure_scripts.hpp"
 
 #include <algorithm>
 #include <cmath>

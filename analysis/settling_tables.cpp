@@ -1,4 +1,4 @@
-#include "analysis/settling_tables.hpp"
+#include "analysis/tables.hpp"
 
 #include <vector>
 

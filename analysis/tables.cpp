@@ -8,7 +8,6 @@
 
 #include "analysis/data_file.hpp"
 #include "analysis/run_figures.hpp"
-#include "analysis/settling_tables.hpp"
 #include "analysis/sweep_view.hpp"
 #include "analysis/table_text.hpp"
 #include "rocking/output/mode_table.hpp"

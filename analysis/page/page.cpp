@@ -6,10 +6,9 @@
 #include <fmt/format.h>
 
 #include "analysis/page/animation.hpp"
-#include "analysis/page/sections.hpp"
 #include "analysis/page/html.hpp"
+#include "analysis/page/sections.hpp"
 #include "analysis/page/tables.hpp"
-#include "analysis/page/trust.hpp"
 #include "analysis/run_figures.hpp"
 
 namespace rocking::analysis {

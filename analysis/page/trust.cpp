@@ -1,4 +1,4 @@
-#include "analysis/page/trust.hpp"
+#include "analysis/page/sections.hpp"
 
 #include <algorithm>
 

@@ -7,7 +7,7 @@
 
 #include "analysis/data_file.hpp"
 #include "analysis/figure.hpp"
-#include "analysis/gnuplot_script.hpp"
+#include "analysis/figure_scripts.hpp"
 #include "analysis/output_figures.hpp"
 #include "analysis/page/page.hpp"
 #include "analysis/run_figures.hpp"

@@ -10,7 +10,7 @@
 
 #include <gmock/gmock.h>
 
-#include "analysis/gnuplot_script.hpp"
+#include "analysis/figure_scripts.hpp"
 #include "rocking/output/report.hpp"
 #include "support/sample_report.hpp"
 

@@ -14,7 +14,6 @@
 #include "analysis/page/page.hpp"
 #include "analysis/page/sections.hpp"
 #include "analysis/page/tables.hpp"
-#include "analysis/page/trust.hpp"
 #include "analysis/page/words.hpp"
 #include "analysis/run_figures.hpp"
 #include "cli/program.hpp"

@@ -4,8 +4,17 @@
 #include <string_view>
 
 #include "analysis/figure.hpp"
+#include "analysis/look.hpp"
 
 namespace rocking::analysis {
+
+/// The gnuplot script (version 5.4 or later) that draws NAME.svg, NAME.png and NAME.pdf from NAME.tsv in the current
+/// folder. `formats` can be set before, as in `gnuplot -e "formats='svg'" NAME.gp`.
+[[nodiscard]] std::string script_text(const Figure& figure, const FigureLook& look = screen_look());
+
+/// The Python script that draws the figure plainly with matplotlib (version 3.6 or later): `python3 NAME.py` reads
+/// NAME.tsv in the current folder and writes NAME-matplotlib.pdf.
+[[nodiscard]] std::string matplotlib_text(const Figure& figure, const FigureLook& look = screen_look());
 
 /// A text in which matplotlib finds no formula.
 [[nodiscard]] std::string without_formulas(std::string_view text);

@@ -7,7 +7,7 @@
 #include "rocking/scene/quantity.hpp"
 #include "rocking/text/json.hpp"
 
-/// Quantities as they stand in the canonical text of an experiment.
+/// Quantities, and kinds of excitation, as they stand in the canonical text of an experiment.
 namespace rocking {
 
 /// Whether it is an object that gives a law.

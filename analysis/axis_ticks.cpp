@@ -1,4 +1,4 @@
-#include "analysis/axis_ticks.hpp"
+#include "analysis/gnuplot_axes.hpp"
 
 #include <algorithm>
 #include <cmath>

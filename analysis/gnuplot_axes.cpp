@@ -5,7 +5,6 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/axis_ticks.hpp"
 #include "analysis/data_file.hpp"
 #include "analysis/gnuplot_text.hpp"
 #include "rocking/output/text_table.hpp"

@@ -1,4 +1,4 @@
-#include "analysis/gnuplot_script.hpp"
+#include "analysis/figure_scripts.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,6 @@
 
 #include "analysis/data_file.hpp"
 #include "analysis/gnuplot_axes.hpp"
-#include "analysis/gnuplot_layers.hpp"
 #include "analysis/gnuplot_text.hpp"
 #include "analysis/layout.hpp"
 #include "rocking/output/text_table.hpp"

@@ -5,7 +5,9 @@
 #include <string_view>
 #include <vector>
 
-/// Preparation of external text for a gnuplot script, a data file and a picture.
+#include "analysis/figure.hpp"
+
+/// The parts of a gnuplot script: external text, prepared so that it can do no harm, and the elements of `plot`.
 namespace rocking::analysis {
 
 /// The text as one line of valid UTF-8 without characters that XML forbids. A control character becomes a space, one of
@@ -30,5 +32,15 @@ namespace rocking::analysis {
 /// A text for a tick, where gnuplot interprets `%` as a number format, escaped so that it is shown as it is. To be
 /// quoted.
 [[nodiscard]] std::string without_formats(std::string_view text);
+
+/// `fc ... fs transparent solid ...` of a filled shape; with a hatch there is another to be laid over it.
+[[nodiscard]] std::string fill_of(const Style& style);
+[[nodiscard]] std::string hatch_over(const Style& style);
+
+/// `lc ... dt ... lw ...`.
+[[nodiscard]] std::string stroke_of(const Style& style);
+
+/// What `plot` is given for a layer: one element, or two where a hatch is laid over it.
+[[nodiscard]] std::vector<std::string> plot_elements(const Figure& figure, const Layer& layer);
 
 }  // namespace rocking::analysis

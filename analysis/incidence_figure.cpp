@@ -1,4 +1,4 @@
-#include "analysis/incidence_figure.hpp"
+#include "analysis/run_figures.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "analysis/matplotlib_layers.hpp"
+#include "analysis/figure_scripts.hpp"
 
 #include <array>
 #include <cstddef>

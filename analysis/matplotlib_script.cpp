@@ -1,4 +1,4 @@
-#include "analysis/matplotlib_script.hpp"
+#include "analysis/figure_scripts.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -10,7 +10,6 @@
 #include "analysis/gnuplot_axes.hpp"
 #include "analysis/gnuplot_text.hpp"
 #include "analysis/layout.hpp"
-#include "analysis/matplotlib_layers.hpp"
 #include "rocking/output/text_table.hpp"
 #include "rocking/text/number_text.hpp"
 

@@ -1,4 +1,4 @@
-#include "analysis/mode_figures.hpp"
+#include "analysis/run_figures.hpp"
 
 #include <algorithm>
 

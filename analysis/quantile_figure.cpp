@@ -1,4 +1,4 @@
-#include "analysis/quantile_figure.hpp"
+#include "analysis/run_figures.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "analysis/data_file.hpp"
-#include "analysis/mode_figures.hpp"
 #include "rocking/figures/palette.hpp"
 #include "rocking/figures/sweep_view.hpp"
 #include "rocking/text/number_text.hpp"

@@ -1,12 +1,5 @@
 #include "analysis/run_figures.hpp"
 
-#include "analysis/divergence_figure.hpp"
-#include "analysis/incidence_figure.hpp"
-#include "analysis/mode_figures.hpp"
-#include "analysis/non_recurrence_figures.hpp"
-#include "analysis/quantile_figure.hpp"
-#include "analysis/scene_sketch.hpp"
-
 namespace rocking::analysis {
 
 std::vector<Figure> run_figures(const Report& report, const Store* store) {

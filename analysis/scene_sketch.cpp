@@ -1,4 +1,4 @@
-#include "analysis/scene_sketch.hpp"
+#include "analysis/run_figures.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,5 @@
-#include "analysis/settling_tables.hpp"
+#include "analysis/tables.hpp"
 
-#include <algorithm>
 #include <vector>
 
 #include "analysis/data_file.hpp"

@@ -1,15 +1,13 @@
 #include "analysis/tables.hpp"
 
-#include <algorithm>
 #include <cstdint>
-#include <optional>
 #include <set>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "analysis/data_file.hpp"
-#include "analysis/mode_figures.hpp"
+#include "analysis/run_figures.hpp"
 #include "analysis/table_text.hpp"
 #include "rocking/figures/sweep_view.hpp"
 #include "rocking/output/mode_table.hpp"
@@ -76,6 +74,25 @@ std::string latex_row(const ReportedCondition& condition, const std::vector<Resp
     text += " & " + (rest == 0 ? "--" : per_cent_of(rest, all) + count_if_open(rest, all));
   }
   return text + " \\\\\n";
+}
+
+using Files = std::map<std::string, std::string>;
+
+void add_csv(Files& files, const Report& report) {
+  files["modes.csv"] = modes_csv(report);
+  files["non_recurrence.csv"] = non_recurrence_csv(report);
+  files["quantiles.csv"] = quantiles_csv(report);
+  if (!report.has_settling()) return;
+  files["settling.csv"] = settling_csv(report);
+  files["incidence.csv"] = incidence_csv(report);
+  files["leaving.csv"] = leaving_csv(report);
+  files["long_run_shares.csv"] = long_run_csv(report);
+}
+
+void add_latex(Files& files, const Report& report) {
+  files["modes.tex"] = modes_latex(report);
+  if (report.has_settling()) files["settling.tex"] = settling_latex(report);
+  files["long_run_shares.tex"] = long_run_latex(report);
 }
 
 }  // namespace
@@ -167,6 +184,14 @@ std::string modes_latex(const Report& report) {
     text += latex_row(report.conditions[i], modes, with_others);
   }
   return text + "    \\bottomrule\n  \\end{tabular}\n\\end{table}\n";
+}
+
+std::map<std::string, std::string> table_files(const Report& report, const std::set<std::string>& formats) {
+  Files files;
+  if (formats.contains("csv")) add_csv(files, report);
+  if (formats.contains("latex")) add_latex(files, report);
+  std::erase_if(files, [](const auto& file) { return file.second.empty(); });
+  return files;
 }
 
 }  // namespace rocking::analysis

@@ -7,7 +7,6 @@
 
 #include <fmt/format.h>
 
-#include "analysis/page/frame.hpp"
 #include "analysis/page/html.hpp"
 #include "rocking/text/number_text.hpp"
 

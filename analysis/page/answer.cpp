@@ -1,8 +1,14 @@
-#include "analysis/page/answer.hpp"
+// Whether runs under the same shaking respond alike.
+
+#include <algorithm>
 
 #include <fmt/format.h>
 
+#include "analysis/overview.hpp"
 #include "analysis/page/html.hpp"
+#include "analysis/page/sections.hpp"
+#include "analysis/page/words.hpp"
+#include "rocking/text/number_text.hpp"
 
 namespace rocking::analysis {
 namespace {
@@ -12,6 +18,43 @@ std::string suite_in_brief(const std::string& sentences) {
   std::string text = "<p>" + with_symbols(sentences) + "</p>\n";
   for (auto at = text.find('\n'); at + 1 < text.size(); at = text.find('\n', at)) text.replace(at, 1, "</p><p>");
   return text;
+}
+
+bool is_suite(const Report& report) { return report.input.experiment.at("excitation").contains("suite"); }
+
+std::string divergences(const Report& report, const char* cause, DivergenceTimes NonRecurrence::*member) {
+  const PooledDivergence pooled = pooled_divergence(report, member);
+  if (pooled.pairs == 0) return "";
+  std::string text = fmt::format("{}: {} of {} diverge", cause, pooled.diverged, counted(pooled.pairs, "pair"));
+  if (pooled.median) {
+    text += fmt::format("; median divergence time (median over the conditions): {} {}", significant(*pooled.median, 4),
+                        *pooled.median == 1.0 ? "period" : "periods");
+  }
+  return "<li>" + text + ".</li>\n";
+}
+
+/// Where nothing differs within any condition.
+std::string alike(const Report& report) {
+  if (const auto unresolved = unresolved_responses(report); unresolved.count > 0) {
+    return fmt::format(
+        "Not known: the realisations of each condition were classified alike, but {} of {} as unresolved.",
+        unresolved.count, counted(realisations_of(report), "realisation"));
+  }
+  double most = 0.0;
+  for (const ReportedCondition& condition : report.conditions) {
+    if (condition.result.non_recurrence) most = std::max(most, condition.result.non_recurrence->differ_interval.high);
+  }
+  const bool lone = report.conditions.size() == 1;
+  const std::string limit = fmt::format(" {} runs differ with a probability of at most {} % ({}).",
+                                        lone ? "Two" : "In any one of them, two", per_cent(most), report.level());
+  if (is_suite(report)) {
+    return "Under each ground motion, at each level, all realisations responded alike, although the block is random: "
+           "one realisation of each suffices for the response mode. What differs is the ground motion." +
+           limit;
+  }
+  return (lone ? std::string("All realisations") : std::string("Within each condition all realisations")) +
+         " responded alike, although something is random: one realisation" + (lone ? "" : " of each") +
+         " suffices for the response mode." + limit;
 }
 
 }  // namespace
@@ -27,6 +70,31 @@ std::string answer_in_brief(const Report& report, const std::string& suite) {
       "<dt>Repeatability</dt><dd>{}</dd>\n</dl>\n",
       suite.empty() ? overturning_in_brief(report) : suite_in_brief(suite),
       is_random && !lone ? "Most likely response" : "Response", responses, repeatability(report));
+}
+
+std::string repeatability(const Report& report) {
+  const Repeatability found = repeatability_of(report);
+  if (!report.is_random()) return "<p>Nothing is random: the same shaking gives the same response.</p>\n";
+  if (found.compared == 0) return "<p>There is one realisation per condition, so that none can be compared.</p>\n";
+  if (found.alike == found.compared) return "<p>" + alike(report) + "</p>\n";
+  const NonRecurrence& worst = *report.conditions[*found.least].result.non_recurrence;
+  const bool lone = report.conditions.size() == 1;
+  return fmt::format(
+      "<p>{}wo runs under the same shaking respond differently with probability <strong>{}</strong>{}.</p>\n",
+      lone ? "T" : fmt::format("Least repeatable at {}: t", with_symbols(condition_name(report, *found.least))),
+      probability_text(worst.differ, worst.differ_interval),
+      lone ? ""
+           : fmt::format(". In {} of {} all realisations have the same response mode", found.alike,
+                         counted(found.compared, "condition")));
+}
+
+std::string recurrence_in_brief(const Report& report) {
+  if (repeatability_of(report).compared == 0) return repeatability(report);
+  return "<p>Two runs under the same shaking have diverged when tilt and tilt rate, compared once a period, differ by "
+         "more "
+         "than 0.01. With</p>\n<ul>\n" +
+         divergences(report, "independent random numbers", &NonRecurrence::friction) +
+         divergences(report, "common random numbers and another tolerance", &NonRecurrence::arithmetic) + "</ul>\n";
 }
 
 }  // namespace rocking::analysis

@@ -1,4 +1,4 @@
-#include "analysis/page/limits.hpp"
+#include "analysis/page/sections.hpp"
 
 #include <fmt/format.h>
 

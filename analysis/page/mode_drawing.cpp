@@ -1,8 +1,6 @@
-#include "analysis/page/mode_drawing.hpp"
+#include "analysis/page/sections.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <vector>
 
 #include <fmt/format.h>

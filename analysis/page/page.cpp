@@ -6,15 +6,10 @@
 #include <fmt/format.h>
 
 #include "analysis/page/animation.hpp"
-#include "analysis/page/answer.hpp"
-#include "analysis/page/frame.hpp"
 #include "analysis/page/html.hpp"
-#include "analysis/page/limits.hpp"
-#include "analysis/page/question.hpp"
-#include "analysis/page/settling.hpp"
+#include "analysis/page/sections.hpp"
 #include "analysis/page/tables.hpp"
-#include "analysis/page/trust.hpp"
-#include "analysis/quantile_figure.hpp"
+#include "analysis/run_figures.hpp"
 
 namespace rocking::analysis {
 namespace {

@@ -1,12 +1,10 @@
-#include "analysis/page/question.hpp"
+#include "analysis/page/sections.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <set>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -16,7 +14,6 @@
 #include "analysis/page/words.hpp"
 #include "analysis/quantity.hpp"
 #include "rocking/figures/sweep_view.hpp"
-#include "rocking/input/excitation_words.hpp"
 #include "rocking/input/quantities_in_text.hpp"
 #include "rocking/output/impacts_text.hpp"
 #include "rocking/output/shaking_text.hpp"

@@ -7,12 +7,11 @@
 
 #include <fmt/format.h>
 
-#include "analysis/mode_figures.hpp"
 #include "analysis/overview.hpp"
 #include "analysis/page/along.hpp"
-#include "analysis/page/answer.hpp"
 #include "analysis/page/html.hpp"
-#include "analysis/page/mode_drawing.hpp"
+#include "analysis/page/sections.hpp"
+#include "analysis/run_figures.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking::analysis {

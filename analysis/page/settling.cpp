@@ -1,4 +1,4 @@
-#include "analysis/page/settling.hpp"
+#include "analysis/page/sections.hpp"
 
 #include <algorithm>
 #include <utility>

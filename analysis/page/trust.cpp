@@ -1,7 +1,6 @@
-#include "analysis/page/trust.hpp"
+#include "analysis/page/sections.hpp"
 
 #include <algorithm>
-#include <optional>
 
 #include <fmt/format.h>
 

@@ -12,18 +12,16 @@
 
 #include "interrupt.hpp"
 #include "machine.hpp"
+#include "output.hpp"
 #include "page.hpp"
 #include "progress.hpp"
-#include "progress_file.hpp"
 #include "rocking/base/build_info.hpp"
 #include "rocking/base/stop_request.hpp"
 #include "rocking/ensemble/run.hpp"
-#include "rocking/output/run_summary.hpp"
 #include "rocking/output/run_table.hpp"
 #include "rocking/text/files.hpp"
 #include "rocking/text/number_text.hpp"
 #include "running_estimate.hpp"
-#include "terminal.hpp"
 
 namespace rocking::program {
 namespace {

@@ -15,8 +15,8 @@
 #include "rocking/base/error.hpp"
 #include "rocking/studies/studies.hpp"
 #include "rocking/text/files.hpp"
+#include "rocking/text/json.hpp"
 #include "rocking/text/locate.hpp"
-#include "rocking/text/parse_json.hpp"
 
 namespace rocking::program {
 namespace {

@@ -10,7 +10,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "analysis/gnuplot.hpp"
+#include "analysis/draw.hpp"
 #include "analysis/look.hpp"
 #include "exit_code.hpp"
 #include "rocking/figures/figure.hpp"

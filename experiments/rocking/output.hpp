@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -11,6 +13,7 @@
 
 #include "arguments.hpp"
 #include "rocking/base/error.hpp"
+#include "rocking/output/mode_table.hpp"
 #include "rocking/output/text_table.hpp"
 #include "rocking/text/json_writer.hpp"
 #include "rocking/text/spelling.hpp"
@@ -56,5 +59,14 @@ inline void expect_free(const std::filesystem::path& file, bool overwrite) { exp
 
 /// `FILE: 2 problems` and a line for each.
 [[nodiscard]] std::string listed_problems(const base::InputError& error);
+
+/// An environment variable; empty if it is not set.
+[[nodiscard]] std::string environment(const char* name);
+
+/// Number of columns of the terminal at a file descriptor; absent without a terminal, or if it is not known.
+[[nodiscard]] std::optional<std::size_t> terminal_columns(int descriptor);
+
+/// The look for standard output: on a terminal its width, and bars in the letters of the user's locale.
+[[nodiscard]] TableLook table_look();
 
 }  // namespace rocking::program

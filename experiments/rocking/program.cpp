@@ -1,5 +1,8 @@
+#include "program.hpp"
+
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cstdlib>
 #include <exception>
 #include <memory>
@@ -9,22 +12,36 @@
 #include <system_error>
 
 #include <CLI/CLI.hpp>
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include "commands.hpp"
 #include "interrupt.hpp"
 #include "output.hpp"
-#include "program.hpp"
 #include "rocking/base/build_info.hpp"
 #include "rocking/base/error.hpp"
 #include "rocking/base/stop_request.hpp"
 #include "rocking/store/sqlite.hpp"
 #include "rocking/studies/studies.hpp"
-#include "standard_streams.hpp"
 #include "usage.hpp"
 
 namespace rocking::program {
 namespace {
+
+// open returns the lowest free number; the lower ones are in use already.
+void hold(int number, int mode) {
+  if (::fcntl(number, F_GETFD) >= 0 || errno != EBADF) return;
+  static_cast<void>(::open("/dev/null", mode));
+}
+
+/// Opens standard input, output and error if this process was started without them, so that no other file gets their
+/// numbers. Writing to a closed standard output remains an error; text for a closed standard error is dropped.
+void hold_standard_streams() {
+  hold(STDIN_FILENO, O_RDONLY);
+  hold(STDOUT_FILENO, O_RDONLY);  // a write fails with EBADF, as on a closed descriptor
+  hold(STDERR_FILENO, O_WRONLY);
+}
 
 using AddCommand = void (*)(CLI::App&, Action&, const ProcessPool&);
 

@@ -1,14 +1,15 @@
 #include "progress.hpp"
 
 #include <algorithm>
+#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include "output.hpp"
+#include "rocking/text/files.hpp"
 #include "rocking/text/number_text.hpp"
-#include "terminal.hpp"
 
 namespace rocking::program {
 namespace {
@@ -62,6 +63,8 @@ void rewrite_line(const Pace& pace, bool has_end, const std::string& words) {
     print_aside(fmt::format("\r[{}{}{}] {}\x1b[K", on, bar(pace, length), off, cut(words, width - length - frame)));
   }
 }
+
+constexpr std::chrono::seconds between_notes(5);
 
 }  // namespace
 
@@ -157,6 +160,29 @@ Pace Progress::pace() const {
   const std::uint64_t since = done_ - std::min(done_, *done_at_first_);
   if (time > 0.0 && since > 0) pace.rate = static_cast<double>(since) / time;
   return pace;
+}
+
+ProgressFile::ProgressFile(std::filesystem::path path) : path_(std::move(path)), start_(Clock::now()), next_(start_) {}
+
+ProgressFile::~ProgressFile() {
+  std::error_code ignored;
+  std::filesystem::remove(path_, ignored);
+}
+
+void ProgressFile::note(std::uint64_t done, std::uint64_t all) {
+  if (!done_before_) done_before_ = done;
+  if (done == all || Clock::now() < next_) return;  // after the last realisation the file is removed at once
+  next_ = Clock::now() + between_notes;
+  const ProgressNote note{.process = static_cast<std::uint64_t>(::getpid()),
+                          .elapsed_s = std::chrono::duration<double>(Clock::now() - start_).count(),
+                          .done_before = *done_before_,
+                          .done = done,
+                          .all = all};
+  try {
+    write_atomically(path_, to_text(note));
+  } catch (const std::system_error&) {
+    // The disk is full or missing; the store reports that where it matters.
+  }
 }
 
 }  // namespace rocking::program

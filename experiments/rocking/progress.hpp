@@ -3,6 +3,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <mutex>
 #include <optional>
@@ -11,6 +12,7 @@
 #include <thread>
 
 #include "output.hpp"
+#include "rocking/output/progress_note.hpp"
 
 namespace rocking::program {
 
@@ -80,6 +82,27 @@ class Progress {
   bool has_ended_ = false;
   std::condition_variable ended_;
   std::thread printer_;  ///< none without a style
+};
+
+/// Keeps a file with the progress of a run for `rocking status`, rewritten every few seconds and removed by the
+/// destructor. If it cannot be written, the run continues without it.
+class ProgressFile {
+ public:
+  explicit ProgressFile(std::filesystem::path path);
+  ProgressFile(const ProgressFile&) = delete;
+  ProgressFile& operator=(const ProgressFile&) = delete;
+  ~ProgressFile();
+
+  /// Of `all` realisations `done` are done.
+  void note(std::uint64_t done, std::uint64_t all);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  std::filesystem::path path_;
+  Clock::time_point start_;
+  Clock::time_point next_;
+  std::optional<std::uint64_t> done_before_;
 };
 
 }  // namespace rocking::program

@@ -9,7 +9,6 @@
 #include "rocking/api/run_folder.hpp"
 #include "rocking/base/build_info.hpp"
 #include "rocking/random/draws.hpp"
-#include "rocking/realisation/realisation_digest.hpp"
 #include "rocking/realisation/realisation_result.hpp"
 #include "rocking/realisation/trajectory.hpp"
 #include "trajectory_output.hpp"

@@ -10,16 +10,16 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "analysis/table_files.hpp"
+#include "analysis/tables.hpp"
+#include "output.hpp"
 #include "page.hpp"
 #include "rocking/api/run_folder.hpp"
-#include "rocking/output/exponent_table.hpp"
 #include "rocking/output/mode_table.hpp"
+#include "rocking/output/run_table.hpp"
 #include "rocking/output/settling_table.hpp"
 #include "rocking/output/write_facts.hpp"
 #include "rocking/text/files.hpp"
 #include "rocking/text/locate.hpp"
-#include "terminal.hpp"
 #include "usage.hpp"
 
 namespace rocking::program {

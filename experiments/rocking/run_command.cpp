@@ -10,6 +10,10 @@
 #include "experiment_argument.hpp"
 #include "ground_motion_notes.hpp"
 #include "rocking/rocking.hpp"
+#include "machine.hpp"
+#include "output.hpp"
+#include "rocking/base/build_info.hpp"
+#include "rocking/output/plan_text.hpp"
 
 namespace rocking::program {
 namespace {

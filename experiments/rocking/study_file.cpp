@@ -10,8 +10,8 @@
 #include "exit_code.hpp"
 #include "rocking/base/utf8.hpp"
 #include "rocking/text/files.hpp"
+#include "rocking/text/json.hpp"
 #include "rocking/text/locate.hpp"
-#include "rocking/text/parse_json.hpp"
 
 namespace rocking::program {
 

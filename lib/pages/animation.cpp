@@ -1,7 +1,6 @@
 #include "pages/animation.hpp"
 
 #include <algorithm>
-#include <map>
 #include <utility>
 #include <vector>
 

@@ -15,7 +15,6 @@
 #include <boost/random/taus88.hpp>
 
 #include "rocking/random/draws.hpp"
-#include "rocking/random/engine.hpp"
 #include "rocking/random/normal_kernels.hpp"
 
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "analysis/data_file.hpp"
-#include "analysis/gnuplot_script.hpp"
+#include "analysis/figure_scripts.hpp"
 #include "analysis/page/page.hpp"
 #include "analysis/run_figures.hpp"
 #include "analysis/tables.hpp"

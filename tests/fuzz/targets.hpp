@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "rocking/input/read_experiment.hpp"
-#include "rocking/input/read_ground_motion.hpp"
 #include "rocking/input/read_hazard.hpp"
 #include "rocking/input/record_formats.hpp"
 #include "rocking/realisation/start.hpp"

@@ -7,7 +7,7 @@
 #include "golden/experiment.hpp"
 #include "rocking/base/digest.hpp"
 #include "rocking/ensemble/run.hpp"
-#include "rocking/stats/confidence_sequence.hpp"
+#include "rocking/stats/stopping_rule.hpp"
 
 namespace rocking {
 namespace {

@@ -17,7 +17,7 @@
 #include "cli/program.hpp"
 #include "rocking/ensemble/run.hpp"
 #include "rocking/input/read_experiment.hpp"
-#include "rocking/input/read_ground_motion.hpp"
+#include "rocking/input/record_formats.hpp"
 #include "rocking/output/report.hpp"
 #include "rocking/realisation/realisation_result.hpp"
 #include "rocking/realisation/trajectory.hpp"

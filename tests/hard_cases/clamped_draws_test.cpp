@@ -7,10 +7,9 @@
 #include <boost/math/distributions/normal.hpp>
 #include <gtest/gtest.h>
 
-#include "rocking/realisation/realisation_digest.hpp"
 #include "rocking/realisation/realisation_result.hpp"
 #include "rocking/realisation/trajectory.hpp"
-#include "rocking/stats/binomial_test.hpp"
+#include "rocking/stats/normality.hpp"
 #include "support/excitation.hpp"
 #include "support/false_alarms.hpp"
 

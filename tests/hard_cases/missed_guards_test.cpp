@@ -15,7 +15,7 @@
 #include <gtest/gtest.h>
 
 #include "rocking/realisation/horizon_run.hpp"
-#include "rocking/realisation/realisation_digest.hpp"
+#include "rocking/realisation/realisation_result.hpp"
 #include "rocking/realisation/realisation_scheduler.hpp"
 #include "support/excitation.hpp"
 #include "support/guard_watch.hpp"

@@ -10,7 +10,6 @@
 #include <gtest/gtest.h>
 
 #include "rocking/input/read_experiment.hpp"
-#include "rocking/realisation/realisation_digest.hpp"
 #include "rocking/realisation/realisation_result.hpp"
 #include "rocking/realisation/trajectory.hpp"
 #include "support/excitation.hpp"

@@ -25,7 +25,7 @@
 #include "rocking/ensemble/run.hpp"
 #include "rocking/lanes/lane_scheduler.hpp"
 #include "rocking/realisation/horizon_run.hpp"
-#include "rocking/realisation/realisation_digest.hpp"
+#include "rocking/realisation/realisation_result.hpp"
 #include "rocking/realisation/realisation_scheduler.hpp"
 #include "support/excitation.hpp"
 #include "support/random_scene.hpp"

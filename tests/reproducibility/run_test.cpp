@@ -12,7 +12,6 @@
 
 #include "rocking/ensemble/run.hpp"
 #include "rocking/ensemble/work_list.hpp"
-#include "rocking/realisation/realisation_digest.hpp"
 #include "rocking/realisation/realisation_result.hpp"
 #include "rocking/realisation/trajectory.hpp"
 #include "rocking/scene/experiment.hpp"

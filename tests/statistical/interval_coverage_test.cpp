@@ -12,7 +12,6 @@
 #include <gtest/gtest.h>
 
 #include "rocking/stats/interval.hpp"
-#include "rocking/stats/sison_glaz.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace {

@@ -11,10 +11,9 @@
 #include <gtest/gtest.h>
 
 #include "rocking/random/draws.hpp"
-#include "rocking/random/engine.hpp"
 #include "rocking/random/sampler.hpp"
 #include "rocking/random/uniform.hpp"
-#include "rocking/stats/correlation.hpp"
+#include "rocking/stats/moments.hpp"
 #include "rocking/stats/normal_check.hpp"
 #include "support/normal_samples.hpp"
 

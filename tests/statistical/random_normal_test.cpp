@@ -12,10 +12,7 @@
 
 #include "rocking/random/draws.hpp"
 #include "rocking/random/sampler.hpp"
-#include "rocking/stats/anderson_darling.hpp"
-#include "rocking/stats/binomial_test.hpp"
-#include "rocking/stats/correlation.hpp"
-#include "rocking/stats/kolmogorov_smirnov.hpp"
+#include "rocking/stats/moments.hpp"
 #include "rocking/stats/normal_check.hpp"
 #include "rocking/stats/normality.hpp"
 #include "support/normal_samples.hpp"

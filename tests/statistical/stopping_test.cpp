@@ -10,7 +10,6 @@
 #include <boost/math/distributions/binomial.hpp>
 #include <gtest/gtest.h>
 
-#include "rocking/stats/confidence_sequence.hpp"
 #include "rocking/stats/stopping_rule.hpp"
 #include "support/false_alarms.hpp"
 #include "support/split_mix.hpp"

@@ -1,4 +1,4 @@
-#include "coordinator.hpp"
+#include "session.hpp"
 
 #include <algorithm>
 #include <atomic>

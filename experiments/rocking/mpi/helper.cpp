@@ -1,4 +1,4 @@
-#include "helper.hpp"
+#include "session.hpp"
 
 #include <chrono>
 #include <exception>

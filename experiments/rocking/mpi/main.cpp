@@ -1,9 +1,8 @@
 // `rocking` as started by mpirun: the same commands; `run` and `resume` distribute the work over the processes.
 
-#include "coordinator.hpp"
-#include "helper.hpp"
 #include "interrupt.hpp"
 #include "program.hpp"
+#include "session.hpp"
 
 int main(int argc, char** argv) {
   using namespace rocking::program;

@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 
+#include "process_pool.hpp"
 #include "rocking/ensemble/summary_bytes.hpp"
 
 /// Communication between the processes that `mpirun` started. Two-sided messages only, from one thread per process.
@@ -50,5 +51,12 @@ class Session {
   int rank_ = 0;
   int size_ = 1;
 };
+
+/// Runs pairs as the first process. Only this process has the store. It sends blocks of pairs, each of about a quarter
+/// of a second, to idle helpers, receives the results, and runs pairs itself at the same time.
+[[nodiscard]] ProcessPool pool_of(const Session& session);
+
+/// The loop of every process but the first: runs the blocks that it receives until it is told to quit.
+void help(const Session& session);
 
 }  // namespace rocking::program::mpi

@@ -15,8 +15,6 @@
 #include "rocking/input/read_experiment.hpp"
 #include "rocking/input/report_claims.hpp"
 #include "rocking/output/report_differences.hpp"
-#include "rocking/output/report_rerun.hpp"
-#include "rocking/realisation/realisation_digest.hpp"
 #include "rocking/realisation/realisation_result.hpp"
 #include "rocking/realisation/trajectory.hpp"
 #include "rocking/store/store.hpp"

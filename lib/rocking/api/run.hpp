@@ -14,7 +14,7 @@
 #include "rocking/api/experiment.hpp"
 #include "rocking/ensemble/result.hpp"
 #include "rocking/plan/plan.hpp"
-#include "rocking/realisation/peak_values.hpp"
+#include "rocking/realisation/measures.hpp"
 #include "rocking/scene/experiment.hpp"
 #include "rocking/store/realisation_key.hpp"
 

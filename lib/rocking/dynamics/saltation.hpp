@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "rocking/base/dual.hpp"
+#include "rocking/base/jet.hpp"
 #include "rocking/dynamics/contact.hpp"
 #include "rocking/dynamics/forces.hpp"
 #include "rocking/dynamics/impact.hpp"

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string_view>
 
-#include "rocking/stats/clamped_normal.hpp"
+#include "rocking/stats/normal_law.hpp"
 
 namespace rocking {
 

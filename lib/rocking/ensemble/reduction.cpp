@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "rocking/ensemble/estimate_modes.hpp"
+#include "rocking/ensemble/mode_family.hpp"
 #include "rocking/ensemble/work_list.hpp"
 #include "rocking/stats/diversity.hpp"
 #include "rocking/stats/quantile.hpp"

@@ -7,10 +7,8 @@
 #include <vector>
 
 #include "rocking/base/digest.hpp"
-#include "rocking/ensemble/exponent_tally.hpp"
 #include "rocking/ensemble/mode_family.hpp"
-#include "rocking/ensemble/peak_tally.hpp"
-#include "rocking/ensemble/response_times.hpp"
+#include "rocking/ensemble/quantile_tallies.hpp"
 #include "rocking/ensemble/result.hpp"
 #include "rocking/ensemble/settling_tally.hpp"
 #include "rocking/ensemble/stopping.hpp"

@@ -12,11 +12,12 @@
 
 #include "rocking/base/digest.hpp"
 #include "rocking/ensemble/settling.hpp"
-#include "rocking/realisation/operation_counts.hpp"
+#include "rocking/realisation/measures.hpp"
 #include "rocking/section/classification.hpp"
 #include "rocking/section/response_mode.hpp"
 #include "rocking/stats/interval.hpp"
 #include "rocking/stats/paired.hpp"
+#include "rocking/stats/quantile.hpp"
 
 namespace rocking {
 
@@ -28,7 +29,12 @@ enum class StoppedBecause : std::uint8_t {
   at_most_reached,        ///< they are not, but the largest allowed number was reached
 };
 
-[[nodiscard]] std::string_view to_string(StoppedBecause cause);
+/// Their names, in their order.
+inline constexpr std::array<std::string_view, 4> stop_cause_names{"deterministic", "all_realisations_done",
+                                                                  "half_width_reached", "at_most_reached"};
+[[nodiscard]] constexpr std::string_view to_string(StoppedBecause cause) {
+  return stop_cause_names[static_cast<std::size_t>(cause)];
+}
 
 /// Levels of the reported quantiles.
 inline constexpr std::array quantile_levels{0.05, 0.16, 0.5, 0.84, 0.95};
@@ -71,7 +77,10 @@ enum class NumericalError : std::uint8_t {
   undecided,  ///< too few realisations were rerun to decide
 };
 
-[[nodiscard]] std::string_view to_string(NumericalError noise);
+inline constexpr std::array<std::string_view, 3> numerical_error_names{"small", "not_small", "undecided"};
+[[nodiscard]] constexpr std::string_view to_string(NumericalError noise) {
+  return numerical_error_names[static_cast<std::size_t>(noise)];
+}
 
 /// Sensitivity to tolerance of all conditions together: realisations that were rerun at a tighter tolerance with common
 /// random numbers. If a share f of them changes its response mode, no probability changes by more than f.

@@ -9,6 +9,7 @@
 #include "rocking/section/response_mode.hpp"
 #include "rocking/stats/incidence.hpp"
 #include "rocking/stats/interval.hpp"
+#include "rocking/stats/quantile.hpp"
 
 /// Which response the realisations of a condition with UntilClassified have come to, and by when.
 namespace rocking {

@@ -19,16 +19,6 @@ bool has_reached(const stats::StoppingRule& rule, const Until& until, const Mode
 
 }  // namespace
 
-std::string_view to_string(StoppedBecause cause) {
-  switch (cause) {
-    case StoppedBecause::deterministic: return "deterministic";
-    case StoppedBecause::all_realisations_done: return "all_realisations_done";
-    case StoppedBecause::half_width_reached: return "half_width_reached";
-    case StoppedBecause::at_most_reached: return "at_most_reached";
-  }
-  return "";
-}
-
 stats::StoppingRule stopping_rule(const Condition& condition) {
   ROCKING_EXPECT(condition.until.has_value());
   const auto& [half_width, relative, mode] = *condition.until;

@@ -25,15 +25,6 @@ NumericalError judged(const ToleranceSensitivity& floor) {
 
 }  // namespace
 
-std::string_view to_string(NumericalError noise) {
-  switch (noise) {
-    case NumericalError::small: return "small";
-    case NumericalError::not_small: return "not_small";
-    case NumericalError::undecided: return "undecided";
-  }
-  return "";
-}
-
 std::optional<ToleranceSensitivity> tolerance_sensitivity(std::span<const ConditionResult> conditions,
                                                           double confidence) {
   ToleranceSensitivity floor;

@@ -1,4 +1,4 @@
-#include "rocking/input/check_suite.hpp"
+#include "rocking/input/suite.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include "rocking/input/object_reader.hpp"
 #include "rocking/input/record_component.hpp"
 #include "rocking/input/record_unit.hpp"
-#include "rocking/scene/ground_motion_peaks.hpp"
+#include "rocking/scene/intensity_measures.hpp"
 
 namespace rocking {
 namespace {

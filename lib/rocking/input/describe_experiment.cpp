@@ -1,4 +1,4 @@
-#include "rocking/input/describe_experiment.hpp"
+#include "rocking/input/read_experiment.hpp"
 
 #include <utility>
 #include <vector>

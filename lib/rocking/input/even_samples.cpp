@@ -8,7 +8,7 @@
 
 #include "rocking/base/number_text.hpp"
 #include "rocking/input/even_times.hpp"
-#include "rocking/scene/check_ground_motion.hpp"
+#include "rocking/scene/ground_motion_reading.hpp"
 #include "rocking/scene/rules.hpp"
 
 namespace rocking {

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "rocking/input/line_problems.hpp"
-#include "rocking/input/read_ground_motion.hpp"
+#include "rocking/input/record_formats.hpp"
 #include "rocking/input/record_unit.hpp"
 
 namespace rocking {

@@ -4,11 +4,14 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <tuple>
 #include <vector>
 
-#include "rocking/input/read_ground_motion.hpp"
-#include "rocking/scene/response_spectrum.hpp"
+#include "rocking/input/object_reader.hpp"
+#include "rocking/input/record_formats.hpp"
+#include "rocking/scene/intensity_measures.hpp"
+#include "rocking/scene/keys.hpp"
 #include "rocking/text/files.hpp"
 
 namespace rocking {
@@ -24,7 +27,7 @@ class GroundMotionFiles {
   [[nodiscard]] std::shared_ptr<const GroundMotion> motion(const GroundMotionReading& how, Problems& problems);
 
   /// The spectral acceleration of a motion at a period, or the average of its pseudo-acceleration over a range of periods
-  /// (response_spectrum.hpp), over g; computed once.
+  /// (intensity_measures.hpp), over g; computed once.
   [[nodiscard]] double spectral_acceleration(const std::shared_ptr<const GroundMotion>& motion,
                                              const std::vector<double>& periods, OscillatorAcceleration which);
 
@@ -52,5 +55,19 @@ class GroundMotionFiles {
       spectral_;
   std::size_t samples_ = 0;  ///< held by all readings
 };
+
+// What is asked of the files of a recorded excitation.
+
+/// A file and its digest, which must be that of the file and is written; empty where there is no usable name. Throws
+/// std::system_error where the file cannot be read. Without `files` the digest is that which is stated.
+[[nodiscard]] std::string read_named_file(ObjectReader& keys, std::string_view key, std::string_view digest_key,
+                                          GroundMotionFiles* files);
+
+/// The factor that gives the motion its strength.
+[[nodiscard]] Quantity scale_for(ObjectReader& keys, const Strength& strength, GroundMotionFiles& files,
+                                 const std::shared_ptr<const GroundMotion>& motion, double gravity);
+
+/// A suite is taken out before an excitation is read, unless it was refused or stands within a sweep.
+void refuse_suite_here(ObjectReader& keys, std::string_view key);
 
 }  // namespace rocking

@@ -1,4 +1,4 @@
-#include "rocking/input/hazard_header.hpp"
+#include "rocking/input/hazard_points.hpp"
 
 #include <algorithm>
 #include <array>

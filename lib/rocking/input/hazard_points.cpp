@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "rocking/base/number_text.hpp"
-#include "rocking/scene/check_hazard.hpp"
+#include "rocking/scene/hazard.hpp"
 
 namespace rocking {
 namespace {

@@ -4,7 +4,6 @@
 #include <array>
 #include <span>
 
-#include "rocking/input/header_units.hpp"
 #include "rocking/input/header_words.hpp"
 #include "rocking/input/record_unit.hpp"
 

@@ -1,11 +1,13 @@
 #include "rocking/input/quantities_in_text.hpp"
 
 #include <algorithm>
+#include <variant>
 
 #include "rocking/base/error.hpp"
 #include "rocking/input/object_reader.hpp"
 #include "rocking/input/reading_keys.hpp"
 #include "rocking/scene/drawn_quantities.hpp"
+#include "rocking/scene/excitation.hpp"
 #include "rocking/scene/law_keys.hpp"
 
 namespace rocking {
@@ -43,6 +45,13 @@ std::vector<DrawnPlace> collected_places() {
   return places;
 }
 
+template <class... Kinds>
+std::string_view words_of(std::string_view name, std::variant<Kinds...>*) {
+  std::string_view words;
+  static_cast<void>(((Kinds::name == name && (words = Kinds::in_words, true)) || ...));
+  return words;
+}
+
 }  // namespace
 
 bool has_law(const Json& value) {
@@ -64,6 +73,10 @@ Quantity quantity_in(const Json& value) {
 const std::vector<DrawnPlace>& places_of_quantities() {
   static const std::vector<DrawnPlace> places = collected_places();
   return places;
+}
+
+std::string_view excitation_in_words(std::string_view kind) {
+  return words_of(kind, static_cast<Excitation*>(nullptr));
 }
 
 }  // namespace rocking

@@ -1,12 +1,13 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "rocking/scene/quantity.hpp"
 #include "rocking/text/json.hpp"
 
-/// Quantities as they stand in the canonical text of an experiment.
+/// Quantities, and kinds of excitation, as they stand in the canonical text of an experiment.
 namespace rocking {
 
 /// Whether it is an object that gives a law.
@@ -23,5 +24,8 @@ struct DrawnPlace {
 
 /// Every place of an experiment that may have a law, whether it has one or not.
 [[nodiscard]] const std::vector<DrawnPlace>& places_of_quantities();
+
+/// What a base does under a kind of excitation, after "a base that"; empty for a name of no kind.
+[[nodiscard]] std::string_view excitation_in_words(std::string_view kind);
 
 }  // namespace rocking

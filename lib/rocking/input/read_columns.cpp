@@ -1,7 +1,6 @@
 #include "rocking/input/record_formats.hpp"
 
 #include <algorithm>
-#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,7 +11,7 @@
 #include "rocking/input/line_problems.hpp"
 #include "rocking/input/lines_above_columns.hpp"
 #include "rocking/input/record_unit.hpp"
-#include "rocking/scene/check_ground_motion.hpp"
+#include "rocking/scene/ground_motion_reading.hpp"
 #include "rocking/scene/rules.hpp"
 
 namespace rocking {

@@ -5,15 +5,13 @@
 #include <utility>
 #include <vector>
 
-#include "rocking/input/check_suite.hpp"
-#include "rocking/input/former_keys.hpp"
 #include "rocking/input/read_question.hpp"
 #include "rocking/input/suite.hpp"
 #include "rocking/input/sweep.hpp"
-#include "rocking/input/unknowns.hpp"
+#include "rocking/input/swept_place.hpp"
 #include "rocking/scene/relations.hpp"
+#include "rocking/text/json.hpp"
 #include "rocking/text/locate.hpp"
-#include "rocking/text/parse_json.hpp"
 
 namespace rocking {
 namespace {

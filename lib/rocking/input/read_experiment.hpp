@@ -48,4 +48,10 @@ inline constexpr std::size_t most_experiment_bytes = 64'000'000;
 /// where it cannot be read.
 [[nodiscard]] Experiment read_experiment_file(const std::filesystem::path& path, const Overrides& overrides = {});
 
+/// JSON Schema (draft 07) of experiment files, as reports/schemas has it.
+[[nodiscard]] std::string experiment_schema_text();
+
+/// The keys of experiment files as a table in Markdown, as lib/docs/formats.md has it.
+[[nodiscard]] std::string experiment_table();
+
 }  // namespace rocking

@@ -7,6 +7,8 @@
 #include "rocking/input/ground_motion_files.hpp"
 #include "rocking/input/object_reader.hpp"
 #include "rocking/scene/experiment_keys.hpp"
+#include "rocking/scene/number_rule.hpp"
+#include "rocking/text/json.hpp"
 
 namespace rocking {
 
@@ -25,5 +27,12 @@ struct QuestionAsRead {
 /// `written`: the keys of the file that the canonical text has; none: all.
 [[nodiscard]] QuestionAsRead read_question(const Json& document, GroundMotionFiles* files, Problems& problems,
                                            std::span<const std::string> written = {});
+
+/// Gives a former key of an experiment, `accuracy.repeat_every`, its present name, also where a sweep names it. Returns
+/// whether it was there. Where both names are given, the former one stays, as an unknown key.
+bool rename_former_keys(Json& document);
+
+/// Gives the places of problems the former name again.
+void name_former_keys(Problems& problems);
 
 }  // namespace rocking

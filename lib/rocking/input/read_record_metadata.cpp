@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t most_faults = 20;
 constexpr double largest_magnitude = 10.0;  // the largest earthquake ever recorded had 9.5
-constexpr std::array<std::string_view, 3> columns{"file", "magnitude", "distance_km"};
+constexpr std::array<std::string_view, 3> known_columns{"file", "magnitude", "distance_km"};
 
 std::string_view trimmed(std::string_view text) {
   constexpr std::string_view blanks = " \t\r";
@@ -74,7 +74,7 @@ class MetadataReader {
   void read_header(const std::vector<std::string>& values) {
     header_ = values;
     for (const std::string& column : values) {
-      if (std::ranges::find(columns, column) == columns.end()) {
+      if (std::ranges::find(known_columns, column) == known_columns.end()) {
         reject(column, "is not a column of the metadata of records", "name: file, magnitude, distance_km");
       } else if (std::ranges::count(values, column) > 1) {
         reject(column, "stands twice", "name each column once");

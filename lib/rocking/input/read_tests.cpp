@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <functional>
 #include <numeric>
 #include <optional>
@@ -13,7 +12,7 @@
 #include "rocking/input/condition_family.hpp"
 #include "rocking/input/line_problems.hpp"
 #include "rocking/input/test_columns.hpp"
-#include "rocking/text/parse_json.hpp"
+#include "rocking/text/json.hpp"
 
 namespace rocking {
 namespace {

@@ -1,16 +1,16 @@
 #include "rocking/input/reading_keys.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
+#include "rocking/input/ground_motion_files.hpp"
 #include "rocking/input/quantities_in_text.hpp"
-#include "rocking/input/read_recorded.hpp"
-#include "rocking/input/read_scatter.hpp"
 #include "rocking/input/record_formats.hpp"
 #include "rocking/input/swept_place.hpp"
 #include "rocking/scene/law_keys.hpp"
 #include "rocking/scene/rules.hpp"
-#include "rocking/text/seed_text.hpp"
+#include "rocking/text/number_text.hpp"
 
 namespace rocking {
 namespace {
@@ -217,7 +217,19 @@ void ReadingKeys::unknowns(const Key& key) {
   if (const Json* found = in_.value(key.name)) in_.write(key.name, *found);
 }
 
-void ReadingKeys::scatter(std::initializer_list<Scatter> of) { read_scatter(in_, of); }
+void ReadingKeys::scatter(std::initializer_list<Scatter> of) {
+  const bool is_relative = in_.has("relative_sigma");
+  if (is_relative && in_.has("sigma")) return in_.reject("relative_sigma", "excludes \"sigma\"", "keep one of them");
+  const double given = in_.number(is_relative ? "relative_sigma" : "sigma", rules::sigma);
+  for (const Scatter& each : of) {
+    const double sigma = is_relative ? given * std::abs(each.mean()) : given;
+    if (rules::sigma.allows(sigma)) {
+      *each.sigma = sigma;
+    } else {
+      in_.reject("relative_sigma", "makes a standard deviation above 1e6", "give a smaller fraction of the mean");
+    }
+  }
+}
 
 bool ReadingKeys::one_of(std::span<const UnitKey> units, QuantityInUnit& value, Absent absent) {
   const std::size_t problems_before = problem_count();

@@ -1,8 +1,11 @@
 #include "rocking/input/record_formats.hpp"
 
+#include <algorithm>
 #include <cstddef>
+#include <utility>
 
 #include "rocking/input/line_problems.hpp"
+#include "rocking/input/record_unit.hpp"
 
 namespace rocking {
 namespace {
@@ -24,6 +27,53 @@ RecordFormat recognised_format(std::string_view text) {
     text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
   }
   return RecordFormat::columns;
+}
+
+std::optional<GroundMotion> read_ground_motion(std::string_view text, const GroundMotionReading& how,
+                                               Problems& problems) {
+  const RecordFormat format = how.format ? *how.format : recognised_format(text);
+  const RecordReader& reader = record_readers[static_cast<std::size_t>(format)];
+  if (format != RecordFormat::columns && !how.columns.empty()) {
+    problems.push_back({how.name, "",
+                        "has the format " + std::string(reader.name) + ", in which \"columns\" has no meaning",
+                        "omit \"columns\"; if it is a file of numbers, give \"format\": \"columns\" and \"units\""});
+    return std::nullopt;
+  }
+  auto motion = reader.read(text, how, problems);
+  if (!motion) return std::nullopt;
+  motion->name = how.name;
+  motion->format = reader.name;
+  return motion;
+}
+
+bool add_vertical(const GroundMotion& vertical, GroundMotion& motion, Problems& problems) {
+  const auto refuse = [&problems, &vertical](std::string reason, std::string remedy) {
+    problems.push_back({vertical.name, "", std::move(reason), std::move(remedy)});
+    return false;
+  };
+  if (motion.has_vertical || vertical.has_vertical) {
+    return refuse("is a file of the vertical component, but one of the two files has a vertical column",
+                  "omit \"vertical_file\", or give files with one component");
+  }
+  const std::size_t common = std::min(motion.samples.size(), vertical.samples.size());
+  for (std::size_t i = 0; i < common; ++i) {
+    if (motion.samples[i].time == vertical.samples[i].time) continue;
+    return refuse("has other times than " + motion.name + " from sample " + std::to_string(i + 1) + " on",
+                  "give components of one record, with the same time step");
+  }
+  if (motion.samples.size() != vertical.samples.size()) {
+    motion.warnings.push_back("contains " + std::to_string(motion.samples.size()) +
+                              " samples, its vertical component " + vertical.name + ' ' +
+                              std::to_string(vertical.samples.size()) + "; the shorter one is at rest from its end on");
+  }
+  for (const std::string& warning : vertical.warnings) motion.warnings.push_back(vertical.name + ": " + warning);
+  for (std::size_t i = common; i < vertical.samples.size(); ++i) {
+    motion.samples.push_back({.time = vertical.samples[i].time, .horizontal = 0.0, .vertical = 0.0});
+  }
+  for (std::size_t i = 0; i < vertical.samples.size(); ++i) motion.samples[i].vertical = vertical.samples[i].horizontal;
+  motion.has_vertical = true;
+  motion.vertical_file = vertical.name;
+  return true;
 }
 
 }  // namespace rocking

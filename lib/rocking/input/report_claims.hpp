@@ -2,6 +2,9 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
+
+#include "rocking/input/object_reader.hpp"
 
 namespace rocking {
 
@@ -22,5 +25,9 @@ struct ReportClaims {
 [[nodiscard]] bool has_stated_digest(const ReportClaims& claims);
 inline constexpr std::string_view wrong_digest_of_experiment =
     "input.experiment does not have the digest of input.sha256: one of them was changed";
+
+/// Checks the experiment in a report of the right form: against what an experiment file may hold and the digest that the
+/// report states, and that the report has one condition for each point of the sweep, with the parameters of that point.
+[[nodiscard]] Problems problems_of_report(const Json& report);
 
 }  // namespace rocking

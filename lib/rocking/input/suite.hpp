@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,6 +11,8 @@
 #include "rocking/input/ground_motion_files.hpp"
 #include "rocking/input/object_reader.hpp"
 #include "rocking/input/sweep.hpp"
+#include "rocking/scene/experiment.hpp"
+#include "rocking/scene/number_rule.hpp"
 #include "rocking/text/files.hpp"
 #include "rocking/text/json.hpp"
 
@@ -58,5 +61,14 @@ void write_suite(Json& canonical, const Suite& suite);
 /// Gives a recorded excitation the first value of a sweep of a measure of its strength, if it has none, nor a scale:
 /// otherwise the standard scale would contradict the sweep.
 void take_strength_from_sweep(Json& document);
+
+/// Samples of a ground motion are those of another one if they differ by at most this share of its peak: above what is
+/// lost by rounding, or by another value of g, and far below any two records of an earthquake.
+inline constexpr double same_series_tolerance = 2e-3;
+
+/// Reports the records of a suite that are vertical components (record_component.hpp), and those that are a former one
+/// once more: in another format, under another name, in other units. A factor between two series is that of two units,
+/// and counts only where one of the two units was assumed. `motions`: of the records, without null.
+void check_suite(const std::vector<std::shared_ptr<const GroundMotion>>& motions, Problems& problems);
 
 }  // namespace rocking

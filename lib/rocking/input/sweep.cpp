@@ -1,7 +1,5 @@
 #include "rocking/input/sweep.hpp"
 
-#include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 

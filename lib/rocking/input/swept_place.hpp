@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "rocking/input/object_reader.hpp"
+#include "rocking/input/sweep.hpp"
+#include "rocking/scene/experiment.hpp"
 
 namespace rocking {
 
@@ -17,5 +19,10 @@ namespace rocking {
 /// The pointer under `parameter`, which must lead to a value of the experiment, in canonical form, that may be changed.
 /// Problems are reported to `in`.
 [[nodiscard]] std::string read_swept_place(ObjectReader& in, const Json& experiment);
+
+/// The entries of `unknown`. `base` is the experiment in canonical form: each pointer must lead to a number in it that
+/// no axis of the sweep and no other entry changes.
+[[nodiscard]] std::vector<Unknown> read_unknowns(const Json& list, const Json& base, const std::vector<SweepAxis>& axes,
+                                                 Problems& problems);
 
 }  // namespace rocking

@@ -5,11 +5,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <utility>
 
 #include "rocking/base/error.hpp"
-#include "rocking/integrate/bernstein.hpp"
 #include "rocking/integrate/polynomial.hpp"
 #include "rocking/integrate/refine.hpp"
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <cstddef>
 
-#include "rocking/integrate/bernstein.hpp"
+#include "rocking/integrate/polynomial.hpp"
 #include "rocking/integrate/refine.hpp"
 #include "rocking/lanes/row.hpp"
 

@@ -1,4 +1,4 @@
-#include "rocking/output/effort_fields.hpp"
+#include "rocking/output/ensemble_fields.hpp"
 
 #include <array>
 #include <string>

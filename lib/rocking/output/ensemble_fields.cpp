@@ -1,36 +1,24 @@
 #include "rocking/output/ensemble_fields.hpp"
 
 #include <array>
-#include <map>
 #include <optional>
-#include <string>
-#include <vector>
 
 #include "rocking/fields/container_types.hpp"
 #include "rocking/fields/converted_type.hpp"
 #include "rocking/fields/named_type.hpp"
-#include "rocking/output/estimate_fields.hpp"
 #include "rocking/output/provenance_fields.hpp"
-#include "rocking/output/settling_fields.hpp"
 #include "rocking/output/stats_fields.hpp"
 #include "rocking/output/validity_fields.hpp"
 
 namespace rocking {
-namespace {
-
-constexpr std::array stop_causes{StoppedBecause::deterministic, StoppedBecause::all_realisations_done,
-                                 StoppedBecause::half_width_reached, StoppedBecause::at_most_reached};
-constexpr std::array numerical_errors{NumericalError::small, NumericalError::not_small, NumericalError::undecided};
-
-}  // namespace
 
 template <>
 struct TypeOf<StoppedBecause> {
-  static const ValueType& get() { return the_only<NamedType<stop_causes>>(); }
+  static const ValueType& get() { return the_only<WordType<StoppedBecause, stop_cause_names>>(); }
 };
 template <>
 struct TypeOf<NumericalError> {
-  static const ValueType& get() { return the_only<NamedType<numerical_errors>>(); }
+  static const ValueType& get() { return the_only<WordType<NumericalError, numerical_error_names>>(); }
 };
 
 namespace {

@@ -1,4 +1,4 @@
-#include "rocking/output/estimate_fields.hpp"
+#include "rocking/output/ensemble_fields.hpp"
 
 #include <map>
 #include <string>

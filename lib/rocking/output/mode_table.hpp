@@ -10,7 +10,7 @@
 
 #include "rocking/ensemble/mode_family.hpp"
 #include "rocking/output/report.hpp"
-#include "rocking/output/share_bar.hpp"
+#include "rocking/output/text_table.hpp"
 #include "rocking/scene/experiment.hpp"
 #include "rocking/scene/shaking.hpp"
 

@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cstdint>
 #include <string_view>
-#include <utility>
 
-#include "rocking/text/seed_text.hpp"
+#include "rocking/text/number_text.hpp"
 
 namespace rocking {
 namespace {

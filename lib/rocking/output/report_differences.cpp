@@ -1,7 +1,8 @@
 #include "rocking/output/report_differences.hpp"
 
+#include "rocking/base/build_info.hpp"
+#include "rocking/output/report.hpp"
 #include "rocking/text/json.hpp"
-#include "rocking/text/parse_json.hpp"
 
 namespace rocking {
 namespace {
@@ -39,6 +40,18 @@ std::vector<std::string> experiment_differences(std::string_view claimed, std::s
   std::vector<std::string> list;
   list_differences(parse_json(claimed), parse_json(right), list);
   return list;
+}
+
+ReportRerun rerun_report(std::string_view report, const Experiment& experiment, const RunOptions& options) {
+  ReportRerun again;
+  const auto result = run(experiment, options);
+  again.was_stopped = !result.has_value();
+  if (again.was_stopped) return again;
+  for (const auto& condition : result->conditions) again.checked += condition.realisations;
+  // Machine and time are not compared.
+  const SystemFacts facts{.build = base::build_info(), .machine = "", .start = "", .threads = 1};
+  again.differences = report_differences(report, report_text(experiment, *result, facts));
+  return again;
 }
 
 }  // namespace rocking

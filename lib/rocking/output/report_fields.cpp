@@ -1,15 +1,13 @@
 #include <algorithm>
-#include <string>
 #include <vector>
 
 #include "rocking/fields/container_types.hpp"
 #include "rocking/fields/converted_type.hpp"
 #include "rocking/input/report_claims.hpp"
-#include "rocking/output/effort_fields.hpp"
 #include "rocking/output/ensemble_fields.hpp"
 #include "rocking/output/provenance_fields.hpp"
 #include "rocking/output/report.hpp"
-#include "rocking/output/shaking_fields.hpp"
+#include "rocking/output/shaking_text.hpp"
 
 namespace rocking {
 

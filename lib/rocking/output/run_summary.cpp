@@ -1,4 +1,4 @@
-#include "rocking/output/run_summary.hpp"
+#include "rocking/output/run_table.hpp"
 
 #include <algorithm>
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include "rocking/output/settling_fields.hpp"
+#include "rocking/output/ensemble_fields.hpp"
 
 #include <array>
 #include <optional>

@@ -1,7 +1,6 @@
 #include "rocking/output/settling_table.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 
 #include "rocking/ensemble/settling_tally.hpp"

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "rocking/ensemble/response_times.hpp"
+#include "rocking/ensemble/settling_tally.hpp"
 #include "rocking/output/report.hpp"
 #include "rocking/stats/incidence.hpp"
 #include "rocking/stats/interval.hpp"

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "rocking/fields/struct_type.hpp"
 #include "rocking/scene/shaking.hpp"
 
 /// The amplitude and the frequency of a base motion in the units of the file, and the other form beside them: g and Hz
@@ -41,5 +42,8 @@ using Shakings = std::span<const std::optional<Shaking>>;
 
 /// The number of a column in four digits; a point without a shaking.
 [[nodiscard]] std::string column_cell(const std::optional<Shaking>& shaking, std::string_view key);
+
+/// How a shaking stands in documents: the keys that the experiment gives, and the numbers in every unit.
+[[nodiscard]] const StructType& fields_of(const Shaking*);
 
 }  // namespace rocking

@@ -6,6 +6,7 @@
 #include "rocking/fields/struct_type.hpp"
 #include "rocking/stats/incidence.hpp"
 #include "rocking/stats/interval.hpp"
+#include "rocking/stats/quantile.hpp"
 
 /// How values of statistics stand in documents.
 namespace rocking {

@@ -30,4 +30,23 @@ inline constexpr std::size_t most_screen_rows = 40;
 /// on are one row, with `0.15 to 0.35` in these columns.
 [[nodiscard]] std::vector<TextRow> merged_rows(const std::vector<TextRow>& table, std::size_t first, std::size_t count);
 
+/// Characters that a terminal can show.
+enum class Letters : std::uint8_t { ascii, unicode };
+
+/// Largest number of parts of a bar; each has a different mark.
+inline constexpr std::size_t most_marks = 6;
+
+/// The mark of the part of a bar at `place`, from 0 to most_marks - 1; the last one is the lightest.
+[[nodiscard]] std::string mark_of(std::size_t place, Letters letters);
+
+struct BarLook {
+  std::size_t length = 12;  ///< in letters
+  Letters letters = Letters::ascii;
+};
+
+/// `counts` as a bar. The length of each part is its share, but at least one letter if its count is not 0, so that
+/// rare parts are visible. There are most_marks counts at most, not all 0, and the bar has at least as many
+/// letters.
+[[nodiscard]] std::string share_bar(const std::vector<std::uint64_t>& counts, const BarLook& look);
+
 }  // namespace rocking

@@ -1,4 +1,3 @@
-#include <array>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -13,21 +12,11 @@ namespace {
 using dynamics::ContactState;
 using dynamics::EventKind;
 
-constexpr std::array both_units{TrajectoryUnits::normalised, TrajectoryUnits::si};
-constexpr std::array contact_states{ContactState::rest, ContactState::slide, ContactState::rock,
-                                    ContactState::rock_slide, ContactState::overturned};
-constexpr std::array event_kinds{EventKind::lift,        EventKind::impact_stick, EventKind::impact_slip,
-                                 EventKind::slip_start,  EventKind::slip_stop,    EventKind::slip_reverse,
-                                 EventKind::slide_start, EventKind::slide_stop,   EventKind::to_rest,
-                                 EventKind::to_slide,    EventKind::tip,          EventKind::past_balance,
-                                 EventKind::overturn};
-static_assert(event_kinds.size() == dynamics::event_kind_count);
-
 constexpr const char* words_on_tilt = "Theta = theta/psi, or theta [rad]";
 constexpr const char* words_on_tilt_rate = "Theta' = dTheta/dtau, or dtheta/dt [rad/s]";
 constexpr const char* words_on_time = "tau = p t, or t [s]";
 
-const ValueType& contact_type() { return the_only<NamedType<contact_states>>(); }
+const ValueType& contact_type() { return the_only<WordType<ContactState, dynamics::contact_names>>(); }
 
 const StructType& state_fields(TrajectoryUnits units) {
   using State = ReportedState;
@@ -74,7 +63,7 @@ const StructType& fields_in(TrajectoryUnits units, const ReportedEvent*) {
     return StructType{
         in == TrajectoryUnits::si ? "EventSi" : "Event",
         field<&Event::time>(time_key(in), words_on_time),
-        field<&Event::kind>("kind", "what happens", the_only<NamedType<event_kinds>>()),
+        field<&Event::kind>("kind", "what happens", the_only<WordType<EventKind, dynamics::event_names>>()),
         state_in<&Event::state>(in),
     };
   };
@@ -231,7 +220,7 @@ const StructType& block_fields() {
 
 template <>
 struct TypeOf<TrajectoryUnits> {
-  static const ValueType& get() { return the_only<NamedType<both_units>>(); }
+  static const ValueType& get() { return the_only<WordType<TrajectoryUnits, trajectory_unit_names>>(); }
 };
 
 const StructType& fields_of(const TrajectoryReport*) {
@@ -250,7 +239,8 @@ const StructType& fields_of(const TrajectoryReport*) {
       part_in_units<&Report::peaks>("peaks", "largest absolute values of the motion until it ended, from tau = 0 on"),
       part_in_units<&Report::validity>("validity", "departures from the model (model.md, 7)"),
       field<&Report::energy>("energy", "over m R^2 p^2, since the mass of the block is not known", energy_fields()),
-      field<&Report::termination>("termination", "why it ended", the_only<NamedType<dynamics::terminations>>()),
+      field<&Report::termination>("termination", "why it ended",
+                                  the_only<WordType<dynamics::Termination, dynamics::termination_names>>()),
   };
   return fields;
 }

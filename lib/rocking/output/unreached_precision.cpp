@@ -1,8 +1,7 @@
-#include "rocking/output/unreached_precision.hpp"
+#include "rocking/output/run_table.hpp"
 
 #include <algorithm>
 #include <cstddef>
-#include <vector>
 
 #include "rocking/base/error.hpp"
 #include "rocking/output/mode_table.hpp"

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "rocking/random/engine.hpp"
+#include "rocking/random/draws.hpp"
 
 namespace rocking::random {
 

@@ -1,18 +1,16 @@
 #include "rocking/random/sampler.hpp"
 
-#include <array>
+#include <algorithm>
 
 #include <boost/math/distributions/normal.hpp>
 #include <boost/random/normal_distribution.hpp>
 
 #include "rocking/base/error.hpp"
-#include "rocking/random/engine.hpp"
+#include "rocking/random/draws.hpp"
 #include "rocking/random/uniform.hpp"
 
 namespace rocking::random {
 namespace {
-
-constexpr std::array all_samplers{SamplerKind::box_muller, SamplerKind::ziggurat, SamplerKind::inverse_cdf};
 
 void fill_by_ziggurat(std::vector<double>& sample, PhiloxEngine engine) {
   boost::random::normal_distribution<double> normal;
@@ -26,20 +24,10 @@ void fill_by_inverse_cdf(std::vector<double>& sample, PhiloxEngine engine) {
 
 }  // namespace
 
-std::string_view to_string(SamplerKind kind) {
-  switch (kind) {
-    case SamplerKind::box_muller: return "box-muller";
-    case SamplerKind::ziggurat: return "ziggurat";
-    case SamplerKind::inverse_cdf: return "inverse-cdf";
-  }
-  return {};
-}
-
 std::optional<SamplerKind> sampler_from_string(std::string_view text) {
-  for (const SamplerKind kind : all_samplers) {
-    if (to_string(kind) == text) return kind;
-  }
-  return std::nullopt;
+  const auto found = std::ranges::find(sampler_names, text);
+  if (found == sampler_names.end()) return std::nullopt;
+  return static_cast<SamplerKind>(found - sampler_names.begin());
 }
 
 std::vector<double> standard_sample(SamplerKind kind, const Draws& draws, Source source, std::size_t n) {

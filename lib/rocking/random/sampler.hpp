@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -17,7 +18,11 @@ enum class SamplerKind : std::uint8_t {
   inverse_cdf,  ///< `inverse-cdf`: quantiles of uniform numbers, by Boost.Math; symmetric, within 8.21 sigma
 };
 
-[[nodiscard]] std::string_view to_string(SamplerKind kind);
+/// Their names, in their order.
+inline constexpr std::array<std::string_view, 3> sampler_names{"box-muller", "ziggurat", "inverse-cdf"};
+[[nodiscard]] constexpr std::string_view to_string(SamplerKind kind) {
+  return sampler_names[static_cast<std::size_t>(kind)];
+}
 
 /// The sampler with this name; absent if there is none.
 [[nodiscard]] std::optional<SamplerKind> sampler_from_string(std::string_view text);

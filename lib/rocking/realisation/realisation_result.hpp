@@ -7,12 +7,11 @@
 #include "rocking/base/digest.hpp"
 #include "rocking/base/stop_request.hpp"
 #include "rocking/dynamics/contact.hpp"
-#include "rocking/realisation/operation_counts.hpp"
-#include "rocking/realisation/peak_values.hpp"
+#include "rocking/realisation/measures.hpp"
 #include "rocking/scene/experiment.hpp"
 #include "rocking/section/classification.hpp"
 #include "rocking/section/classify.hpp"
-#include "rocking/section/mode_counts.hpp"
+#include "rocking/section/response_mode.hpp"
 
 namespace rocking {
 
@@ -58,5 +57,12 @@ struct RealisationResult {
 /// The same of a condition that was checked, or that breaks a rule on purpose; its numbers are finite.
 [[nodiscard]] RealisationResult realise_unchecked(const Condition& condition, std::uint64_t seed,
                                                   std::uint64_t realisation, base::StopRequest stop = {});
+
+/// First period, counted from 1, in which the two results have diverged: their strobe points are more than 0.01 apart
+/// in (Theta, Theta'), or only one of the runs has ended. Absent if they have not diverged.
+[[nodiscard]] std::optional<std::int64_t> divergence_period(const RealisationResult& a, const RealisationResult& b);
+
+/// SHA-256 over the bits of a result: realisation number, termination, response mode, strobe points, counts of events.
+[[nodiscard]] base::Sha256 digest_of(const RealisationResult& result, std::uint64_t realisation);
 
 }  // namespace rocking

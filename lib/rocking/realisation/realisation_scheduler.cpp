@@ -5,7 +5,6 @@
 
 #include "rocking/lanes/lane_scheduler.hpp"
 #include "rocking/realisation/horizon_run.hpp"
-#include "rocking/realisation/shared_excitation.hpp"
 #include "rocking/realisation/start.hpp"
 
 namespace rocking {

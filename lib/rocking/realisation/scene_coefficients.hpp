@@ -9,7 +9,7 @@
 #include "rocking/dynamics/coefficients.hpp"
 #include "rocking/random/branched_draws.hpp"
 #include "rocking/realisation/friction_cells.hpp"
-#include "rocking/realisation/operation_counts.hpp"
+#include "rocking/realisation/measures.hpp"
 #include "rocking/scene/experiment.hpp"
 
 namespace rocking {

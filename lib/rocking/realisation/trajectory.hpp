@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -8,7 +9,7 @@
 #include "rocking/base/stop_request.hpp"
 #include "rocking/dynamics/block.hpp"
 #include "rocking/dynamics/contact.hpp"
-#include "rocking/realisation/peak_values.hpp"
+#include "rocking/realisation/measures.hpp"
 #include "rocking/scene/experiment.hpp"
 #include "rocking/section/classification.hpp"
 
@@ -90,8 +91,7 @@ struct Trajectory {
 /// the block of the realisation.
 enum class TrajectoryUnits : std::uint8_t { normalised, si };
 
-/// `normalised`, `si`.
-[[nodiscard]] std::string_view to_string(TrajectoryUnits units);
+inline constexpr std::array<std::string_view, 2> trajectory_unit_names{"normalised", "si"};
 
 /// Requested length and sampling of a trajectory.
 struct TrajectoryExtent {

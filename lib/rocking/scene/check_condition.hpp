@@ -1,6 +1,12 @@
 #pragma once
 
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+
 #include "rocking/scene/experiment.hpp"
+#include "rocking/scene/number_rule.hpp"
 
 namespace rocking {
 
@@ -19,5 +25,16 @@ void check_has_conditions(const Experiment& experiment);
 /// check_has_conditions, then check_condition of every condition. Reasons end with the number of the condition where
 /// there are several, at most twenty problems are told, and a ground motion that conditions share is looked through once.
 void check_experiment(const Experiment& experiment);
+
+/// Ground motions that were found to be sound, with the gravity that they are over.
+using SoundGroundMotions = std::set<std::pair<const GroundMotion*, double>>;
+
+/// Adds a problem for each number of a condition that its rule (scene/rules.hpp) does not allow, in the order of the
+/// keys of an experiment file. What numbers demand of each other: check_relations. Looks through a ground motion only
+/// where `sound` does not hold it.
+void check_numbers(const Condition& condition, SoundGroundMotions& sound, Problems& problems);
+
+/// A quantity in a message.
+[[nodiscard]] std::string text_of(const Quantity& quantity);
 
 }  // namespace rocking

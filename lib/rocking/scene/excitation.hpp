@@ -191,7 +191,7 @@ struct Pulse {
 /// size(), the mean of a drawn or fluctuating amplitude as it is given, and size_unit(), by which it is divided for a block, so
 /// that the quotient is A_h or the scale [-]; frequency_ratio_for(own, mean), Omega_h of the clock and the strobe for a
 /// realisation's own block, where the mean block is that of the scene [-]; start_phase() [rad]; end_of_shaking(block),
-/// a normalised time; and effects() as described to users. Its keys: excitation_keys.hpp; how the base moves in a
+/// a normalised time; and effects() as described to users. Its keys: experiment_keys.hpp; how the base moves in a
 /// realisation: realisation/start.hpp.
 using Excitation = std::variant<Harmonic, Recorded, Pulse>;
 

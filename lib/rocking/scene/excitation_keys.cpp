@@ -1,4 +1,4 @@
-#include "rocking/scene/excitation_keys.hpp"
+#include "rocking/scene/experiment_keys.hpp"
 
 #include <array>
 #include <numbers>

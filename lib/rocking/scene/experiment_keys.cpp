@@ -3,7 +3,6 @@
 #include <array>
 
 #include "rocking/scene/defaults.hpp"
-#include "rocking/scene/excitation_keys.hpp"
 #include "rocking/scene/relations.hpp"
 #include "rocking/scene/rules.hpp"
 

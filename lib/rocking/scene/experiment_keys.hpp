@@ -4,6 +4,9 @@
 
 namespace rocking {
 
+/// The keys of `excitation`, kind by kind. `block`: mean block of the scene.
+void keys_of(Keys& in, Excitation& excitation, const dynamics::Block& block);
+
 /// An experiment without its sweep: one condition.
 struct Question {
   std::string title;

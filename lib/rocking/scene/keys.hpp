@@ -15,7 +15,6 @@
 #include "rocking/scene/experiment.hpp"
 #include "rocking/scene/ground_motion_reading.hpp"
 #include "rocking/scene/number_rule.hpp"
-#include "rocking/scene/refusal.hpp"
 
 namespace rocking {
 

@@ -7,8 +7,8 @@
 #include <variant>
 
 #include "rocking/scene/keys.hpp"
+#include "rocking/scene/number_rule.hpp"
 #include "rocking/scene/quantity.hpp"
-#include "rocking/scene/refusal.hpp"
 
 namespace rocking {
 

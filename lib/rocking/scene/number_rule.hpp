@@ -12,6 +12,12 @@
 
 namespace rocking {
 
+/// Why a value will not do, and what would.
+struct Refusal {
+  std::string reason;
+  std::string remedy;
+};
+
 using Problems = std::vector<base::Problem>;
 
 /// What a number must be, and how to say so.

@@ -11,7 +11,7 @@
 #include "rocking/base/number_text.hpp"
 #include "rocking/dynamics/impact.hpp"
 #include "rocking/dynamics/validity.hpp"
-#include "rocking/scene/check_numbers.hpp"
+#include "rocking/scene/check_condition.hpp"
 #include "rocking/scene/rules.hpp"
 
 namespace rocking {

@@ -4,7 +4,6 @@
 
 #include "rocking/scene/experiment.hpp"
 #include "rocking/scene/number_rule.hpp"
-#include "rocking/scene/refusal.hpp"
 
 namespace rocking {
 

@@ -78,7 +78,7 @@ Four chance_of(const Four& ratio, const Four& degrees, const Four& half) {
 /// Bounds of the chances of up to four lines.
 ///
 /// The ratio L has half of the relative error of the determinants, r together. L^(2M-1) has (2M-1) r/2, the factor of
-/// spectral_line.hpp, which is at least 1, the same. Three times 2M r also covers terms of second order, as 2M r < 0.1.
+/// line_bounds.hpp, which is at least 1, the same. Three times 2M r also covers terms of second order, as 2M r < 0.1.
 void set_bounds_of_four(const FourLines& lines, std::span<ChanceBounds> bounds) {
   FourLines::Matrix both = lines.noise;
   both.xx += lines.own.xx;

@@ -12,7 +12,7 @@ namespace rocking::section {
 /// Relative error of one rounding.
 inline constexpr double rounding_unit = 0.5 * std::numeric_limits<double>::epsilon();
 
-/// Bounds of a number that line_chance (spectral_line.hpp) returns, as it is rounded there. They are infinite where
+/// Bounds of a number that line_chance (line_bounds.hpp) returns, as it is rounded there. They are infinite where
 /// rounding may change the sign of a determinant: the number may then be negative or NaN.
 struct ChanceBounds {
   double least = -std::numeric_limits<double>::infinity();

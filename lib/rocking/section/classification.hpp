@@ -51,19 +51,19 @@ enum class Reason : std::uint8_t {
   impacts_irregular,  ///< unresolved: too many cycles differ in their number of impacts
 };
 
-/// All reasons, in the order of their declaration.
-inline constexpr std::array reasons{
-    Reason::never_moved,      Reason::came_to_rest,       Reason::points_coincide,   Reason::points_converge,
-    Reason::tight_clouds,     Reason::contracting_clouds, Reason::positive_exponent, Reason::too_few_points,
-    Reason::still_converging, Reason::not_periodic,       Reason::exponent_unclear,  Reason::clouds_overlap,
-    Reason::period_too_long,  Reason::out_of_order,       Reason::not_stationary,    Reason::changed_regime,
-    Reason::phase_jump,       Reason::interrupted,        Reason::slow_memory,       Reason::impacts_irregular};
-static_assert(reasons.size() == static_cast<std::size_t>(Reason::impacts_irregular) + 1);
+/// The names of the reasons, in the order of their declaration.
+inline constexpr std::array<std::string_view, 20> reason_names{
+    "never_moved",        "came_to_rest",      "points_coincide", "points_converge",  "tight_clouds",
+    "contracting_clouds", "positive_exponent", "too_few_points",  "still_converging", "not_periodic",
+    "exponent_unclear",   "clouds_overlap",    "period_too_long", "out_of_order",     "not_stationary",
+    "changed_regime",     "phase_jump",        "interrupted",     "slow_memory",      "impacts_irregular"};
+static_assert(reason_names.size() == static_cast<std::size_t>(Reason::impacts_irregular) + 1);
 
-/// The name of the enumerator.
-[[nodiscard]] std::string_view to_string(Reason reason);
+[[nodiscard]] constexpr std::string_view to_string(Reason reason) {
+  return reason_names[static_cast<std::size_t>(reason)];
+}
 
-/// The reason that to_string gives this name; absent where there is none.
+/// The reason with this name; absent where there is none.
 [[nodiscard]] std::optional<Reason> reason_named(std::string_view name);
 
 /// Result of the classification of a response.

@@ -7,7 +7,6 @@
 #include "rocking/base/error.hpp"
 #include "rocking/section/noisy_response.hpp"
 #include "rocking/section/recurrence.hpp"
-#include "rocking/section/regimes.hpp"
 
 namespace rocking::section {
 namespace {
@@ -125,36 +124,10 @@ PendingClassification classify_random(const ClassifierInput& input) {
 
 }  // namespace
 
-std::string_view to_string(Reason reason) {
-  switch (reason) {
-    case Reason::never_moved: return "never_moved";
-    case Reason::came_to_rest: return "came_to_rest";
-    case Reason::points_coincide: return "points_coincide";
-    case Reason::points_converge: return "points_converge";
-    case Reason::tight_clouds: return "tight_clouds";
-    case Reason::contracting_clouds: return "contracting_clouds";
-    case Reason::positive_exponent: return "positive_exponent";
-    case Reason::too_few_points: return "too_few_points";
-    case Reason::still_converging: return "still_converging";
-    case Reason::not_periodic: return "not_periodic";
-    case Reason::exponent_unclear: return "exponent_unclear";
-    case Reason::clouds_overlap: return "clouds_overlap";
-    case Reason::period_too_long: return "period_too_long";
-    case Reason::out_of_order: return "out_of_order";
-    case Reason::not_stationary: return "not_stationary";
-    case Reason::changed_regime: return "changed_regime";
-    case Reason::phase_jump: return "phase_jump";
-    case Reason::interrupted: return "interrupted";
-    case Reason::slow_memory: return "slow_memory";
-    case Reason::impacts_irregular: return "impacts_irregular";
-  }
-  return "";
-}
-
 std::optional<Reason> reason_named(std::string_view name) {
-  const auto has_name = [name](Reason reason) { return to_string(reason) == name; };
-  const auto found = std::ranges::find_if(reasons, has_name);
-  return found == reasons.end() ? std::nullopt : std::optional(*found);
+  const auto found = std::ranges::find(reason_names, name);
+  if (found == reason_names.end()) return std::nullopt;
+  return static_cast<Reason>(found - reason_names.begin());
 }
 
 PendingClassification classify(const ClassifierInput& input) {

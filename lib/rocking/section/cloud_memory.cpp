@@ -7,7 +7,6 @@
 #include "rocking/section/clouds.hpp"
 #include "rocking/section/four.hpp"
 #include "rocking/section/order_statistics.hpp"
-#include "rocking/section/trimmed_scatter.hpp"
 
 namespace rocking::section {
 namespace {

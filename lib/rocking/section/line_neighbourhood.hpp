@@ -36,7 +36,7 @@ struct Neighbourhood {
   return resolution * resolution * static_cast<double>(points) * static_cast<double>(neighbours);
 }
 
-/// P(L <= ratio) of spectral_line.hpp for a line compared with M neighbours.
+/// P(L <= ratio) of line_bounds.hpp for a line compared with M neighbours.
 [[nodiscard]] double chance_of_ratio(double ratio, std::size_t neighbours, bool at_half);
 
 }  // namespace rocking::section

@@ -13,8 +13,7 @@
 #include "rocking/base/error.hpp"
 #include "rocking/section/clouds.hpp"
 #include "rocking/section/line_bounds.hpp"
-#include "rocking/section/rocks.hpp"
-#include "rocking/section/spectral_line.hpp"
+#include "rocking/section/recurrence.hpp"
 
 namespace rocking::section {
 namespace {

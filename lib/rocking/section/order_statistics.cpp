@@ -1,8 +1,6 @@
 #include "rocking/section/order_statistics.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cstdint>
 #include <limits>
 
 #include "rocking/base/error.hpp"

@@ -1,11 +1,10 @@
-#include "rocking/section/regimes.hpp"
+#include "rocking/section/noisy_response.hpp"
 
 #include <algorithm>
 #include <cstddef>
 #include <vector>
 
 #include "rocking/section/clouds.hpp"
-#include "rocking/section/noisy_response.hpp"
 
 namespace rocking::section {
 namespace {

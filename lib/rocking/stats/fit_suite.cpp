@@ -12,8 +12,6 @@
 #include "rocking/base/error.hpp"
 #include "rocking/stats/mixed_probit.hpp"
 #include "rocking/stats/normal_law.hpp"
-#include "rocking/stats/step_capacities.hpp"
-#include "rocking/stats/student_law.hpp"
 #include "rocking/stats/unseen_record.hpp"
 
 namespace rocking::stats {

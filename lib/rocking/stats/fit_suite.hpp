@@ -32,7 +32,7 @@ struct SuiteFit {
 /// where one capacity of all records is possible.
 ///
 /// Trials of a record are counted as independent given the record, at all levels. Method: mixed_probit.hpp, and
-/// step_capacities.hpp where the outcomes of every record are a step, since the likelihood then increases towards
+/// mixed_probit.hpp where the outcomes of every record are a step, since the likelihood then increases towards
 /// within_record = 0.
 [[nodiscard]] SuiteFit fit_suite(const SuiteLevels& suite);
 

@@ -8,7 +8,6 @@
 #include "rocking/base/error.hpp"
 #include "rocking/stats/normal_law.hpp"
 #include "rocking/stats/probit.hpp"
-#include "rocking/stats/student_law.hpp"
 
 namespace rocking::stats {
 namespace {
@@ -127,22 +126,6 @@ std::size_t differing_numbers(const std::vector<IntensityLevel>& levels) {
 }
 
 }  // namespace
-
-std::string_view to_string(FragilityOutcome outcome) {
-  switch (outcome) {
-    case FragilityOutcome::fitted: return "fitted";
-    case FragilityOutcome::never_happened: return "never_happened";
-    case FragilityOutcome::always_happened: return "always_happened";
-    case FragilityOutcome::separated: return "separated";
-    case FragilityOutcome::does_not_rise: return "does_not_rise";
-    case FragilityOutcome::no_scatter: return "no_scatter";
-    case FragilityOutcome::rejected: return "rejected";
-    case FragilityOutcome::not_monotone: return "not_monotone";
-    case FragilityOutcome::unresolved: return "unresolved";
-    case FragilityOutcome::too_little: break;
-  }
-  return "too_little";
-}
 
 Proportion proportion_at(const IntensityLevel& level) {
   return {.successes = static_cast<std::uint64_t>(std::count(level.happened.begin(), level.happened.end(), true)),

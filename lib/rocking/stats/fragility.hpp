@@ -41,14 +41,13 @@ enum class FragilityOutcome : std::uint8_t {
   unresolved,     ///< the outcome of some trial is not known
 };
 
-inline constexpr std::array all_fragility_outcomes{FragilityOutcome::fitted,          FragilityOutcome::never_happened,
-                                                   FragilityOutcome::always_happened, FragilityOutcome::separated,
-                                                   FragilityOutcome::does_not_rise,   FragilityOutcome::no_scatter,
-                                                   FragilityOutcome::too_little,      FragilityOutcome::rejected,
-                                                   FragilityOutcome::not_monotone,    FragilityOutcome::unresolved};
-
-/// The name of its enumerator.
-[[nodiscard]] std::string_view to_string(FragilityOutcome outcome);
+/// Their names, in their order.
+inline constexpr std::array<std::string_view, 10> fragility_outcome_names{
+    "fitted",     "never_happened", "always_happened", "separated",    "does_not_rise",
+    "no_scatter", "too_little",     "rejected",        "not_monotone", "unresolved"};
+[[nodiscard]] constexpr std::string_view to_string(FragilityOutcome outcome) {
+  return fragility_outcome_names[static_cast<std::size_t>(outcome)];
+}
 
 /// A value with its confidence interval.
 struct Bounded {

@@ -1,4 +1,4 @@
-#include "rocking/stats/gauss_hermite.hpp"
+#include "rocking/stats/mixed_probit.hpp"
 
 #include <cmath>
 #include <numbers>

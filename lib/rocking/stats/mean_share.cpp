@@ -1,13 +1,12 @@
 #include "rocking/stats/mean_share.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include <boost/math/special_functions/beta.hpp>
 
 #include "rocking/base/error.hpp"
-#include "rocking/stats/student_law.hpp"
+#include "rocking/stats/normal_law.hpp"
 
 namespace rocking::stats {
 namespace {

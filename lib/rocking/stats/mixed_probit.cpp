@@ -9,8 +9,6 @@
 
 #include <boost/math/quadrature/gauss.hpp>
 
-#include "rocking/stats/gauss_hermite.hpp"
-
 namespace rocking::stats {
 namespace {
 

@@ -1,6 +1,5 @@
-#include "rocking/stats/newton_ascent.hpp"
+#include "rocking/stats/mixed_probit.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 

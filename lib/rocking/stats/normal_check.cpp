@@ -6,9 +6,7 @@
 #include <boost/math/special_functions/gamma.hpp>
 
 #include "rocking/base/error.hpp"
-#include "rocking/stats/anderson_darling.hpp"
-#include "rocking/stats/correlation.hpp"
-#include "rocking/stats/kolmogorov_smirnov.hpp"
+#include "rocking/stats/moments.hpp"
 #include "rocking/stats/normality.hpp"
 
 namespace rocking::stats {
@@ -50,6 +48,20 @@ std::vector<CorrelationTest> correlations(const NormalSamples& samples, const No
   add("neighbouring_realisations", cross_correlation(samples.sample, samples.of_next_realisation, law));
   add("neighbouring_sources", cross_correlation(samples.sample, samples.of_next_source, law));
   return tests;
+}
+
+TailCount tail_beyond(double sigmas, std::span<const double> sample, const NormalLaw& law) {
+  const auto outside = [&](double x) { return std::abs(law.score(x)) > sigmas; };
+  const auto count = std::count_if(sample.begin(), sample.end(), outside);
+  const Proportion beyond{static_cast<std::uint64_t>(count), sample.size()};
+  const double probability = 2.0 * normal_cdf(-sigmas);
+  return {sigmas, beyond, static_cast<double>(sample.size()) * probability,
+          two_sided_binomial_p_value(beyond, probability)};
+}
+
+/// Probability between two scores, computed in the tail where it is not a difference of numbers near 1.
+double probability_between(double low, double high) {
+  return low > 0.0 ? normal_cdf(-low) - normal_cdf(-high) : normal_cdf(high) - normal_cdf(low);
 }
 
 }  // namespace
@@ -108,6 +120,39 @@ bool is_refuted(const NormalCheck& check) {
     }
   }
   return std::any_of(p_values.begin(), p_values.end(), [](double p) { return p < significance; });
+}
+
+std::array<TailCount, 3> normal_tails(std::span<const double> sample, const NormalLaw& law) {
+  ROCKING_EXPECT(law.sigma > 0.0);
+  return {tail_beyond(3.0, sample, law), tail_beyond(4.0, sample, law), tail_beyond(5.0, sample, law)};
+}
+
+Histogram normal_histogram(std::span<const double> sample, const NormalLaw& law, std::size_t bins, double reach) {
+  ROCKING_EXPECT(bins >= 1 && reach > 0.0 && law.sigma > 0.0);
+  const auto n = static_cast<double>(sample.size());
+  // Integers first, so that edges k and bins - k have exactly opposite scores and the middle edge is the mean.
+  const auto score_of_edge = [&](std::size_t k) {
+    return reach * ((2.0 * static_cast<double>(k) - static_cast<double>(bins)) / static_cast<double>(bins));
+  };
+  Histogram histogram;
+  for (std::size_t k = 0; k <= bins; ++k) histogram.edges.push_back(law.mean + law.sigma * score_of_edge(k));
+  for (std::size_t k = 0; k < bins; ++k) {
+    histogram.expected.push_back(n * probability_between(score_of_edge(k), score_of_edge(k + 1)));
+  }
+  histogram.expected_below = histogram.expected_above = n * normal_cdf(-reach);
+  histogram.counts.resize(bins);
+  for (const double x : sample) {
+    // Compared with the edges as reported, so that a reader who counts again obtains the same counts.
+    const auto upper = std::upper_bound(histogram.edges.begin(), histogram.edges.end(), x);
+    if (upper == histogram.edges.begin()) {
+      ++histogram.below;
+    } else if (upper == histogram.edges.end()) {
+      ++histogram.above;
+    } else {
+      ++histogram.counts[static_cast<std::size_t>(upper - histogram.edges.begin()) - 1];
+    }
+  }
+  return histogram;
 }
 
 }  // namespace rocking::stats

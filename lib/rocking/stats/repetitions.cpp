@@ -8,7 +8,7 @@
 #include "rocking/base/error.hpp"
 #include "rocking/base/natural_logarithm.hpp"
 #include "rocking/stats/mean_share.hpp"
-#include "rocking/stats/student_law.hpp"
+#include "rocking/stats/normal_law.hpp"
 
 namespace rocking::stats {
 namespace {

@@ -1,4 +1,4 @@
-#include "rocking/stats/step_capacities.hpp"
+#include "rocking/stats/mixed_probit.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -7,6 +7,7 @@
 
 #include "rocking/stats/incidence.hpp"
 #include "rocking/stats/interval.hpp"
+#include "rocking/stats/quantile.hpp"
 
 /// What follows from the cumulative incidence of an event that every observation meets sooner or later, some of them
 /// after their censoring.

@@ -11,7 +11,7 @@
 #include <unistd.h>
 
 #include "rocking/base/error.hpp"
-#include "rocking/store/store_layout.hpp"
+#include "rocking/store/store_identity.hpp"
 
 namespace rocking {
 namespace {

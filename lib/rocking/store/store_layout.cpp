@@ -1,8 +1,7 @@
-#include "rocking/store/store_layout.hpp"
+#include "rocking/store/store_identity.hpp"
 
 #include <string>
 
-#include "rocking/store/store_identity.hpp"
 #include "rocking/store/store_row.hpp"
 
 namespace rocking {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "rocking/realisation/realisation_digest.hpp"
+#include "rocking/realisation/realisation_result.hpp"
 
 namespace rocking {
 

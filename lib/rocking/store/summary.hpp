@@ -5,7 +5,7 @@
 #include <string>
 
 #include "rocking/base/digest.hpp"
-#include "rocking/realisation/operation_counts.hpp"
+#include "rocking/realisation/measures.hpp"
 #include "rocking/realisation/realisation_result.hpp"
 #include "rocking/store/realisation_key.hpp"
 

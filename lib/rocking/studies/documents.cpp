@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "rocking/input/describe_experiment.hpp"
+#include "rocking/input/read_experiment.hpp"
 #include "rocking/output/report.hpp"
 #include "rocking/output/trajectory_report.hpp"
 #include "rocking/rocking.hpp"

@@ -1,7 +1,6 @@
 #include "rocking/text/locate.hpp"
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 
 #include "rocking/text/json.hpp"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <system_error>
 
 #include "rocking/base/error.hpp"
 
@@ -86,6 +87,23 @@ std::string duration_in_words(double seconds) {
 std::string interval_in_words(const stats::Interval& interval) {
   return '[' + significant(interval.low, 3) + ", " +
          (std::isfinite(interval.high) ? significant(interval.high, 3) : "unbounded") + ']';
+}
+
+std::optional<std::uint64_t> seed_from_text(std::string_view text) {
+  const bool hexadecimal = text.starts_with("0x") || text.starts_with("0X");
+  if (hexadecimal) text.remove_prefix(2);
+  std::uint64_t seed = 0;
+  const char* const all_read = text.data() + text.size();
+  const auto [end, error] = std::from_chars(text.data(), all_read, seed, hexadecimal ? 16 : 10);
+  if (error != std::errc() || end != all_read) return std::nullopt;
+  return seed;
+}
+
+std::string seed_text(std::uint64_t seed) {
+  char digits[16];
+  const auto [end, error] = std::to_chars(digits, digits + sizeof digits, seed, 16);
+  static_cast<void>(error);  // 16 digits hold every 64-bit number
+  return "0x" + std::string(digits, end);
 }
 
 }  // namespace rocking

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -46,5 +47,11 @@ using base::significant;
 
 /// `12 s`, `3 min 20 s`, `2 h 05 min`.
 [[nodiscard]] std::string duration_in_words(double seconds);
+
+/// 64 bits in decimal, or in hexadecimal after `0x`; absent if the text is neither.
+[[nodiscard]] std::optional<std::uint64_t> seed_from_text(std::string_view text);
+
+/// `0x2012`. Seeds are always written as text, because some programs cannot read 64 bits from a JSON number.
+[[nodiscard]] std::string seed_text(std::uint64_t seed);
 
 }  // namespace rocking

@@ -7,8 +7,7 @@
 
 #include <gmock/gmock.h>
 
-#include "analysis/non_recurrence_figures.hpp"
-#include "analysis/quantile_figure.hpp"
+#include "analysis/run_figures.hpp"
 #include "rocking/output/report.hpp"
 #include "support/sample_report.hpp"
 

@@ -12,9 +12,9 @@
 
 #include <gmock/gmock.h>
 
-#include "analysis/axis_ticks.hpp"
 #include "analysis/data_file.hpp"
 #include "analysis/draw.hpp"
+#include "analysis/gnuplot_axes.hpp"
 #include "analysis/gnuplot_text.hpp"
 #include "analysis/run_figures.hpp"
 #include "rocking/base/error.hpp"

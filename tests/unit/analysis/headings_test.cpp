@@ -4,7 +4,7 @@
 
 #include <gmock/gmock.h>
 
-#include "analysis/gnuplot_script.hpp"
+#include "analysis/figure_scripts.hpp"
 #include "analysis/gnuplot_text.hpp"
 #include "analysis/look.hpp"
 

@@ -1,6 +1,6 @@
 // The figure of settling where nothing has settled.
 
-#include "analysis/incidence_figure.hpp"
+#include "analysis/run_figures.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 
 #include <gmock/gmock.h>
 
-#include "analysis/gnuplot_script.hpp"
+#include "analysis/figure_scripts.hpp"
 #include "rocking/output/report.hpp"
 #include "support/sample_report.hpp"
 

@@ -7,12 +7,10 @@
 
 #include <gmock/gmock.h>
 
-#include "analysis/mode_figures.hpp"
-#include "analysis/page/answer.hpp"
 #include "analysis/page/figure_section.hpp"
 #include "analysis/page/page.hpp"
+#include "analysis/page/sections.hpp"
 #include "analysis/page/tables.hpp"
-#include "analysis/quantile_figure.hpp"
 #include "analysis/run_figures.hpp"
 #include "rocking/output/report.hpp"
 #include "support/sample_report.hpp"

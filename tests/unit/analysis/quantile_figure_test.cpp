@@ -1,6 +1,6 @@
 // Figures and table of the peaks: the numbers of the report, and nothing where there is none.
 
-#include "analysis/quantile_figure.hpp"
+#include "analysis/run_figures.hpp"
 
 #include <string>
 #include <variant>

@@ -7,7 +7,7 @@
 
 #include <gmock/gmock.h>
 
-#include "analysis/page/answer.hpp"
+#include "analysis/page/sections.hpp"
 #include "analysis/page/html.hpp"
 #include "analysis/page/page.hpp"
 #include "rocking/figures/sweep_view.hpp"

@@ -7,9 +7,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "analysis/page/question.hpp"
+#include "analysis/page/sections.hpp"
 #include "analysis/page/tables.hpp"
-#include "analysis/scene_sketch.hpp"
+#include "analysis/run_figures.hpp"
 #include "analysis/tables.hpp"
 #include "rocking/figures/sweep_view.hpp"
 #include "rocking/input/read_experiment.hpp"

@@ -1,10 +1,10 @@
-#include "rocking/ensemble/estimate_modes.hpp"
+#include "rocking/ensemble/mode_family.hpp"
 
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "rocking/stats/sison_glaz.hpp"
+#include "rocking/stats/interval.hpp"
 
 namespace {
 

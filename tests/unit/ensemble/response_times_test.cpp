@@ -1,6 +1,6 @@
 // When responses have settled, of realisations whose ends are known.
 
-#include "rocking/ensemble/response_times.hpp"
+#include "rocking/ensemble/settling_tally.hpp"
 
 #include <gtest/gtest.h>
 

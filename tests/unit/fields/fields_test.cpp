@@ -11,7 +11,7 @@
 
 #include "rocking/fields/container_types.hpp"
 #include "rocking/fields/document.hpp"
-#include "rocking/text/parse_json.hpp"
+#include "rocking/text/json.hpp"
 
 namespace rocking::fields_test {
 

@@ -1,6 +1,6 @@
 // Ground motions: what is read from a file, faults of a file, and the effect on an experiment.
 
-#include "rocking/input/read_ground_motion.hpp"
+#include "rocking/input/record_formats.hpp"
 #include "rocking/scene/rules.hpp"
 
 #include <cmath>
@@ -14,7 +14,7 @@
 
 #include "rocking/base/digest.hpp"
 #include "rocking/input/read_experiment.hpp"
-#include "rocking/scene/periods_until_rest.hpp"
+#include "rocking/scene/defaults.hpp"
 #include "support/excitation.hpp"
 #include "support/experiment_text.hpp"
 #include "support/json_schema.hpp"

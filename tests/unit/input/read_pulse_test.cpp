@@ -9,9 +9,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "rocking/input/excitation_words.hpp"
+#include "rocking/input/quantities_in_text.hpp"
 #include "rocking/input/read_experiment.hpp"
-#include "rocking/text/parse_json.hpp"
+#include "rocking/text/json.hpp"
 #include "support/experiment_text.hpp"
 #include "support/json_schema.hpp"
 

@@ -11,7 +11,7 @@
 
 #include "rocking/dynamics/impact.hpp"
 #include "rocking/input/read_experiment.hpp"
-#include "rocking/text/parse_json.hpp"
+#include "rocking/text/json.hpp"
 #include "support/excitation.hpp"
 #include "support/experiment_text.hpp"
 #include "support/json_schema.hpp"

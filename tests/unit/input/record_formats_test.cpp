@@ -6,7 +6,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "rocking/input/read_ground_motion.hpp"
 #include "rocking/input/record_formats.hpp"
 #include "support/record_text.hpp"
 

@@ -8,7 +8,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "rocking/output/share_bar.hpp"
 #include "rocking/output/text_table.hpp"
 
 namespace {

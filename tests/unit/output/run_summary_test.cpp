@@ -1,6 +1,6 @@
 // More conditions than a screen shows: ranges of conditions, and suites pooled over their records.
 
-#include "rocking/output/run_summary.hpp"
+#include "rocking/output/run_table.hpp"
 
 #include <algorithm>
 #include <string>

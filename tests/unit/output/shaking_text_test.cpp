@@ -12,7 +12,6 @@
 
 #include "rocking/input/read_experiment.hpp"
 #include "rocking/output/mode_table.hpp"
-#include "rocking/output/shaking_fields.hpp"
 #include "support/experiment_text.hpp"
 
 namespace rocking {

@@ -1,6 +1,6 @@
 // What a run says where its intervals are wider than `until` asked for.
 
-#include "rocking/output/unreached_precision.hpp"
+#include "rocking/output/run_table.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

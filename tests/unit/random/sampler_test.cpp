@@ -9,7 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "rocking/random/engine.hpp"
+#include "rocking/random/draws.hpp"
 #include "rocking/random/uniform.hpp"
 
 namespace {

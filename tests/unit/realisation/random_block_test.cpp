@@ -13,7 +13,6 @@
 #include <gtest/gtest.h>
 
 #include "rocking/lanes/kernels.hpp"
-#include "rocking/realisation/realisation_digest.hpp"
 #include "rocking/realisation/realisation_result.hpp"
 #include "rocking/realisation/realisation_scheduler.hpp"
 #include "rocking/realisation/start.hpp"

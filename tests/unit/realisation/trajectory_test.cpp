@@ -8,8 +8,6 @@
 
 #include <gtest/gtest.h>
 
-#include "rocking/realisation/divergence.hpp"
-#include "rocking/realisation/realisation_digest.hpp"
 #include "rocking/realisation/realisation_result.hpp"
 #include "rocking/realisation/trajectory.hpp"
 #include "support/excitation.hpp"

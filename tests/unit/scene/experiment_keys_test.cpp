@@ -6,7 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include "rocking/input/describe_experiment.hpp"
 #include "rocking/input/read_experiment.hpp"
 #include "rocking/scene/defaults.hpp"
 #include "rocking/scene/rules.hpp"

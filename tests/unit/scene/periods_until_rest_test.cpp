@@ -1,6 +1,6 @@
 // The default horizon under a base motion that ends.
 
-#include "rocking/scene/periods_until_rest.hpp"
+#include "rocking/scene/defaults.hpp"
 
 #include <cmath>
 #include <numbers>

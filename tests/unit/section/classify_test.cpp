@@ -214,11 +214,15 @@ TEST(Classify, GivesTheSameBitsForTheSameInput) {
 }
 
 TEST(Reason, IsFoundByItsName) {
-  for (std::size_t i = 0; i < reasons.size(); ++i) {
-    EXPECT_EQ(static_cast<std::size_t>(reasons[i]), i);
-    EXPECT_FALSE(to_string(reasons[i]).empty()) << i;
-    EXPECT_EQ(reason_named(to_string(reasons[i])), reasons[i]);
+  for (std::size_t i = 0; i < reason_names.size(); ++i) {
+    const auto reason = static_cast<Reason>(i);
+    EXPECT_FALSE(to_string(reason).empty()) << i;
+    EXPECT_EQ(reason_named(to_string(reason)), reason);
   }
+  EXPECT_EQ(to_string(Reason::never_moved), "never_moved");
+  EXPECT_EQ(to_string(Reason::too_few_points), "too_few_points");
+  EXPECT_EQ(to_string(Reason::out_of_order), "out_of_order");
+  EXPECT_EQ(to_string(Reason::impacts_irregular), "impacts_irregular");
   EXPECT_FALSE(reason_named("").has_value());
   EXPECT_FALSE(reason_named("bored").has_value());
 }

@@ -10,7 +10,6 @@
 #include <gtest/gtest.h>
 
 #include "rocking/section/clouds.hpp"
-#include "rocking/section/spectral_line.hpp"
 #include "support/split_mix.hpp"
 
 namespace rocking::section {

@@ -1,4 +1,4 @@
-#include "rocking/section/mode_counts.hpp"
+#include "rocking/section/response_mode.hpp"
 
 #include <gtest/gtest.h>
 

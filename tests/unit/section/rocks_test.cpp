@@ -1,4 +1,4 @@
-#include "rocking/section/rocks.hpp"
+#include "rocking/section/recurrence.hpp"
 
 #include <initializer_list>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "rocking/section/spectral_line.hpp"
+#include "rocking/section/line_bounds.hpp"
 
 #include <algorithm>
 #include <cmath>

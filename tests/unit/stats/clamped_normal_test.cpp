@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "rocking/stats/clamped_normal.hpp"
+#include "rocking/stats/normal_law.hpp"
 
 namespace {
 

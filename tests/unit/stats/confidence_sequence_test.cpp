@@ -1,4 +1,4 @@
-#include "rocking/stats/confidence_sequence.hpp"
+#include "rocking/stats/stopping_rule.hpp"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "rocking/stats/correlation.hpp"
+#include "rocking/stats/moments.hpp"
 
 #include <cmath>
 #include <vector>

@@ -7,8 +7,6 @@
 #include <boost/math/distributions/binomial.hpp>
 #include <gtest/gtest.h>
 
-#include "rocking/stats/sison_glaz.hpp"
-
 namespace {
 
 using namespace rocking::stats;

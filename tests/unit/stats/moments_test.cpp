@@ -6,8 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include "rocking/stats/compensated_sum.hpp"
-
 namespace {
 
 using namespace rocking::stats;

@@ -7,7 +7,6 @@
 
 #include <gtest/gtest.h>
 
-#include "rocking/stats/log_normal_probability.hpp"
 #include "rocking/stats/normal_law.hpp"
 
 namespace rocking::stats {

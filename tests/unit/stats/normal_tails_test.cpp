@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "rocking/stats/binomial_test.hpp"
+#include "rocking/stats/normality.hpp"
 
 namespace {
 

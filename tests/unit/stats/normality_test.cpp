@@ -8,8 +8,6 @@
 
 #include <gtest/gtest.h>
 
-#include "rocking/stats/anderson_darling.hpp"
-#include "rocking/stats/kolmogorov_smirnov.hpp"
 #include "rocking/stats/moments.hpp"
 
 namespace {

@@ -8,7 +8,6 @@
 #include <nlohmann/json.hpp>
 
 #include "rocking/stats/interval.hpp"
-#include "rocking/stats/sison_glaz.hpp"
 
 namespace {
 

@@ -1,6 +1,6 @@
 // A probability between intensities at which it is known.
 
-#include "rocking/stats/probit_interpolation.hpp"
+#include "rocking/stats/probit.hpp"
 
 #include <cmath>
 #include <vector>

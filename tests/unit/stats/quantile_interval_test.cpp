@@ -1,6 +1,6 @@
 // Distribution-free intervals of quantiles: exact coverage, open ends, and coverage in samples.
 
-#include "rocking/stats/interval.hpp"
+#include "rocking/stats/quantile.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -10,7 +10,7 @@
 #include <boost/math/distributions/normal.hpp>
 #include <gtest/gtest.h>
 
-#include "rocking/stats/student_law.hpp"
+#include "rocking/stats/normal_law.hpp"
 
 namespace {
 

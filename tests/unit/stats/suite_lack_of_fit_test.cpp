@@ -1,6 +1,6 @@
 // The test of the law of a suite: its distance, and suites that have such a law or none.
 
-#include "rocking/stats/suite_lack_of_fit.hpp"
+#include "rocking/stats/lack_of_fit.hpp"
 
 #include <cmath>
 #include <vector>

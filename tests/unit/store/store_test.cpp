@@ -9,7 +9,7 @@
 #include <gmock/gmock.h>
 
 #include "rocking/store/difference.hpp"
-#include "rocking/store/store_layout.hpp"
+#include "rocking/store/store_identity.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace rocking {

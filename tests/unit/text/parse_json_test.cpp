@@ -1,6 +1,6 @@
 // Nearly valid JSON: every fault must be found and reported with its position.
 
-#include "rocking/text/parse_json.hpp"
+#include "rocking/text/json.hpp"
 
 #include <string>
 #include <vector>

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "rocking/base/error.hpp"
-#include "rocking/base/on_threads.hpp"
+#include "rocking/base/many_parts.hpp"
 #include "rocking/realisation/continuation.hpp"
 
 namespace rocking {

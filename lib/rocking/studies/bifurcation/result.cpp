@@ -5,7 +5,7 @@
 #include "rocking/fields/converted_type.hpp"
 #include "rocking/fields/named_type.hpp"
 #include "rocking/output/provenance_fields.hpp"
-#include "rocking/output/shaking_fields.hpp"
+#include "rocking/output/shaking_text.hpp"
 #include "rocking/output/validity_fields.hpp"
 #include "rocking/studies/bifurcation/result.hpp"
 

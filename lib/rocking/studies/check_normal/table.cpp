@@ -7,7 +7,6 @@
 
 #include "rocking/output/text_table.hpp"
 #include "rocking/text/number_text.hpp"
-#include "rocking/text/seed_text.hpp"
 
 namespace rocking {
 namespace {

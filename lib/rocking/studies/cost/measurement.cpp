@@ -9,9 +9,9 @@
 #include <utility>
 
 #include "rocking/base/error.hpp"
-#include "rocking/base/on_threads.hpp"
+#include "rocking/base/many_parts.hpp"
 #include "rocking/ensemble/group_scheduler.hpp"
-#include "rocking/realisation/divergence.hpp"
+#include "rocking/realisation/realisation_result.hpp"
 #include "rocking/scene/check_condition.hpp"
 #include "rocking/studies/cost/cost.hpp"
 #include "rocking/studies/cost/sample.hpp"

@@ -6,7 +6,7 @@
 #include <mutex>
 #include <utility>
 
-#include "rocking/base/on_threads.hpp"
+#include "rocking/base/many_parts.hpp"
 #include "rocking/ensemble/run.hpp"
 #include "rocking/ensemble/work_list.hpp"
 #include "rocking/realisation/realisation_scheduler.hpp"

@@ -10,7 +10,7 @@
 #include "rocking/fields/named_type.hpp"
 #include "rocking/input/suite.hpp"
 #include "rocking/output/provenance_fields.hpp"
-#include "rocking/output/shaking_fields.hpp"
+#include "rocking/output/shaking_text.hpp"
 #include "rocking/output/stats_fields.hpp"
 
 namespace rocking {
@@ -58,7 +58,9 @@ const ValueType& open_interval_type() {
   return the_only<ConvertedType<stats::Interval, OpenEnds, written_ends, set_ends>>();
 }
 
-const ValueType& TypeOf<stats::FragilityOutcome>::get() { return the_only<NamedType<stats::all_fragility_outcomes>>(); }
+const ValueType& TypeOf<stats::FragilityOutcome>::get() {
+  return the_only<WordType<stats::FragilityOutcome, stats::fragility_outcome_names>>();
+}
 
 const ValueType& TypeOf<FragilityEvent>::get() { return the_only<EventType>(); }
 

@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include "rocking/base/error.hpp"
-#include "rocking/stats/log_normal_probability.hpp"
 #include "rocking/stats/normal_law.hpp"
 
 namespace rocking {

@@ -17,8 +17,8 @@
 #include "rocking/studies/fragility/stripes.hpp"
 #include "rocking/studies/rare/result.hpp"
 #include "rocking/text/files.hpp"
+#include "rocking/text/json.hpp"
 #include "rocking/text/locate.hpp"
-#include "rocking/text/parse_json.hpp"
 
 namespace rocking {
 namespace {

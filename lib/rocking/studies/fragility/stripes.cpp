@@ -11,8 +11,7 @@
 
 #include "rocking/base/error.hpp"
 #include "rocking/dynamics/block.hpp"
-#include "rocking/scene/ground_motion_peaks.hpp"
-#include "rocking/scene/response_spectrum.hpp"
+#include "rocking/scene/intensity_measures.hpp"
 #include "rocking/store/store.hpp"
 #include "rocking/studies/fragility/least_uplift.hpp"
 

@@ -9,9 +9,9 @@
 #include "rocking/base/error.hpp"
 #include "rocking/random/draws.hpp"
 #include "rocking/stats/fit_suite.hpp"
+#include "rocking/stats/lack_of_fit.hpp"
 #include "rocking/stats/mean_share.hpp"
 #include "rocking/stats/record_shares.hpp"
-#include "rocking/stats/suite_lack_of_fit.hpp"
 #include "rocking/studies/fragility/fragility.hpp"
 #include "rocking/studies/fragility/ranked_measures.hpp"
 

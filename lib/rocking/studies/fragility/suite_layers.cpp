@@ -10,7 +10,7 @@
 
 #include "rocking/figures/palette.hpp"
 #include "rocking/figures/sweep_view.hpp"
-#include "rocking/stats/probit_interpolation.hpp"
+#include "rocking/stats/probit.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking::analysis {

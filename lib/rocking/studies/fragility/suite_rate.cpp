@@ -7,8 +7,8 @@
 
 #include "rocking/base/error.hpp"
 #include "rocking/stats/fit_suite.hpp"
+#include "rocking/stats/normal_law.hpp"
 #include "rocking/stats/record_shares.hpp"
-#include "rocking/stats/student_law.hpp"
 #include "rocking/stats/unseen_record.hpp"
 #include "rocking/studies/fragility/counted_hazard.hpp"
 #include "rocking/studies/fragility/rare_tail.hpp"

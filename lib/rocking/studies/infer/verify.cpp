@@ -13,8 +13,8 @@
 #include "rocking/studies/infer/result.hpp"
 #include "rocking/studies/infer/simulation.hpp"
 #include "rocking/text/files.hpp"
+#include "rocking/text/json.hpp"
 #include "rocking/text/locate.hpp"
-#include "rocking/text/parse_json.hpp"
 
 namespace rocking {
 namespace {

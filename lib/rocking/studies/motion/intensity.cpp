@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "rocking/scene/ground_motion_peaks.hpp"
+#include "rocking/scene/intensity_measures.hpp"
 
 namespace rocking {
 namespace {

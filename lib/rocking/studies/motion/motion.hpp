@@ -15,7 +15,7 @@ namespace rocking {
 ///     u'' + 2 damping omega u' + omega^2 u = -a(t),  u = u' = 0 at the first sample
 ///
 /// The largest values count wherever they are reached: also between samples, and within one period after the last sample.
-/// Source: Nigam & Jennings (1969), BSSA 59(2) 909-922, as scene/response_spectrum.hpp tells. `gravity` [m/s^2]: that over
+/// Source: Nigam & Jennings (1969), BSSA 59(2) 909-922, as scene/intensity_measures.hpp tells. `gravity` [m/s^2]: that over
 /// which the accelerations are given. `damping`: ratio in [0, 1).
 [[nodiscard]] SpectralPoint spectral_point(const std::vector<dynamics::GroundMotionSample>& samples, double gravity,
                                            double period_s, double damping);

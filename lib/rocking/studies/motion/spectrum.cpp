@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "rocking/scene/response_spectrum.hpp"
+#include "rocking/scene/intensity_measures.hpp"
 
 namespace rocking {
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "rocking/base/error.hpp"
-#include "rocking/base/on_threads.hpp"
+#include "rocking/base/many_parts.hpp"
 #include "rocking/realisation/continuation.hpp"
 #include "rocking/scene/check_condition.hpp"
 #include "rocking/scene/drawn_quantities.hpp"

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "rocking/base/many_parts.hpp"
 #include "rocking/base/normal_law.hpp"
-#include "rocking/base/on_threads.hpp"
 #include "rocking/studies/rare/importance.hpp"
 
 namespace rocking::rare {

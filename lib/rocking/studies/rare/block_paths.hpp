@@ -8,7 +8,7 @@
 
 #include "rocking/random/branched_draws.hpp"
 #include "rocking/realisation/lockstep.hpp"
-#include "rocking/realisation/shared_excitation.hpp"
+#include "rocking/realisation/start.hpp"
 #include "rocking/scene/experiment.hpp"
 #include "rocking/studies/rare/committor.hpp"
 #include "rocking/studies/rare/drawn_numbers.hpp"

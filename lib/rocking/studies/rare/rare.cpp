@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "rocking/base/error.hpp"
-#include "rocking/base/on_threads.hpp"
+#include "rocking/base/many_parts.hpp"
 #include "rocking/scene/check_condition.hpp"
 #include "rocking/stats/repetitions.hpp"
 #include "rocking/studies/rare/estimator.hpp"

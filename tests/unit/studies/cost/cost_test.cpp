@@ -12,7 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "rocking/base/error.hpp"
-#include "rocking/realisation/divergence.hpp"
+#include "rocking/realisation/realisation_result.hpp"
 #include "rocking/studies/cost/sample.hpp"
 #include "support/made_up_cost.hpp"
 

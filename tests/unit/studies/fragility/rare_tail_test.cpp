@@ -8,7 +8,6 @@
 #include <gtest/gtest.h>
 
 #include "rocking/stats/normal_law.hpp"
-#include "rocking/stats/student_law.hpp"
 #include "rocking/studies/fragility/run_fragility.hpp"
 
 namespace {

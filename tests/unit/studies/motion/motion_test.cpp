@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "rocking/plan/thresholds.hpp"
-#include "rocking/scene/response_spectrum.hpp"
+#include "rocking/scene/intensity_measures.hpp"
 #include "rocking/studies/motion/motion.hpp"
 #include "support/split_mix.hpp"
 

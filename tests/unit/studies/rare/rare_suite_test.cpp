@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "rocking/stats/student_law.hpp"
+#include "rocking/stats/normal_law.hpp"
 
 namespace {
 

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "analysis/figure.hpp"
+#include "rocking/figures/figure.hpp"
 
 /// The parts of a gnuplot script: external text, prepared so that it can do no harm, and the elements of `plot`.
 namespace rocking::analysis {

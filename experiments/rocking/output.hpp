@@ -16,7 +16,6 @@
 #include "rocking/output/mode_table.hpp"
 #include "rocking/output/text_table.hpp"
 #include "rocking/text/json_writer.hpp"
-#include "rocking/text/spelling.hpp"
 #include "rocking/text/files.hpp"
 
 namespace rocking::program {

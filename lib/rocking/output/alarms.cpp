@@ -11,7 +11,7 @@
 #include "rocking/base/number_text.hpp"
 #include "rocking/input/suite.hpp"
 #include "rocking/output/report.hpp"
-#include "rocking/studies/law_in_force.hpp"
+#include "rocking/ensemble/law_in_force.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking {

@@ -224,22 +224,22 @@ struct TypeOf<TrajectoryUnits> {
 };
 
 const StructType& fields_of(const TrajectoryReport*) {
-  using Report = TrajectoryReport;
+  using File = TrajectoryReport;
   static const StructType fields{
       "TrajectoryReport",
-      field<&Report::key, &RealisationKey::condition>("condition", "its number, from 0"),
-      field<&Report::key, &RealisationKey::realisation>("realisation", "its number, from 0"),
-      field<&Report::units>("units", "`si` with `--units si`"),
-      field<&Report::block>("block", "of this realisation, and the scales that follow from it", block_fields()),
-      part_in_units<&Report::strobe>("strobe", "states at tau = 2 pi period/Omega_h, after the events of that instant"),
-      part_in_units<&Report::events>("events", "with the state after each"),
-      field<&Report::samples_per_period>("samples_per_period", "of the history, with `--samples`", Rule{.least = 1.0},
+      field<&File::key, &RealisationKey::condition>("condition", "its number, from 0"),
+      field<&File::key, &RealisationKey::realisation>("realisation", "its number, from 0"),
+      field<&File::units>("units", "`si` with `--units si`"),
+      field<&File::block>("block", "of this realisation, and the scales that follow from it", block_fields()),
+      part_in_units<&File::strobe>("strobe", "states at tau = 2 pi period/Omega_h, after the events of that instant"),
+      part_in_units<&File::events>("events", "with the state after each"),
+      field<&File::samples_per_period>("samples_per_period", "of the history, with `--samples`", Rule{.least = 1.0},
                                          WithoutValue::omitted),
       history_field(),
-      part_in_units<&Report::peaks>("peaks", "largest absolute values of the motion until it ended, from tau = 0 on"),
-      part_in_units<&Report::validity>("validity", "departures from the model (model.md, 7)"),
-      field<&Report::energy>("energy", "over m R^2 p^2, since the mass of the block is not known", energy_fields()),
-      field<&Report::termination>("termination", "why it ended",
+      part_in_units<&File::peaks>("peaks", "largest absolute values of the motion until it ended, from tau = 0 on"),
+      part_in_units<&File::validity>("validity", "departures from the model (model.md, 7)"),
+      field<&File::energy>("energy", "over m R^2 p^2, since the mass of the block is not known", energy_fields()),
+      field<&File::termination>("termination", "why it ended",
                                   the_only<WordType<dynamics::Termination, dynamics::termination_names>>()),
   };
   return fields;

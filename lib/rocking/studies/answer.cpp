@@ -4,7 +4,7 @@
 #include "rocking/base/error.hpp"
 #include "rocking/rocking.hpp"
 #include "rocking/studies/studies.hpp"
-#include "rocking/text/parse_json.hpp"
+#include "rocking/text/json.hpp"
 
 namespace rocking {
 namespace {

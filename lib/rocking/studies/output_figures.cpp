@@ -10,7 +10,7 @@
 #include "rocking/output/trajectory_report.hpp"
 #include "rocking/studies/studies.hpp"
 #include "rocking/text/locate.hpp"
-#include "rocking/text/parse_json.hpp"
+#include "rocking/text/json.hpp"
 
 namespace rocking::analysis {
 namespace {

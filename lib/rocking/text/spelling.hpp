@@ -15,7 +15,4 @@ namespace rocking {
 /// The word that `written` was most likely meant to be: the nearest, if a third of its letters or fewer are off.
 [[nodiscard]] std::optional<std::string> nearest_word(std::string_view written, std::span<const std::string> words);
 
-/// A word as a shell takes it from a command line: in single quotes where it needs them.
-[[nodiscard]] std::string shell_word(const std::string& word);
-
 }  // namespace rocking

@@ -11,7 +11,7 @@
 #include "rocking/input/read_hazard.hpp"
 #include "rocking/input/read_record_metadata.hpp"
 #include "rocking/scene/check_condition.hpp"
-#include "rocking/scene/check_hazard.hpp"
+#include "rocking/scene/hazard.hpp"
 #include "rocking/store/store.hpp"
 #include "rocking/studies/fragility/question.hpp"
 #include "rocking/studies/fragility/rare_of_curves.hpp"

@@ -17,7 +17,7 @@
 #include "rocking/studies/fragility/run_fragility.hpp"
 #include "rocking/studies/fragility/sheet.hpp"
 #include "rocking/studies/fragility/table.hpp"
-#include "rocking/text/spelling.hpp"
+#include "rocking/text/files.hpp"
 
 namespace rocking {
 namespace {

@@ -44,6 +44,7 @@ std::string of_every_machine(const std::string& text) {
   static const std::vector<std::pair<std::regex, std::string>> of_this_machine{
       {std::regex(R"((--threads N )\(\d+\))"), "$1(*)"},                                            // help
       {std::regex("<dt>(program|built with|machine|begun|time)</dt><dd>.*</dd>"), "<dt>$1</dt>*"},  // page
+      {std::regex(R"((; rocking )\S+ \S+(\. Made by))"), "$1*$2"},                                  // sheet
   };
   // Of "system", an object of a document, the keys are kept.
   static const std::regex value(R"(("[a-z_]+": )?("[^\n]*"|-?\d[-+0-9.e]*)(,?)$)");

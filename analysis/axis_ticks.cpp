@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-#include "rocking/output/text_table.hpp"
+#include "rocking/look/text_table.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking::analysis {

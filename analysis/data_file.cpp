@@ -1,10 +1,8 @@
 #include "analysis/data_file.hpp"
 
 #include <algorithm>
-#include <charconv>
 
 #include "analysis/gnuplot_text.hpp"
-#include "rocking/base/error.hpp"
 
 namespace rocking::analysis {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "analysis/data_file.hpp"
 #include "analysis/gnuplot_text.hpp"
-#include "rocking/output/text_table.hpp"
+#include "rocking/look/text_table.hpp"
 
 namespace rocking::analysis {
 namespace {

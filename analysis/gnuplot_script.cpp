@@ -8,7 +8,7 @@
 #include "analysis/gnuplot_axes.hpp"
 #include "analysis/gnuplot_text.hpp"
 #include "analysis/layout.hpp"
-#include "rocking/output/text_table.hpp"
+#include "rocking/look/text_table.hpp"
 
 namespace rocking::analysis {
 namespace {

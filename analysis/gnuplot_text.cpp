@@ -4,7 +4,7 @@
 
 #include "analysis/data_file.hpp"
 #include "rocking/base/utf8.hpp"
-#include "rocking/output/text_table.hpp"
+#include "rocking/look/text_table.hpp"
 
 namespace rocking::analysis {
 namespace {

@@ -6,7 +6,7 @@
 #include <span>
 
 #include "analysis/gnuplot_text.hpp"
-#include "rocking/output/text_table.hpp"
+#include "rocking/look/text_table.hpp"
 
 namespace rocking::analysis {
 namespace {

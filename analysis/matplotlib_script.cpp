@@ -10,7 +10,7 @@
 #include "analysis/gnuplot_axes.hpp"
 #include "analysis/gnuplot_text.hpp"
 #include "analysis/layout.hpp"
-#include "rocking/output/text_table.hpp"
+#include "rocking/look/text_table.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking::analysis {

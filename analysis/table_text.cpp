@@ -1,121 +1,67 @@
 #include "analysis/table_text.hpp"
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <string>
-#include <string_view>
 
-#include <fmt/format.h>
-
-#include "analysis/data_file.hpp"
 #include "rocking/base/error.hpp"
 #include "rocking/figures/sweep_view.hpp"
-#include "rocking/base/utf8.hpp"
+#include "rocking/look/markup.hpp"
 #include "rocking/output/shaking_text.hpp"
 
 namespace rocking::analysis {
-namespace {
-
-/// Greek letters by code point from U+0391 and U+03B1 on; those without a command of their own look like Latin ones.
-constexpr std::array<std::string_view, 25> capitals{
-    "A",    "B", "\\Gamma", "\\Delta", "E", "Z",       "H", "\\Theta",   "I",     "K", "\\Lambda", "M",      "N",
-    "\\Xi", "O", "\\Pi",    "P",       "",  "\\Sigma", "T", "\\Upsilon", "\\Phi", "X", "\\Psi",    "\\Omega"};
-constexpr std::array<std::string_view, 25> small{
-    "\\alpha", "\\beta",   "\\gamma",   "\\delta",  "\\varepsilon", "\\zeta", "\\eta",  "\\theta", "\\iota",
-    "\\kappa", "\\lambda", "\\mu",      "\\nu",     "\\xi",         "o",      "\\pi",   "\\rho",   "\\varsigma",
-    "\\sigma", "\\tau",    "\\upsilon", "\\varphi", "\\chi",        "\\psi",  "\\omega"};
-
-struct Sign {
-  char32_t code;
-  std::string_view latex;
-};
-constexpr std::array<Sign, 21> signs{
-    {{0xa0, "~"},          {0xb0, "$^\\circ$"}, {0xb1, "$\\pm$"},    {0xb2, "$^2$"},         {0xb3, "$^3$"},
-     {0xb5, "$\\mu$"},     {0xb7, "$\\cdot$"},  {0xd7, "$\\times$"}, {0xf7, "$\\div$"},      {0x2013, "--"},
-     {0x2014, "---"},      {0x2018, "`"},       {0x2019, "'"},       {0x201c, "``"},         {0x201d, "''"},
-     {0x2026, "\\dots{}"}, {0x2032, "$'$"},     {0x2212, "$-$"},     {0x2248, "$\\approx$"}, {0x2264, "$\\le$"},
-     {0x2265, "$\\ge$"}}};
-
-/// Latin letters with the accents that OT1 sets, in U+00C0 to U+017F; it lacks the others there.
-bool is_accented_letter(char32_t code) {
-  constexpr std::array<char32_t, 29> missing{0xd0,  0xd7,  0xde,  0xf0,  0xf7,  0xfe,  0x104, 0x105, 0x110, 0x111,
-                                             0x118, 0x119, 0x126, 0x127, 0x12e, 0x12f, 0x132, 0x133, 0x138, 0x13f,
-                                             0x140, 0x149, 0x14a, 0x14b, 0x166, 0x167, 0x172, 0x173, 0x17f};
-  return code >= 0xc0 && code <= 0x17f && std::ranges::find(missing, code) == missing.end();
-}
-
-char32_t code_of(std::string_view character) {
-  constexpr std::array<unsigned, 5> kept{0, 0x7f, 0x1f, 0x0f, 0x07};
-  char32_t code = static_cast<unsigned char>(character.front()) & kept[character.size()];
-  for (const char c : character.substr(1)) code = (code << 6U) | (static_cast<unsigned char>(c) & 0x3fU);
-  return code;
-}
-
-std::string latex_of(std::string_view character) {
-  const char32_t code = code_of(character);
-  const auto sign = std::ranges::find(signs, code, &Sign::code);
-  if (sign != signs.end()) return std::string(sign->latex);
-  const bool is_capital = code >= 0x391 && code < 0x391 + capitals.size() && code != 0x3a2;
-  const bool is_small = code >= 0x3b1 && code < 0x3b1 + small.size();
-  if (is_capital) return fmt::format("${}$", capitals[code - 0x391]);
-  if (is_small) return fmt::format("${}$", small[code - 0x3b1]);
-  if (is_accented_letter(code)) return std::string(character);
-  return fmt::format("[U+{:04X}]", static_cast<unsigned>(code));
-}
-
-std::string latex_of(char c) {
-  switch (c) {
-    case '\\': return "\\textbackslash{}";
-    case '~': return "\\textasciitilde{}";
-    case '^': return "\\textasciicircum{}";
-    case '<': return "\\textless{}";
-    case '>': return "\\textgreater{}";
-    case '|': return "\\textbar{}";
-    case '"': return "''";
-    case '&':
-    case '%':
-    case '$':
-    case '#':
-    case '_':
-    case '{':
-    case '}': return std::string("\\") + c;
-    default: return std::string(1, c);
-  }
-}
-
-}  // namespace
-
-std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-  std::string field = "\"";
-  for (const char c : text) field += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return field + '"';
-}
-
-std::string csv_number(const std::optional<double>& number) { return number ? number_text(*number) : ""; }
-
 CsvStart::CsvStart(const Report& report) {
-  const std::vector<std::string> swept = report.swept;
-  for (const std::string& pointer : swept) head_ += csv_field(pointer) + ',';
+  add_columns(table_, report.swept);
   for (const std::string_view key : shown_forms(shakings_of(report))) {
-    if (std::ranges::find(swept, "/excitation/" + std::string(key)) != swept.end()) continue;
-    shaking_.push_back(key);
-    head_ += std::string(key) + ',';
+    if (std::ranges::find(report.swept, "/excitation/" + std::string(key)) == report.swept.end())
+      shaking_.push_back(key);
   }
-  head_ += 'n';
+  add_columns(table_, {shaking_.begin(), shaking_.end()});
+  add_columns(table_, {"n"});
 }
 
-std::string CsvStart::of(const ReportedCondition& condition) const {
-  std::string text;
+look::Table CsvStart::table(const std::vector<look::Column>& further) const {
+  look::Table table = table_;
+  table.columns.insert(table.columns.end(), further.begin(), further.end());
+  return table;
+}
+
+look::Row CsvStart::row(const ReportedCondition& condition, const look::Row& further) const {
+  look::Row row;
   for (const Parameter& parameter : condition.parameters) {
     const Json value = value_of(parameter);
-    text += csv_field(value.is_string() ? value.get<std::string>() : value.dump()) + ',';
+    row.emplace_back(value.is_string() ? value.get<std::string>() : value.dump());
   }
   for (const std::string_view key : shaking_) {
-    text += (condition.shaking ? number_text(number_of(*condition.shaking, key)) : "") + ',';
+    row.push_back(condition.shaking ? exact(number_of(*condition.shaking, key)) : look::Cell());
   }
-  return text + std::to_string(condition.result.realisations);
+  row.push_back(look::whole(condition.result.realisations));
+  append(row, further);
+  return row;
+}
+
+look::Cell exact(const std::optional<double>& number, const std::optional<look::Ends>& interval) {
+  return look::Number{.value = number, .form = 17, .interval = interval};
+}
+
+look::Table table_of(const std::vector<ParameterColumn>& parameters, const std::vector<std::string>& further) {
+  look::Table table;
+  for (const ParameterColumn& column : parameters) {
+    table.columns.push_back({.title = label_of(column.axis), .latex = latex_symbol(column.pointer)});
+  }
+  add_columns(table, further);
+  return table;
+}
+
+look::Row row_of(const std::vector<ParameterColumn>& parameters, std::size_t condition, const look::Row& further) {
+  look::Row row;
+  for (const ParameterColumn& column : parameters) row.emplace_back(column.values[condition]);
+  append(row, further);
+  return row;
+}
+
+std::string latex_of(const look::Table& table, const Report& report, const std::string& caption) {
+  return to_latex(table, look::latex_text(report.title()) + (report.title().empty() ? "" : " ") + caption);
 }
 
 std::string latex_symbol(const std::string& pointer) {
@@ -131,21 +77,7 @@ std::string latex_symbol(const std::string& pointer) {
                                                           {"/friction/kinetic", "$\\mu_k$"},
                                                           {"/restitution", "$e$"}};
   const auto found = symbols.find(pointer);
-  return found == symbols.end() ? latex_text(axis_of_parameter(pointer).quantity) : found->second;
-}
-
-std::string latex_text(std::string text) {
-  std::ranges::replace_if(
-      text, [](char c) { return static_cast<unsigned char>(c) < ' '; }, ' ');
-  const std::string shown = base::printable(text);
-  std::string result;
-  for (std::size_t i = 0; i < shown.size();) {
-    const std::size_t length = std::max<std::size_t>(1, base::utf8_length_at(shown, i));
-    const std::string_view character = std::string_view(shown).substr(i, length);
-    result += length == 1 ? latex_of(character.front()) : latex_of(character);
-    i += length;
-  }
-  return result;
+  return found == symbols.end() ? look::latex_text(axis_of_parameter(pointer).quantity) : found->second;
 }
 
 }  // namespace rocking::analysis

@@ -6,14 +6,13 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/data_file.hpp"
 #include "analysis/run_figures.hpp"
 #include "analysis/table_text.hpp"
 #include "rocking/figures/sweep_view.hpp"
+#include "rocking/look/markup.hpp"
 #include "rocking/output/mode_table.hpp"
 #include "rocking/output/settling_table.hpp"
 #include "rocking/output/shaking_text.hpp"
-#include "rocking/output/text_table.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking::analysis {
@@ -23,28 +22,13 @@ using section::ResponseMode;
 
 constexpr std::size_t most_modes = 5;
 
-/// Empty if there is no interval.
-std::string end_of(const AnyShare& share, double stats::Interval::*end) {
-  return share.interval ? number_text(*share.interval.*end) : "";
-}
-
-/// The quantiles of a quantity in one unit.
-std::string quantile_lines(const std::string& start, const Quantiles& quantiles,
-                           const std::vector<stats::QuantileEstimate>& levels) {
-  std::string text;
-  for (const stats::QuantileEstimate& quantile : levels) {
-    text += start + ',' + std::to_string(quantiles.realisations) + ',' + std::to_string(quantiles.beyond) + ',' +
-            number_text(quantile.level) + ',' + csv_number(quantile.value) + ',' + csv_number(quantile.low) + ',' +
-            csv_number(quantile.high) + '\n';
-  }
-  return text;
-}
-
-std::string latex_share(const AnyShare& share, std::uint64_t realisations) {
-  if (share.count == 0) return share.interval ? "$<$ " + per_cent(share.interval->high) : "--";
-  return per_cent(share.estimate) + (share.interval ? ' ' + per_cent(*share.interval) : "") +
-         count_if_open(share.count, realisations);
-}
+/// A quantity in one unit.
+struct QuantileRows {
+  const char* key;
+  const char* unit;
+  const Quantiles& quantiles;
+  const std::vector<stats::QuantileEstimate>& levels;
+};
 
 /// `A_h 4.5 = 1.1 g, Omega_h 10 = 3.01 Hz`, with the symbols in mathematics mode.
 std::string latex_shaking(std::string text) {
@@ -57,23 +41,6 @@ std::string latex_shaking(std::string text) {
   replace("Omega_h", "$\\Omega_h$");
   replace("m/s^2", "m/s$^2$");
   return text;
-}
-
-/// The row after its parameters.
-std::string latex_row(const ReportedCondition& condition, const std::vector<ResponseMode>& modes, bool with_others) {
-  std::string text;
-  text += std::to_string(condition.result.realisations);
-  std::uint64_t rest = condition.result.realisations;
-  for (const ResponseMode& mode : modes) {
-    const AnyShare share = share_of(condition, mode);
-    rest -= share.count;
-    text += " & " + latex_share(share, condition.result.realisations);
-  }
-  if (with_others) {
-    const std::uint64_t all = condition.result.realisations;
-    text += " & " + (rest == 0 ? "--" : per_cent_of(rest, all) + count_if_open(rest, all));
-  }
-  return text + " \\\\\n";
 }
 
 using Files = std::map<std::string, std::string>;
@@ -99,91 +66,101 @@ void add_latex(Files& files, const Report& report) {
 
 std::string modes_csv(const Report& report) {
   const CsvStart start(report);
-  std::string text = start.head() + ",mode,count,estimate,low,high\n";
+  look::Table table = start.table({{"mode"}, {"count"}, {.title = "estimate", .has_interval = true}});
   const std::set<ResponseMode> listed = report.listed();
   for (const ReportedCondition& condition : report.conditions) {
     for (const ResponseMode& mode : listed) {
       const AnyShare share = share_of(condition, mode);
-      text += start.of(condition) + ',' + csv_field(to_string(mode)) + ',' + std::to_string(share.count) + ',' +
-              number_text(share.estimate) + ',' + end_of(share, &stats::Interval::low) + ',' +
-              end_of(share, &stats::Interval::high) + '\n';
+      table.rows.push_back(
+          start.row(condition, {to_string(mode), look::whole(share.count), exact(share.estimate, share.interval)}));
     }
   }
-  return text;
+  return to_csv(table);
 }
 
 std::string non_recurrence_csv(const Report& report) {
   const CsvStart start(report);
-  std::string text =
-      start.head() + ",differ,low,high,entropy_nat,pairs,diverged,lower_quartile,median,upper_quartile\n";
+  look::Table table = start.table({{.title = "differ", .has_interval = true},
+                                   {"entropy_nat"},
+                                   {"pairs"},
+                                   {"diverged"},
+                                   {"lower_quartile"},
+                                   {"median"},
+                                   {"upper_quartile"}});
   for (const ReportedCondition& condition : report.conditions) {
-    text += start.of(condition);
-    if (!condition.result.non_recurrence) {
-      text += ",,,,,,,,,\n";
-      continue;
+    look::Row row(7);
+    if (condition.result.non_recurrence) {
+      const NonRecurrence& found = *condition.result.non_recurrence;
+      const DivergenceTimes& times = found.friction;
+      row = {exact(found.differ, found.differ_interval),
+             exact(found.entropy),
+             look::whole(times.pairs),
+             look::whole(times.diverged),
+             exact(times.lower_quartile),
+             exact(times.median),
+             exact(times.upper_quartile)};
     }
-    const NonRecurrence& found = *condition.result.non_recurrence;
-    for (const double value : {found.differ, found.differ_interval.low, found.differ_interval.high, found.entropy}) {
-      text += ',' + number_text(value);
-    }
-    const DivergenceTimes& divergence = found.friction;
-    text += ',' + std::to_string(divergence.pairs) + ',' + std::to_string(divergence.diverged);
-    for (const auto& value : {divergence.lower_quartile, divergence.median, divergence.upper_quartile}) {
-      text += ',' + csv_number(value);
-    }
-    text += '\n';
+    table.rows.push_back(start.row(condition, row));
   }
-  return text;
+  return to_csv(table);
 }
 
 std::string quantiles_csv(const Report& report) {
   const CsvStart start(report);
-  std::string text = start.head() + ",quantity,unit,of,beyond,level,value,low,high\n";
+  look::Table table =
+      start.table({{"quantity"}, {"unit"}, {"of"}, {"beyond"}, {"level"}, {.title = "value", .has_interval = true}});
   for (const ReportedCondition& condition : report.conditions) {
-    const std::string first = start.of(condition);
     const PeakQuantiles& peaks = condition.result.peaks;
-    for (const auto& [key, slip] :
-         {std::pair(",final_slip", &peaks.final_slip), std::pair(",peak_slip", &peaks.slip)}) {
+    std::vector<QuantileRows> quantities;
+    for (const auto& [key, slip] : {std::pair("final_slip", &peaks.final_slip), std::pair("peak_slip", &peaks.slip)}) {
       if (!*slip) continue;
       const Quantiles& quantiles = (*slip)->over_half_diagonal;
-      text += quantile_lines(first + key + ",R", quantiles, quantiles.levels);
-      text += quantile_lines(first + key + ",m", quantiles, (*slip)->metres);
+      quantities.push_back({key, "R", quantiles, quantiles.levels});
+      quantities.push_back({key, "m", quantiles, (*slip)->metres});
     }
-    text += quantile_lines(first + ",peak_tilt,1", peaks.tilt, peaks.tilt.levels);
-    text += quantile_lines(first + ",peak_tilt_rate,1", peaks.tilt_rate, peaks.tilt_rate.levels);
+    quantities.push_back({"peak_tilt", "1", peaks.tilt, peaks.tilt.levels});
+    quantities.push_back({"peak_tilt_rate", "1", peaks.tilt_rate, peaks.tilt_rate.levels});
+    for (const auto& [key, unit, quantiles, levels] : quantities) {
+      for (const stats::QuantileEstimate& found : levels) {
+        table.rows.push_back(
+            start.row(condition, {key, unit, look::whole(quantiles.realisations), look::whole(quantiles.beyond),
+                                  exact(found.level), exact(found.value, look::Ends(found.low, found.high))}));
+      }
+    }
   }
-  return text;
+  return to_csv(table);
 }
 
 std::string modes_latex(const Report& report) {
   const std::vector<ResponseMode> modes = modes_to_show(report.occurring(), most_modes);
   const bool with_others = report.occurring().size() > modes.size();
-  const std::vector<ParameterColumn> columns = parameter_columns(report);
+  const std::vector<ParameterColumn> parameters = parameter_columns(report);
+  look::Table table = table_of(parameters, {"n"});
+  table.columns.back().latex = "$n$";
+  for (const ResponseMode& mode : modes) add_columns(table, {to_string(mode)});
+  if (with_others) add_columns(table, {"others"});
+  for (std::size_t i = 0; i < report.conditions.size(); ++i) {
+    const std::uint64_t all = report.conditions[i].result.realisations;
+    look::Row& row = table.rows.emplace_back(row_of(parameters, i, {look::whole(all)}));
+    std::uint64_t rest = all;
+    for (const ResponseMode& mode : modes) {
+      const AnyShare share = share_of(report.conditions[i], mode);
+      rest -= share.count;
+      row.push_back(share_cell(share, all));
+    }
+    if (with_others) row.push_back(part_cell(rest, all));
+  }
   const std::string common = common_shaking(report.swept, shakings_of(report));
   const std::string proviso = end_proviso(settling_rows(report));
-  const std::size_t leading = columns.size() + 1;
-  std::string text = "% Needs \\usepackage{booktabs}; of a long table, longtable.\n\\begin{table}\n  \\centering\n";
-  text += "  \\caption{" + latex_text(report.title()) + (report.title().empty() ? "" : " ") +
-          (report.is_random() ? std::string("Response modes") + (report.has_settling() ? " in the end" : "") +
-                                    " in per cent of $n$ realisations, with " + latex_text(report.level()) +
-                                    " simultaneous intervals for all modes of a condition; $<$: did not occur, upper "
-                                    "end of the interval" +
-                                    count_legend(report.most_realisations()) + '.' +
-                                    (proviso.empty() ? "" : " In the end " + latex_text(proviso) + '.')
-                              : "Response modes in per cent; nothing is random.") +
-          (common.empty() ? "" : " Shaking: " + latex_shaking(common) + '.') + "}\n";
-  text += "  \\begin{tabular}{" + std::string(leading + modes.size() + (with_others ? 1 : 0), 'r') +
-          "}\n    \\toprule\n    ";
-  for (const ParameterColumn& column : columns) text += latex_symbol(column.pointer) + " & ";
-  text += "$n$";
-  for (const ResponseMode& mode : modes) text += " & " + to_string(mode);
-  text += std::string(with_others ? " & others" : "") + " \\\\\n    \\midrule\n";
-  for (std::size_t i = 0; i < report.conditions.size(); ++i) {
-    text += "    ";
-    for (const ParameterColumn& column : columns) text += latex_text(column.values[i]) + " & ";
-    text += latex_row(report.conditions[i], modes, with_others);
-  }
-  return text + "    \\bottomrule\n  \\end{tabular}\n\\end{table}\n";
+  const std::string meaning =
+      report.is_random()
+          ? std::string("Response modes") + (report.has_settling() ? " in the end" : "") +
+                " in per cent of $n$ realisations, with " + look::latex_text(report.level()) +
+                " simultaneous intervals for all modes of a condition; $<$: did not occur, upper end of the interval" +
+                count_legend(report.most_realisations()) + '.' +
+                (proviso.empty() ? "" : " In the end " + look::latex_text(proviso) + '.')
+          : "Response modes in per cent; nothing is random.";
+  return latex_of(table, report, meaning + (common.empty() ? "" : " Shaking: " + latex_shaking(common) + '.'));
 }
 
 std::map<std::string, std::string> table_files(const Report& report, const std::set<std::string>& formats) {

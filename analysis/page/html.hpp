@@ -3,13 +3,14 @@
 #include <string>
 #include <string_view>
 
+#include "rocking/look/markup.hpp"
 #include "rocking/text/json.hpp"
 
 /// Pieces of HTML. None has a style attribute or an event handler: the policy of a page forbids both.
 namespace rocking::analysis {
 
-/// Text that can be inserted into an element or a quoted attribute of HTML: special characters are escaped.
-[[nodiscard]] std::string escaped(std::string_view text);
+using look::escaped;
+using look::lowered;
 
 /// JSON that can be inserted into a script element: it cannot end the element.
 [[nodiscard]] std::string json_for_script(const Json& json);
@@ -19,9 +20,6 @@ namespace rocking::analysis {
 
 /// Source expression of a content-security policy for a script or style with this text: `'sha256-...'`.
 [[nodiscard]] std::string policy_hash(std::string_view text);
-
-/// Text as HTML, with letters and digits after a `_` as subscripts: `base amplitude A_h`.
-[[nodiscard]] std::string lowered(std::string_view text);
 
 /// The text of a sentence as HTML, in which the words `A_h` and `Ω_h` are set as symbols. Other words keep their `_`:
 /// they may be names of files.

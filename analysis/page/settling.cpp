@@ -11,6 +11,7 @@
 #include "analysis/page/words.hpp"
 #include "rocking/figures/sweep_view.hpp"
 #include "rocking/output/long_run_table.hpp"
+#include "rocking/output/mode_table.hpp"
 #include "rocking/output/settling_table.hpp"
 #include "rocking/text/number_text.hpp"
 
@@ -21,11 +22,9 @@ using section::ResponseMode;
 
 constexpr std::size_t most_long_run_modes = 5;
 
-Cell text_cell(std::string text) { return Cell(std::move(text)); }
-
 std::string share_of_row(std::uint64_t count, const SettlingRow& row) {
-  if (count > 0) return per_cent_of(count, row.realisations) + count_if_open(count, row.realisations);
-  return "< " + per_cent(bound_of_none(row.realisations, row.confidence));
+  return plain_text(count > 0 ? part_cell(count, row.realisations)
+                              : bound_cell(bound_of_none(row.realisations, row.confidence)));
 }
 
 std::string difference_text(const std::optional<double>& differ, const std::optional<stats::Interval>& interval) {
@@ -37,70 +36,41 @@ std::string divergence_text(const SettlingResult& settling) {
   const auto& quartiles = settling.times.divergence_quartiles;
   const auto median = std::ranges::find(quartiles, 0.5, &stats::QuantileEstimate::level);
   if (median == quartiles.end()) return "none";
-  std::string text = period_text(*median, std::nullopt);
+  std::string text = plain_text(period_cell(*median, std::nullopt));
   return text.starts_with('>') ? "beyond the horizon" + text.substr(text.find(" [")) : text;
 }
 
-/// The first columns of a table: the swept parameters, or the only condition.
-void add_parameters(const Report& report, Table& table) {
-  if (report.swept.empty()) table.columns.push_back({"condition", "condition"});
-  for (const ParameterColumn& column : parameter_columns(report)) {
-    table.columns.push_back({"parameter", label_of(column.axis)});
-  }
-}
-
-std::vector<Cell> parameter_cells(const Report& report, std::size_t condition) {
-  if (report.swept.empty()) return {text_cell("the only one")};
-  std::vector<Cell> cells;
-  for (const ParameterColumn& column : parameter_columns(report)) cells.push_back(text_cell(column.values[condition]));
-  return cells;
-}
-
-Table settling_table(const Report& report) {
-  Table table;
-  add_parameters(report, table);
-  for (const char* heading :
-       {"unresolved at the fixed horizon [%]", "not classified in the end [%]", "median settling period",
-        "99 % settled by period", "two runs differ at the fixed horizon [%]", "two runs differ in the end [%]",
-        "median divergence time of two runs [periods]"}) {
-    table.columns.push_back({"value", heading});
-  }
-  for (std::size_t i = 0; i < std::min(report.conditions.size(), most_rows + 1); ++i) {
+/// A page has words in this table, whose intervals are not set apart.
+look::Table settling_table(const Report& report) {
+  const std::vector<ParameterColumn> parameters = parameter_columns(report);
+  look::Table table = table_of_conditions(report, parameters);
+  add_columns(table, {"unresolved at the fixed horizon [%]", "not classified in the end [%]", "median settling period",
+                      "99 % settled by period", "two runs differ at the fixed horizon [%]",
+                      "two runs differ in the end [%]", "median divergence time of two runs [periods]"});
+  for (std::size_t i = 0; i < report.conditions.size(); ++i) {
     const auto row = settling_row(report, report.conditions[i]);
     if (!row) continue;
-    const ReportedCondition& condition = report.conditions[i];
-    std::vector<Cell> cells = parameter_cells(report, i);
-    const auto interval = condition.result.non_recurrence
-                              ? std::optional(condition.result.non_recurrence->differ_interval)
-                              : std::nullopt;
-    for (std::string text :
-         {share_of_row(row->unresolved_at_horizon, *row), share_of_row(row->censored, *row),
-          period_text(row->median, row->limit), horizon_text(row->all_but_one_per_cent),
-          difference_text(row->differ_at_horizon, condition.result.settling->differ_interval),
-          difference_text(row->differ_in_the_end, interval), divergence_text(*condition.result.settling)}) {
-      cells.push_back(text_cell(std::move(text)));
-    }
-    table.rows.push_back(std::move(cells));
+    const ConditionResult& result = report.conditions[i].result;
+    const auto interval = result.non_recurrence ? std::optional(result.non_recurrence->differ_interval) : std::nullopt;
+    look::Row& cells = table.rows.emplace_back(row_of_condition(report, parameters, i));
+    append(cells, {share_of_row(row->unresolved_at_horizon, *row), share_of_row(row->censored, *row),
+                   plain_text(period_cell(row->median, row->limit)), horizon_text(row->all_but_one_per_cent),
+                   difference_text(row->differ_at_horizon, result.settling->differ_interval),
+                   difference_text(row->differ_in_the_end, interval), divergence_text(*result.settling)});
   }
   return table;
 }
 
-Table leaving_table(const Report& report) {
-  Table table;
-  add_parameters(report, table);
-  for (const char* heading : {"response mode", "left", "watched periods", "left per 1000 periods"}) {
-    table.columns.push_back({"value", heading});
-  }
+look::Table leaving_table(const Report& report) {
+  const std::vector<ParameterColumn> parameters = parameter_columns(report);
+  look::Table table = table_of_conditions(report, parameters);
+  add_columns(table, {"response mode", "left", "watched periods", "left per 1000 periods"});
   for (std::size_t i = 0; i < report.conditions.size(); ++i) {
     const auto row = settling_row(report, report.conditions[i]);
     if (!row) continue;
     for (const LeftMode& found : row->leaving) {
-      std::vector<Cell> cells = parameter_cells(report, i);
-      cells.push_back(text_cell(to_string(found.mode)));
-      cells.emplace_back(static_cast<double>(found.left));
-      cells.push_back(text_cell(std::to_string(found.watched_periods)));
-      cells.push_back(text_cell(leaving_text(found)));
-      table.rows.push_back(std::move(cells));
+      append(table.rows.emplace_back(row_of_condition(report, parameters, i)),
+             {to_string(found.mode), look::whole(found.left), look::whole(found.watched_periods), leaving_text(found)});
     }
   }
   return table;
@@ -118,7 +88,7 @@ std::string remedies_html(const Report& report) {
 }
 
 std::string leaving_html(const Report& report) {
-  const Table table = leaving_table(report);
+  const look::Table table = leaving_table(report);
   if (table.rows.empty()) {
     return "<p>Settled responses were not watched, so that it is not known how often they are left again. "
            "<code>watch_windows</code> of <code>until_classified</code> watches them.</p>\n";
@@ -138,26 +108,23 @@ std::string leaving_html(const Report& report) {
                                              often ? " Where the rate is not small, the label of a response is that of "
                                                      "a window of periods, not of all time."
                                                    : "");
-  return text + data_table_html(table, "How often settled responses were left again, with exact " + report.level() +
-                                           " intervals of the rate");
+  return text + table_html(table, "How often settled responses were left again, with exact " + report.level() +
+                                      " intervals of the rate");
 }
 
-Table long_run_table(const Report& report, const std::vector<ResponseMode>& modes) {
-  Table table;
-  add_parameters(report, table);
-  table.columns.push_back({"value", "realisations with a long run"});
-  table.columns.push_back({"value", "windows of each"});
-  for (const ResponseMode& mode : modes) table.columns.push_back({"value", to_string(mode) + " [%]"});
-  table.columns.push_back({"value", "others [%]"});
+look::Table long_run_table(const Report& report, const std::vector<ResponseMode>& modes) {
+  const std::vector<ParameterColumn> parameters = parameter_columns(report);
+  look::Table table = table_of_conditions(report, parameters);
+  add_columns(table, {"realisations with a long run", "windows of each"});
+  for (const ResponseMode& mode : modes) add_columns(table, {to_string(mode) + " [%]"});
+  add_columns(table, {"others [%]"});
   for (std::size_t i = 0; i < report.conditions.size(); ++i) {
     const auto row = settling_row(report, report.conditions[i]);
     if (!row || !row->long_runs) continue;
-    std::vector<Cell> cells = parameter_cells(report, i);
-    cells.emplace_back(static_cast<double>(row->long_runs->realisations));
-    cells.emplace_back(static_cast<double>(row->long_runs->windows));
-    for (const ResponseMode& mode : modes) cells.push_back(text_cell(long_run_cell(*row, mode)));
-    cells.push_back(text_cell(other_long_run_shares(*row, modes)));
-    table.rows.push_back(std::move(cells));
+    look::Row& cells = table.rows.emplace_back(row_of_condition(report, parameters, i));
+    append(cells, {look::whole(row->long_runs->realisations), look::whole(row->long_runs->windows)});
+    for (const ResponseMode& mode : modes) cells.emplace_back(plain_text(long_run_cell(*row, mode)));
+    cells.emplace_back(plain_text(other_long_run_shares(*row, modes)));
   }
   return table;
 }
@@ -167,9 +134,9 @@ std::string long_run_html(const Report& report) {
   const std::vector<ResponseMode> modes = long_run_modes(rows, most_long_run_modes);
   if (modes.empty()) return "";
   return fmt::format("<p>{}.</p>\n", escaped(long_run_meaning)) +
-         data_table_html(long_run_table(report, modes),
-                         "Long-run shares of time: windows of long runs by response mode, in per cent [" +
-                             report.level() + " interval, each mode alone]; <: no window, an upper bound");
+         table_html(long_run_table(report, modes),
+                    "Long-run shares of time: windows of long runs by response mode, in per cent [" + report.level() +
+                        " interval, each mode alone]; <: no window, an upper bound");
 }
 
 }  // namespace
@@ -197,11 +164,11 @@ std::string settling_html(const Report& report) {
              limit, unresolved, counted(realisations, "realisation"), censored,
              proviso.empty() ? "" : " In the end " + escaped(proviso) + '.') +
          remedies_html(report) +
-         data_table_html(settling_table(report),
-                         "When responses settled [" + report.level() +
-                             " interval; -: open]; <: did not occur, the upper end of its interval; >: beyond the "
-                             "observation" +
-                             count_legend(report.most_realisations())) +
+         table_html(settling_table(report),
+                    "When responses settled [" + report.level() +
+                        " interval; -: open]; <: did not occur, the upper end of its interval; >: beyond the "
+                        "observation" +
+                        count_legend(report.most_realisations())) +
          leaving_html(report) + long_run_html(report) +
          "<p class=\"small\">The charts show the interval at each time; the picture for printing and the files of "
          "<code>rocking report DIR</code> also have the band for all times at once.</p>\n";

@@ -3,83 +3,34 @@
 #include <algorithm>
 #include <map>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "analysis/page/html.hpp"
 #include "analysis/page/words.hpp"
+#include "analysis/table_text.hpp"
 #include "rocking/figures/sweep_view.hpp"
-#include "rocking/output/text_table.hpp"
+#include "rocking/output/mode_table.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking::analysis {
 namespace {
 
-struct PageCell {
-  std::string html;
-  std::optional<double> value;  ///< by which it is sorted, if that is not the number with which its text begins
-};
-
-struct PageTable {
-  std::string label;                        ///< plain text, escaped
-  std::string caption;                      ///< HTML
-  std::vector<std::string> head;            ///< HTML
-  std::vector<std::vector<PageCell>> rows;  ///< the first cell of a row is its heading
-  std::size_t all_rows = 0;                 ///< including omitted ones
-};
-
 constexpr int digits_with_interval = 4;
 
-PageCell cell_of(std::string html) { return {.html = std::move(html), .value = {}}; }
-
-/// The script of the page makes the buttons; without it there are none.
-std::string html_of(const PageTable& table) {
-  std::string text = fmt::format(
-      "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"{}\"><table class=\"sortable\">"
-      "<caption><span>{}</span></caption>\n<thead><tr>",
-      table.label, table.caption);
-  for (const std::string& cell : table.head) text += fmt::format("<th scope=\"col\">{}</th>", cell);
-  text += "</tr></thead>\n<tbody>\n";
-  for (const auto& row : table.rows) {
-    text += "<tr>";
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      const std::string value = row[i].value ? fmt::format(" data-value=\"{}\"", *row[i].value) : "";
-      text += i == 0 ? fmt::format("<th scope=\"row\"{}>{}</th>", value, row[i].html)
-                     : fmt::format("<td{}>{}</td>", value, row[i].html);
-    }
-    text += "</tr>\n";
-  }
-  text += "</tbody></table></div>\n";
-  if (table.all_rows > table.rows.size()) {
-    text += fmt::format(
-        "<p class=\"limit\">The first {} of {} rows. <code>rocking report DIR --format csv</code> writes "
-        "all of them.</p>\n",
-        table.rows.size(), table.all_rows);
-  }
-  return text;
-}
-
-PageCell mode_cell(const ReportedCondition& condition, const section::ResponseMode& mode) {
+look::Cell mode_cell(const ReportedCondition& condition, const section::ResponseMode& mode) {
   const AnyShare share = share_of(condition, mode);
-  if (share.count == 0) {
-    if (!share.interval) return {.html = "0", .value = {}};
-    return {.html = "<span class=\"none\">&lt; " + per_cent(share.interval->high) + "</span>", .value = 0.0};
-  }
-  const std::string estimate = per_cent(share.estimate);
-  if (!share.interval) return {.html = estimate, .value = {}};
-  return {.html = fmt::format("{} <span class=\"interval\">{}</span>{}", estimate, per_cent(*share.interval),
-                              count_if_open(share.count, condition.result.realisations)),
-          .value = {}};
+  const bool is_nothing = share.count == 0 && !share.interval;
+  return is_nothing ? look::whole(0) : share_cell(share, condition.result.realisations);
 }
 
 /// The response of a condition that is not random.
-std::string response_of(const ReportedCondition& condition) {
+look::Cell response_of(const ReportedCondition& condition) {
   for (const auto& [mode, probability] : condition.result.modes) {
-    if (probability.counts.successes > 0) return escaped(to_string(mode));
+    if (probability.counts.successes > 0) return to_string(mode);
   }
-  return "<span class=\"none\">none</span>";
+  return {};
 }
 
 std::string column_name(const Axis& axis) {
@@ -87,10 +38,10 @@ std::string column_name(const Axis& axis) {
          (axis.unit.empty() ? "" : " [" + with_symbols(axis.unit) + ']');
 }
 
-std::string cell_html(const Cell& cell, int digits = 5) {
-  if (const double* number = std::get_if<double>(&cell)) return significant(*number, digits);
-  if (const std::string* text = std::get_if<std::string>(&cell)) return escaped(*text);
-  return "<span class=\"none\">none</span>";
+look::Cell look_of(const Cell& cell, int digits = 5) {
+  if (const double* number = std::get_if<double>(&cell)) return look::number(*number, digits);
+  if (const std::string* text = std::get_if<std::string>(&cell)) return *text;
+  return {};
 }
 
 /// Whether the two columns after this one are the ends of its interval: `low` and `high`, or `mode_low` and `mode_high`.
@@ -112,53 +63,66 @@ std::string head_html(const Table& table, std::size_t place) {
   return name + " <span class=\"interval\">[" + escaped(interval) + "]</span>";
 }
 
-std::string interval_html(const Cell& low, const Cell& high) {
-  const auto is_open = [](const Cell& cell) { return std::holds_alternative<std::monostate>(cell); };
-  if (is_open(low) && is_open(high)) return "";
-  return fmt::format(" <span class=\"interval\">[{}, {}]</span>",
-                     is_open(low) ? "open" : cell_html(low, digits_with_interval),
-                     is_open(high) ? "open" : cell_html(high, digits_with_interval));
+/// A value with the ends of its interval.
+look::Cell look_of(const Cell& value, const Cell& low, const Cell& high) {
+  const auto end = [](const Cell& cell) {
+    const double* number = std::get_if<double>(&cell);
+    return number == nullptr ? std::nullopt : std::optional(*number);
+  };
+  look::Number shown{.value = end(value), .form = digits_with_interval};
+  if (end(low) || end(high)) shown.interval = look::Ends(end(low), end(high));
+  return shown;
 }
 
 }  // namespace
 
+look::Table table_of_conditions(const Report& report, const std::vector<ParameterColumn>& parameters) {
+  look::Table table = table_of(parameters, {});
+  if (report.swept.empty()) table.columns.insert(table.columns.begin(), {.title = "condition"});
+  return table;
+}
+
+look::Row row_of_condition(const Report& report, const std::vector<ParameterColumn>& parameters,
+                           std::size_t condition) {
+  look::Row row = row_of(parameters, condition);
+  if (report.swept.empty()) row.insert(row.begin(), "the only one");
+  return row;
+}
+
 std::string mode_table_html(const Report& report) {
-  PageTable table;
-  table.label = "Table: response modes";
-  table.caption = "Response of each condition. Nothing is random: one realisation is the response";
   const bool random = report.is_random();
-  if (random) {
-    table.caption = fmt::format(
-        "Response modes{} in per cent of the realisations [{} interval, simultaneous for all modes of a condition]; "
-        "&lt; "
-        "<i>x</i>: did not occur, <i>x</i> is the upper end of its interval{}",
-        report.has_settling() ? " in the end" : "", escaped(report.level()), count_legend(report.most_realisations()));
+  const look::Caption caption{
+      .label = "Table: response modes",
+      .html = !random
+                  ? "Response of each condition. Nothing is random: one realisation is the response"
+                  : fmt::format("Response modes{} in per cent of the realisations [{} interval, simultaneous for all "
+                                "modes of a condition]; &lt; <i>x</i>: did not occur, <i>x</i> is the upper end of its "
+                                "interval{}",
+                                report.has_settling() ? " in the end" : "", escaped(report.level()),
+                                count_legend(report.most_realisations()))};
+  const std::vector<ParameterColumn> parameters = parameter_columns(report);
+  look::Table table = table_of_conditions(report, parameters);
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    table.columns[i + table.columns.size() - parameters.size()].html = column_name(parameters[i].axis);
   }
-  if (report.swept.empty()) table.head.emplace_back("condition");
-  const std::vector<ParameterColumn> columns = parameter_columns(report);
-  for (const ParameterColumn& column : columns) table.head.push_back(column_name(column.axis));
   const auto modes = report.occurring();
   if (random) {
-    table.head.emplace_back("<i>n</i>");
-    for (const auto& [mode, count] : modes) table.head.push_back(escaped(to_string(mode)));
+    table.columns.push_back({.title = "n", .html = "<i>n</i>"});
+    for (const auto& [mode, count] : modes) add_columns(table, {to_string(mode)});
   } else {
-    table.head.emplace_back("response");
+    add_columns(table, {"response"});
   }
-  table.all_rows = report.conditions.size();
-  for (std::size_t i = 0; i < std::min(most_rows, report.conditions.size()); ++i) {
+  for (std::size_t i = 0; i < report.conditions.size(); ++i) {
     const ReportedCondition& condition = report.conditions[i];
-    std::vector<PageCell> row;
-    if (report.swept.empty()) row.push_back(cell_of("the only one"));
-    for (const ParameterColumn& column : columns) row.push_back(cell_of(escaped(column.values[i])));
+    look::Row& row = table.rows.emplace_back(row_of_condition(report, parameters, i));
     if (random) {
-      row.push_back(cell_of(std::to_string(condition.result.realisations)));
+      row.push_back(look::whole(condition.result.realisations));
       for (const auto& [mode, count] : modes) row.push_back(mode_cell(condition, mode));
     } else {
-      row.push_back(cell_of(response_of(condition)));
+      row.push_back(response_of(condition));
     }
-    table.rows.push_back(std::move(row));
   }
-  return html_of(table);
+  return to_html(table, caption, most_rows);
 }
 
 Table side_by_side(const std::vector<Table>& tables) {
@@ -185,26 +149,27 @@ Table side_by_side(const std::vector<Table>& tables) {
 }
 
 std::string data_table_html(const Table& table, const std::string& title) {
-  PageTable shown;
-  shown.label = "Table: " + escaped(title) + (table.name.empty() ? "" : " (" + escaped(table.name) + ')');
-  shown.caption = escaped(title) + (table.name.empty() ? "" : " (" + with_symbols(table.name) + ')');
+  look::Table shown;
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
-    shown.head.push_back(head_html(table, i));
+    shown.columns.push_back({.title = "", .html = head_html(table, i)});
     if (has_interval(table, i)) i += 2;
   }
-  shown.all_rows = table.rows.size();
-  for (std::size_t r = 0; r < std::min(most_rows, table.rows.size()); ++r) {
-    const std::vector<Cell>& cells = table.rows[r];
-    std::vector<PageCell> row;
+  for (const std::vector<Cell>& cells : table.rows) {
+    look::Row& row = shown.rows.emplace_back();
     for (std::size_t i = 0; i < cells.size(); ++i) {
-      row.push_back(cell_of(cell_html(cells[i], has_interval(table, i) ? digits_with_interval : 5)));
-      if (!has_interval(table, i)) continue;
-      row.back().html += interval_html(cells[i + 1], cells[i + 2]);
-      i += 2;
+      const bool with_interval = has_interval(table, i);
+      row.push_back(with_interval ? look_of(cells[i], cells[i + 1], cells[i + 2]) : look_of(cells[i]));
+      if (with_interval) i += 2;
     }
-    shown.rows.push_back(std::move(row));
   }
-  return html_of(shown);
+  return to_html(shown,
+                 {.label = "Table: " + escaped(title) + (table.name.empty() ? "" : " (" + escaped(table.name) + ')'),
+                  .html = escaped(title) + (table.name.empty() ? "" : " (" + with_symbols(table.name) + ')')},
+                 most_rows);
+}
+
+std::string table_html(const look::Table& table, const std::string& title) {
+  return to_html(table, {.label = "Table: " + escaped(title), .html = escaped(title)}, most_rows);
 }
 
 }  // namespace rocking::analysis

@@ -8,9 +8,9 @@
 #include "analysis/page/html.hpp"
 #include "analysis/page/words.hpp"
 #include "rocking/base/digest.hpp"
+#include "rocking/look/text_table.hpp"
 #include "rocking/output/alarms.hpp"
 #include "rocking/output/settling_table.hpp"
-#include "rocking/output/text_table.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking::analysis {

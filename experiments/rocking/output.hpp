@@ -13,10 +13,10 @@
 
 #include "arguments.hpp"
 #include "rocking/base/error.hpp"
+#include "rocking/look/text_table.hpp"
 #include "rocking/output/mode_table.hpp"
-#include "rocking/output/text_table.hpp"
-#include "rocking/text/json_writer.hpp"
 #include "rocking/text/files.hpp"
+#include "rocking/text/json_writer.hpp"
 
 namespace rocking::program {
 

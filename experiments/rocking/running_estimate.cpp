@@ -15,10 +15,7 @@ namespace {
 constexpr double confidence = 0.95;
 
 std::string name_of(const Condition& condition) {
-  std::string name;
-  for (const Parameter& parameter : condition.parameters) {
-    name += fmt::format("{}{} {}", name.empty() ? "" : ", ", last_key(parameter.pointer), short_value(parameter));
-  }
+  const std::string name = values_of(condition.parameters);
   return name.empty() ? "so far" : name;
 }
 

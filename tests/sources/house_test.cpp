@@ -38,17 +38,18 @@ const std::map<std::string, std::set<std::string>> allowed_uses = {
     {"store", {"base", "random", "dynamics", "section", "scene", "realisation"}},
     {"ensemble", {"base", "stats", "dynamics", "lanes", "section", "scene", "realisation", "store"}},
     {"text", {"base", "stats"}},  // its intervals
+    {"look", {"base", "stats", "text"}},
     {"fields", {"base", "text"}},
     {"input", {"base", "dynamics", "section", "text", "fields", "scene"}},
     {"output",
-     {"base", "stats", "dynamics", "section", "text", "fields", "scene", "input", "realisation", "store", "ensemble",
-      "plan"}},
+     {"base", "stats", "dynamics", "section", "text", "look", "fields", "scene", "input", "realisation", "store",
+      "ensemble", "plan"}},
     {"plan", {"base", "random", "dynamics", "lanes", "section", "scene", "realisation", "store", "ensemble"}},
     {"figures", {"base", "stats", "dynamics", "section", "text", "scene", "realisation", "output"}},
     {"api",
      {"base", "stats", "section", "scene", "realisation", "store", "ensemble", "plan", "text", "fields", "input",
       "output"}},
-    {"study", {"base", "scene", "text", "fields", "output", "figures", "api"}},
+    {"study", {"base", "scene", "text", "look", "fields", "output", "figures", "api"}},
 };
 
 /// The core: a study may use all of it.
@@ -118,7 +119,7 @@ Offences forbidden_uses(const std::string& room, const std::string& source) {
 Offences forbidden_in_analysis(const std::string& source) {
   static const std::regex include(R"(#\s*include\s*["<](rocking/[\w/]+\.hpp|nlohmann/[^">]*))");
   static const std::regex allowed(
-      R"(rocking/(base|stats|section|text|input|output|figures)/.*|rocking/store/(store|summary)\.hpp|rocking/ensemble/mode_family\.hpp)");
+      R"(rocking/(base|stats|section|text|look|input|output|figures)/.*|rocking/store/(store|summary)\.hpp|rocking/ensemble/mode_family\.hpp)");
   Offences found;
   for (std::sregex_iterator match(source.begin(), source.end(), include), end; match != end; ++match) {
     if (!std::regex_match(match->str(1), allowed)) found.push_back(match->str(1));
@@ -193,8 +194,8 @@ std::set<std::string> included_by(const std::string& header) {
 }
 
 /// Rooms that no public header may show: they compute, read or write.
-const std::set<std::string> private_rooms = {"random", "integrate", "lanes",   "text", "fields",
-                                             "input",  "output",    "figures", "study"};
+const std::set<std::string> private_rooms = {"random", "integrate", "lanes",  "text",    "look",
+                                             "fields", "input",     "output", "figures", "study"};
 
 Offences private_headers(const std::set<std::string>& headers) {
   Offences found;

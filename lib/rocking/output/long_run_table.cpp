@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rocking/look/text_table.hpp"
 #include "rocking/output/mode_table.hpp"
-#include "rocking/output/text_table.hpp"
 #include "rocking/text/json.hpp"
 #include "rocking/text/number_text.hpp"
 
@@ -15,23 +15,20 @@ using section::ResponseMode;
 
 constexpr std::size_t most_columns = 6;
 
-std::vector<TextRow> long_run_rows(std::span<const SettlingRow> rows, const std::vector<ResponseMode>& shown) {
-  std::vector<TextRow> table(rows.size() + 1);
-  for (const Parameter& parameter : rows.front().parameters) table[0].push_back(last_key(parameter.pointer));
-  table[0].emplace_back("long runs");
-  for (const ResponseMode& mode : shown) table[0].push_back(to_string(mode));
+look::Table long_run_table(std::span<const SettlingRow> rows, const std::vector<ResponseMode>& shown) {
+  look::Table table = table_of(rows.front().parameters, {"long runs"});
+  for (const ResponseMode& mode : shown) add_columns(table, {to_string(mode)});
   bool has_others = false;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    TextRow& cells = table[i + 1];
-    for (const Parameter& parameter : rows[i].parameters) cells.push_back(short_value(parameter));
-    cells.push_back(std::to_string(rows[i].long_runs->realisations));
-    for (const ResponseMode& mode : shown) cells.push_back(long_run_cell(rows[i], mode));
-    cells.push_back(other_long_run_shares(rows[i], shown));
-    has_others = has_others || cells.back() != ".";
+  for (const SettlingRow& each : rows) {
+    look::Row& row = table.rows.emplace_back(row_of(each.parameters, {look::whole(each.long_runs->realisations)}));
+    for (const ResponseMode& mode : shown) row.push_back(long_run_cell(each, mode));
+    row.push_back(other_long_run_shares(each, shown));
+    has_others = has_others || !std::holds_alternative<std::monostate>(row.back());
   }
-  table[0].emplace_back("others");
-  if (!has_others) {
-    for (TextRow& cells : table) cells.pop_back();
+  if (has_others) {
+    add_columns(table, {"others"});
+  } else {
+    for (look::Row& row : table.rows) row.pop_back();
   }
   return table;
 }
@@ -39,10 +36,10 @@ std::vector<TextRow> long_run_rows(std::span<const SettlingRow> rows, const std:
 /// The table with as many modes as fit, at least one.
 std::string long_run_columns(std::span<const SettlingRow> rows, std::size_t width) {
   for (std::size_t most = most_columns; most > 1; --most) {
-    std::string text = aligned(long_run_rows(rows, long_run_modes(rows, most)));
-    if (letters_in(text.substr(0, text.find('\n'))) <= width) return text;
+    const look::Table table = long_run_table(rows, long_run_modes(rows, most));
+    if (width_of(table) <= width) return to_terminal(table);
   }
-  return aligned(long_run_rows(rows, long_run_modes(rows, 1)));
+  return to_terminal(long_run_table(rows, long_run_modes(rows, 1)));
 }
 
 }  // namespace
@@ -59,19 +56,19 @@ std::vector<ResponseMode> long_run_modes(std::span<const SettlingRow> conditions
   return modes_to_show(tally, most);
 }
 
-std::string long_run_cell(const SettlingRow& condition, const ResponseMode& mode) {
+look::Cell long_run_cell(const SettlingRow& condition, const ResponseMode& mode) {
   const auto& shares = condition.long_runs->shares;
   const auto found = std::ranges::find(shares, mode, &LongRunShare::mode);
-  if (found != shares.end()) return per_cent(found->share) + ' ' + per_cent(found->interval);
-  return "< " + per_cent(bound_of_none(condition.long_runs->realisations, condition.confidence));
+  if (found != shares.end()) return look::number(found->share, found->interval, look::percentage());
+  return bound_cell(bound_of_none(condition.long_runs->realisations, condition.confidence));
 }
 
-std::string other_long_run_shares(const SettlingRow& condition, std::span<const ResponseMode> shown) {
+look::Cell other_long_run_shares(const SettlingRow& condition, std::span<const ResponseMode> shown) {
   double rest = 0.0;
   for (const LongRunShare& found : condition.long_runs->shares) {
     if (std::ranges::find(shown, found.mode) == shown.end()) rest += found.share;
   }
-  return rest > 0.0 ? per_cent(rest) : ".";
+  return rest > 0.0 ? look::number(rest, look::percentage()) : look::Cell();
 }
 
 std::string long_run_text(std::span<const SettlingRow> conditions, std::size_t width) {

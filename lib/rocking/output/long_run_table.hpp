@@ -20,11 +20,11 @@ inline constexpr const char* long_run_meaning =
                                                                 std::size_t most);
 
 /// `64.0 [52.1, 74.8]` per cent; `< 7.0`, an upper bound, of a mode that no window has.
-[[nodiscard]] std::string long_run_cell(const SettlingRow& condition, const section::ResponseMode& mode);
+[[nodiscard]] look::Cell long_run_cell(const SettlingRow& condition, const section::ResponseMode& mode);
 
-/// Share of the windows in per cent that have none of `shown`; `.` if there are none.
-[[nodiscard]] std::string other_long_run_shares(const SettlingRow& condition,
-                                                std::span<const section::ResponseMode> shown);
+/// Share of the windows in per cent that have none of `shown`; nothing if there are none.
+[[nodiscard]] look::Cell other_long_run_shares(const SettlingRow& condition,
+                                               std::span<const section::ResponseMode> shown);
 
 /// Text for a terminal: a table of the conditions in which more than one mode occurs, with lines up to `width`, and
 /// the number of the others. Empty without long runs.

@@ -5,8 +5,8 @@
 #include <string_view>
 #include <utility>
 
+#include "rocking/look/text_table.hpp"
 #include "rocking/output/shaking_text.hpp"
-#include "rocking/output/text_table.hpp"
 #include "rocking/text/json.hpp"
 #include "rocking/text/number_text.hpp"
 
@@ -33,12 +33,11 @@ ModeTally occurring_modes(std::span<const TableRow> conditions) {
   return modes;
 }
 
-std::string cell(const TableRow& condition, const ResponseMode& mode) {
+look::Cell cell(const TableRow& condition, const ResponseMode& mode) {
   const auto found = std::ranges::find(condition.modes, mode, &TableEntry::mode);
-  if (found == condition.modes.end()) return ".";
-  if (found->count == 0) return found->interval ? "< " + per_cent(found->interval->high) : ".";
-  return per_cent(found->estimate) + (found->interval ? ' ' + per_cent(*found->interval) : "") +
-         count_if_open(found->count, condition.realisations);
+  if (found == condition.modes.end()) return {};
+  return share_cell({.count = found->count, .estimate = found->estimate, .interval = found->interval},
+                    condition.realisations);
 }
 
 std::uint64_t count_of(const TableRow& condition, const ResponseMode& mode) {
@@ -50,12 +49,6 @@ std::uint64_t others_in(const TableRow& condition, const std::vector<ResponseMod
   std::uint64_t others = condition.realisations;
   for (const ResponseMode& mode : shown) others -= count_of(condition, mode);
   return others;
-}
-
-std::string rest_of(const TableRow& condition, const std::vector<ResponseMode>& shown) {
-  const std::uint64_t count = others_in(condition, shown);
-  if (count == 0) return ".";
-  return per_cent_of(count, condition.realisations) + count_if_open(count, condition.realisations);
 }
 
 std::string bar_of(const TableRow& condition, const std::vector<ResponseMode>& shown, const BarLook& look) {
@@ -93,28 +86,26 @@ bool has_scales(std::span<const TableRow> conditions) {
 }
 
 /// The columns of the swept parameters, and of the shaking in its other form if the lines stay within `width`.
-std::vector<TextRow> parameter_columns(std::span<const TableRow> conditions, std::size_t width) {
-  TextRow header;
-  for (const Parameter& parameter : conditions.front().parameters) header.push_back(last_key(parameter.pointer));
-  auto beside = shaking_columns(swept_in(conditions), shakings_of(conditions));
+look::Table parameter_table(std::span<const TableRow> conditions, std::size_t width) {
+  const std::vector<std::string> swept = swept_in(conditions);
+  auto beside = shaking_columns(swept, shakings_of(conditions));
   std::size_t needed = 0;
-  for (const std::string& name : header) needed += name.size() + gap;
+  for (const std::string& pointer : swept) needed += last_key(pointer).size() + gap;
   for (const std::string_view name : beside) needed += name.size() + gap;
   constexpr std::string_view scale_heading = "scale";
   bool shows_scale = has_scales(conditions);
   if (shows_scale) needed += scale_heading.size() + gap;
   if (width < needed) shows_scale = false;
   if (width < needed) beside.clear();
-  header.insert(header.end(), beside.begin(), beside.end());
-  if (shows_scale) header.emplace_back(scale_heading);
-  std::vector<TextRow> rows{header};
+  look::Table table = table_of(conditions.front().parameters, {beside.begin(), beside.end()});
+  if (shows_scale) add_columns(table, {std::string(scale_heading)});
   for (const TableRow& condition : conditions) {
-    TextRow& row = rows.emplace_back();
-    for (const Parameter& parameter : condition.parameters) row.push_back(short_value(parameter));
-    for (const std::string_view key : beside) row.push_back(column_cell(condition.shaking, key));
-    if (shows_scale) row.push_back(condition.scale ? significant(*condition.scale, 4) : ".");
+    look::Row& row = table.rows.emplace_back(row_of(condition.parameters));
+    for (const std::string_view key : beside) row.emplace_back(column_cell(condition.shaking, key));
+    if (shows_scale) row.push_back(look::number(condition.scale, 4));
   }
-  return rows;
+  table.notes = common_line(conditions);
+  return table;
 }
 
 /// Largest widths of the columns of a table, with the gap before them.
@@ -127,7 +118,8 @@ CellWidths cell_widths(std::span<const TableRow> conditions, const ModeTally& oc
   CellWidths widths{.mode = 0, .others = others_heading.size()};
   for (const auto& [mode, count] : occurring) {
     widths.mode = std::max(widths.mode, to_string(mode).size() + mark_width);
-    for (const TableRow& condition : conditions) widths.mode = std::max(widths.mode, cell(condition, mode).size());
+    for (const TableRow& condition : conditions)
+      widths.mode = std::max(widths.mode, plain_text(cell(condition, mode)).size());
   }
   for (const TableRow& condition : conditions) {
     widths.others = std::max(widths.others, count_if_open(condition.realisations, condition.realisations).size() + 5);
@@ -135,39 +127,31 @@ CellWidths cell_widths(std::span<const TableRow> conditions, const ModeTally& oc
   return {.mode = widths.mode + gap, .others = widths.others + gap};
 }
 
-std::vector<TextRow> leading_columns(std::span<const TableRow> conditions, std::size_t width, const CellWidths& cells) {
+look::Table leading_columns(std::span<const TableRow> conditions, std::size_t width, const CellWidths& cells) {
   const std::size_t rest = cells.mode + cells.others + gap;
-  std::vector<TextRow> rows = parameter_columns(conditions, width - std::min(width, rest));
-  rows[0].emplace_back("n");
-  for (std::size_t i = 0; i < conditions.size(); ++i) rows[i + 1].push_back(std::to_string(conditions[i].realisations));
-  return rows;
+  look::Table table = parameter_table(conditions, width - std::min(width, rest));
+  add_columns(table, {"n"});
+  for (std::size_t i = 0; i < conditions.size(); ++i) table.rows[i].push_back(look::whole(conditions[i].realisations));
+  return table;
 }
 
 /// The table of a run in which nothing is random.
-std::string response_table(std::span<const TableRow> conditions, const TableLook& look) {
-  constexpr std::string_view heading = "response";
-  std::vector<TextRow> rows = parameter_columns(conditions, look.width - std::min(look.width, heading.size() + gap));
-  rows[0].emplace_back(heading);
+look::Table response_table(std::span<const TableRow> conditions, const TableLook& look) {
+  const std::string heading = "response";
+  look::Table table = parameter_table(conditions, look.width - std::min(look.width, heading.size() + gap));
+  add_columns(table, {heading});
   for (std::size_t i = 0; i < conditions.size(); ++i) {
     const auto& modes = conditions[i].modes;
     const auto found = std::ranges::find_if(modes, [](const TableEntry& entry) { return entry.count > 0; });
-    rows[i + 1].push_back(found == modes.end() ? "." : to_string(found->mode));
+    table.rows[i].push_back(found == modes.end() ? look::Cell() : to_string(found->mode));
   }
-  return aligned(rows) + common_line(conditions);
+  return table;
 }
 
 /// `friction 0.4/0.35, amplitude 6`, or `the only condition`.
 std::string name_of(const TableRow& condition) {
-  std::string name;
-  for (const Parameter& parameter : condition.parameters) {
-    name += (name.empty() ? "" : ", ") + last_key(parameter.pointer) + ' ' + short_value(parameter);
-  }
+  const std::string name = values_of(condition.parameters);
   return name.empty() ? "the only condition" : name;
-}
-
-std::size_t width_of(const std::vector<TextRow>& rows) {
-  const std::string text = aligned(rows);
-  return letters_in(text.substr(0, text.find('\n')));
 }
 
 // Number of columns of modes, and length of a bar in letters, 0 for no bar.
@@ -189,47 +173,31 @@ Layout layout_of(std::size_t used, std::size_t occurring, std::size_t cell_width
 }
 
 /// Adds the column of the peak tilt if there is room.
-void add_peak_tilt(std::span<const TableRow> conditions, const TableLook& look, std::vector<TextRow>& rows) {
+void add_peak_tilt(std::span<const TableRow> conditions, const TableLook& look, look::Table& table) {
   std::size_t width = peak_tilt_heading.size();
   for (const TableRow& condition : conditions) {
     if (condition.peak_tilt.empty()) return;
     width = std::max(width, condition.peak_tilt.size());
   }
-  if (width_of(rows) + gap + width > look.width) return;
-  rows[0].emplace_back(peak_tilt_heading);
-  for (std::size_t i = 0; i < conditions.size(); ++i) rows[i + 1].push_back(conditions[i].peak_tilt);
-}
-
-/// In six digits; for a number just below 1 in as many as distinguish it from 1.
-std::string digits_of(double number) {
-  constexpr int most_digits = 17;
-  std::string text;
-  for (int digits = 6; digits <= most_digits; ++digits) {
-    text = significant(number, digits);
-    if (text != "1" || number >= 1.0) break;
-  }
-  return text;
+  if (width_of(table) + gap + width > look.width) return;
+  add_columns(table, {std::string(peak_tilt_heading)});
+  for (std::size_t i = 0; i < conditions.size(); ++i) table.rows[i].emplace_back(conditions[i].peak_tilt);
 }
 
 }  // namespace
 
-std::string short_value(const Parameter& parameter) {
-  const Json value = Json::parse(parameter.value);
-  if (value.is_number_float()) return digits_of(value.get<double>());
-  if (value.is_string()) {
-    const std::string text = value.get<std::string>();
-    // A record of a suite by its file name; what names a folder is the same for most.
-    return parameter.pointer == "/excitation/file" ? text.substr(text.rfind('/') + 1) : text;
-  }
-  if (!value.is_object()) return brief(value);
-  if (value.size() == 1 && value.contains("rate_ratio")) return "rate ratio " + significant(value["rate_ratio"], 6);
-  std::string text;
-  for (const auto& [key, part] : value.items()) {
-    if (!text.empty()) text += '/';
-    text += part.is_number() ? significant(part.get<double>(), 6) : brief(part);
-  }
-  return text;
+look::Cell part_cell(std::uint64_t count, std::uint64_t all) {
+  if (count == 0) return {};
+  return look::number(static_cast<double>(count) / static_cast<double>(all), look::percentage(),
+                      count_if_open(count, all));
 }
+
+look::Cell share_cell(const AnyShare& share, std::uint64_t realisations) {
+  if (share.count == 0) return share.interval ? bound_cell(share.interval->high) : look::Cell();
+  return look::number(share.estimate, share.interval, look::percentage(), count_if_open(share.count, realisations));
+}
+
+look::Cell bound_cell(double share) { return look::Number{.value = share, .form = look::percentage(), .bound = '<'}; }
 
 std::string peak_tilt_cell(const std::vector<stats::QuantileEstimate>& quantiles) {
   std::string text;
@@ -309,25 +277,26 @@ std::string overturning_line(std::span<const TableRow> conditions) {
 
 std::string mode_table(std::span<const TableRow> conditions, const TableLook& look) {
   if (conditions.empty()) return {};
-  if (std::ranges::none_of(conditions, &TableRow::is_random)) return response_table(conditions, look);
+  if (std::ranges::none_of(conditions, &TableRow::is_random)) return to_terminal(response_table(conditions, look));
   const auto occurring = occurring_modes(conditions);
   const CellWidths widths = cell_widths(conditions, occurring);
-  std::vector<TextRow> rows = leading_columns(conditions, look.width, widths);
-  const Layout layout = layout_of(width_of(rows) + widths.others, occurring.size(), widths.mode, look);
+  look::Table table = leading_columns(conditions, look.width, widths);
+  const Layout layout = layout_of(width_of(table) + widths.others, occurring.size(), widths.mode, look);
   const std::vector<ResponseMode> shown = modes_to_show(occurring, layout.modes);
   const bool with_others = shown.size() < occurring.size();
   const auto mark = [&](std::size_t place) { return layout.bar == 0 ? "" : mark_of(place, *look.bars) + ' '; };
-  for (std::size_t i = 0; i < shown.size(); ++i) rows[0].push_back(mark(i) + to_string(shown[i]));
-  if (with_others) rows[0].push_back(mark(most_marks - 1) + std::string(others_heading));
-  if (layout.bar > 0) rows[0].emplace_back("shares");
+  for (std::size_t i = 0; i < shown.size(); ++i) add_columns(table, {mark(i) + to_string(shown[i])});
+  if (with_others) add_columns(table, {mark(most_marks - 1) + std::string(others_heading)});
+  if (layout.bar > 0) add_columns(table, {"shares"});
   for (std::size_t i = 0; i < conditions.size(); ++i) {
     const TableRow& condition = conditions[i];
-    for (const ResponseMode& mode : shown) rows[i + 1].push_back(cell(condition, mode));
-    if (with_others) rows[i + 1].push_back(rest_of(condition, shown));
-    if (layout.bar > 0) rows[i + 1].push_back(bar_of(condition, shown, {.length = layout.bar, .letters = *look.bars}));
+    look::Row& row = table.rows[i];
+    for (const ResponseMode& mode : shown) row.push_back(cell(condition, mode));
+    if (with_others) row.push_back(part_cell(others_in(condition, shown), condition.realisations));
+    if (layout.bar > 0) row.emplace_back(bar_of(condition, shown, {.length = layout.bar, .letters = *look.bars}));
   }
-  add_peak_tilt(conditions, look, rows);
-  return aligned(rows) + common_line(conditions);
+  add_peak_tilt(conditions, look, table);
+  return to_terminal(table);
 }
 
 }  // namespace rocking

@@ -9,8 +9,9 @@
 #include <vector>
 
 #include "rocking/ensemble/mode_family.hpp"
+#include "rocking/look/text_table.hpp"
+#include "rocking/output/parameter_text.hpp"
 #include "rocking/output/report.hpp"
-#include "rocking/output/text_table.hpp"
 #include "rocking/scene/experiment.hpp"
 #include "rocking/scene/shaking.hpp"
 
@@ -50,6 +51,13 @@ struct TableRow {
   std::string peak_tilt = {};                     ///< peak_tilt_cell, or empty
 };
 
+/// `98.5 [94.4, 99.8] (48)`, of a response mode in per cent; `< 2.8`, the end of its interval, if it did not occur.
+[[nodiscard]] look::Cell share_cell(const AnyShare& share, std::uint64_t realisations);
+/// The share of `count` in `all` without an interval; nothing if it is 0.
+[[nodiscard]] look::Cell part_cell(std::uint64_t count, std::uint64_t all);
+/// `< 2.8`, of a share.
+[[nodiscard]] look::Cell bound_cell(double share);
+
 /// Median and 95 % quantile of the peak tilt in two digits, `0.41 0.53`. `-`: the realisations that ended before their
 /// horizon, mostly by overturning, are too many for a value.
 [[nodiscard]] std::string peak_tilt_cell(const std::vector<stats::QuantileEstimate>& quantiles);
@@ -75,8 +83,5 @@ struct TableRow {
 /// A line on overturning: where it is most likely, or the largest upper bound of its probability in any condition.
 /// Empty without rows.
 [[nodiscard]] std::string overturning_line(std::span<const TableRow> conditions);
-
-/// The value of a swept parameter in a table: `0.35/0.3` for friction, the value for anything else.
-[[nodiscard]] std::string short_value(const Parameter& parameter);
 
 }  // namespace rocking

@@ -1,5 +1,7 @@
 #include "rocking/output/report.hpp"
 
+#include "rocking/look/text_table.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -8,7 +10,6 @@
 #include "rocking/base/error.hpp"
 #include "rocking/ensemble/mode_family.hpp"
 #include "rocking/input/report_claims.hpp"
-#include "rocking/output/text_table.hpp"
 #include "rocking/output/validity_fields.hpp"
 #include "rocking/scene/number_rule.hpp"
 #include "rocking/scene/rules.hpp"

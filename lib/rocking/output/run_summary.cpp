@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "rocking/output/text_table.hpp"
+#include "rocking/look/text_table.hpp"
 #include "rocking/text/json.hpp"
 #include "rocking/text/number_text.hpp"
 
@@ -118,30 +118,28 @@ std::string run_summary(std::span<const TableRow> conditions, std::size_t most) 
   const std::vector<Parameter>& swept = conditions.front().parameters;
   const bool has_range = grouping.entries < swept.size();
   const bool may_overturn = may_overturn_in(conditions);
-  TextRow header;
-  for (std::size_t i = 0; i < grouping.entries; ++i) header.push_back(last_key(swept[i].pointer));
-  if (has_range) header.push_back(last_key(swept[grouping.entries].pointer));
-  header.insert(header.end(), {"conditions", "n"});
-  if (grouping.has_one_mode) header.insert(header.end(), {"response", "its share"});
-  if (may_overturn) header.emplace_back("overturned");
-  std::vector<TextRow> rows{header};
+  look::Table table = table_of({swept.begin(), swept.begin() + static_cast<std::ptrdiff_t>(grouping.entries)}, {});
+  if (has_range) add_columns(table, {last_key(swept[grouping.entries].pointer)});
+  add_columns(table, {"conditions", "n"});
+  if (grouping.has_one_mode) add_columns(table, {"response", "its share"});
+  if (may_overturn) add_columns(table, {"overturned"});
   for (const Range& range : grouping.ranges) {
     const auto own = conditions.subspan(range.first, range.last - range.first + 1);
-    TextRow& row = rows.emplace_back();
-    for (std::size_t i = 0; i < grouping.entries; ++i) row.push_back(short_value(own.front().parameters[i]));
+    look::Row& row = table.rows.emplace_back();
+    for (std::size_t i = 0; i < grouping.entries; ++i) row.emplace_back(short_value(own.front().parameters[i]));
     if (has_range) {
       const std::string from = short_value(own.front().parameters[grouping.entries]);
       const std::string to = short_value(own.back().parameters[grouping.entries]);
-      row.push_back(from == to ? from : from + " to " + to);
+      row.emplace_back(from == to ? from : from + " to " + to);
     }
     std::uint64_t realisations = 0;
     for (const TableRow& condition : own) realisations += condition.realisations;
-    row.insert(row.end(), {std::to_string(own.size()), std::to_string(realisations)});
+    append(row, {look::whole(own.size()), look::whole(realisations)});
     const ResponseMode mode = most_frequent_in(own.front());
-    if (grouping.has_one_mode) row.insert(row.end(), {to_string(mode), shares_in(own, mode)});
-    if (may_overturn) row.push_back(shares_in(own, overturned));
+    if (grouping.has_one_mode) append(row, {to_string(mode), shares_in(own, mode)});
+    if (may_overturn) row.emplace_back(shares_in(own, overturned));
   }
-  return aligned(rows);
+  return to_terminal(table);
 }
 
 std::string pooled_summary(std::span<const TableRow> conditions, std::size_t most) {
@@ -169,21 +167,17 @@ std::string pooled_summary(std::span<const TableRow> conditions, std::size_t mos
     group->realisations += condition.realisations;
   }
   if (groups.size() > most) return {};
-  TextRow header;
-  for (const Parameter& other : groups.front().others) header.push_back(last_key(other.pointer));
-  header.insert(header.end(), {"records", "n", "overturned", "of a record"});
-  std::vector<TextRow> rows{header};
+  look::Table table = table_of(groups.front().others, {"records", "n", "overturned", "of a record"});
   for (const Pooled& group : groups) {
-    TextRow& row = rows.emplace_back();
-    for (const Parameter& other : group.others) row.push_back(short_value(other));
     double sum = 0.0;
     for (const double share : group.shares) sum += share;
     const auto [low, high] = std::ranges::minmax(group.shares);
     const auto records = static_cast<double>(group.shares.size());
-    row.insert(row.end(), {std::to_string(group.shares.size()), std::to_string(group.realisations),
-                           span_in_per_cent(sum / records, (sum + group.open) / records), span_in_per_cent(low, high)});
+    table.rows.push_back(row_of(
+        group.others, {look::whole(group.shares.size()), look::whole(group.realisations),
+                       span_in_per_cent(sum / records, (sum + group.open) / records), span_in_per_cent(low, high)}));
   }
-  return aligned(rows);
+  return to_terminal(table);
 }
 
 }  // namespace rocking

@@ -6,10 +6,10 @@
 #include <string_view>
 #include <vector>
 
+#include "rocking/look/table.hpp"
 #include "rocking/output/alarms.hpp"
 #include "rocking/output/mode_table.hpp"
 #include "rocking/output/settling_table.hpp"
-#include "rocking/output/text_table.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking {
@@ -134,13 +134,11 @@ std::string settling_of(const Report& report, const TableLook& look, std::ptrdif
 
 constexpr int digits = 3;
 
-std::string quantile_at(const Exponents& found, double level, bool with_interval) {
+look::Cell quantile_at(const Exponents& found, double level, bool with_interval) {
   const auto quantile = std::ranges::find(found.quantiles.levels, level, &stats::QuantileEstimate::level);
-  if (quantile == found.quantiles.levels.end() || !quantile->value) return "-";
-  const std::string value = significant(*quantile->value, digits);
-  if (!with_interval) return value;
-  const auto end = [](const std::optional<double>& at) { return at ? significant(*at, digits) : "-"; };
-  return value + " [" + end(quantile->low) + ", " + end(quantile->high) + ']';
+  if (quantile == found.quantiles.levels.end() || !quantile->value) return {};
+  if (!with_interval) return look::number(quantile->value, digits);
+  return look::Number{.value = quantile->value, .form = digits, .interval = look::Ends(quantile->low, quantile->high)};
 }
 
 }  // namespace
@@ -174,26 +172,25 @@ std::string run_table(const Experiment& experiment, const Report& report, const 
 }
 
 std::string exponent_table(const Report& report) {
-  TextRow header;
-  for (const std::string& pointer : report.swept) header.push_back(last_key(pointer));
-  header.insert(header.end(), {"n", "exponents", "median", "5 %", "95 %", "mean", "its error", "error of one"});
-  std::vector<TextRow> rows{header};
+  look::Table table;
+  for (const std::string& pointer : report.swept) add_columns(table, {last_key(pointer)});
+  add_columns(table, {"n", "exponents", "median", "5 %", "95 %", "mean", "its error", "error of one"});
   for (const ReportedCondition& condition : report.conditions) {
     if (!condition.result.exponents) continue;
     const Exponents& found = *condition.result.exponents;
-    TextRow& row = rows.emplace_back();
-    for (const Parameter& parameter : condition.parameters) row.push_back(short_value(parameter));
-    row.insert(row.end(), {std::to_string(condition.result.realisations), std::to_string(found.quantiles.realisations),
-                           quantile_at(found, 0.5, true), quantile_at(found, 0.05, false),
-                           quantile_at(found, 0.95, false), significant(found.mean, digits),
-                           found.standard_error ? significant(*found.standard_error, digits) : "-",
-                           significant(found.error_of_one, digits)});
+    table.rows.push_back(row_of(
+        condition.parameters, {look::whole(condition.result.realisations), look::whole(found.quantiles.realisations),
+                               quantile_at(found, 0.5, true), quantile_at(found, 0.05, false),
+                               quantile_at(found, 0.95, false), look::number(found.mean, digits),
+                               look::number(found.standard_error, digits), look::number(found.error_of_one, digits)}));
   }
-  if (rows.size() == 1) return {};
-  return "\nlargest Lyapunov exponent per excitation period, of the realisations whose classification needed it\n" +
-         aligned(rows) +
-         "median with its interval, quantiles and mean over realisations; error of one: of a single exponent; above 0: "
-         "neighbouring motions part\n\n";
+  if (table.rows.empty()) return {};
+  table.title = "\nlargest Lyapunov exponent per excitation period, of the realisations whose classification needed it";
+  table.notes =
+      "median with its interval, quantiles and mean over realisations; error of one: of a single exponent; above 0: "
+      "neighbouring motions part\n\n";
+  table.absent = "-";
+  return to_terminal(table);
 }
 
 }  // namespace rocking

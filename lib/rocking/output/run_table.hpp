@@ -4,9 +4,9 @@
 #include <span>
 #include <string>
 
+#include "rocking/look/text_table.hpp"
 #include "rocking/output/mode_table.hpp"
 #include "rocking/output/report.hpp"
-#include "rocking/output/text_table.hpp"
 #include "rocking/scene/experiment.hpp"
 
 namespace rocking {

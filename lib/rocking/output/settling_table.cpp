@@ -4,9 +4,9 @@
 #include <functional>
 
 #include "rocking/ensemble/settling_tally.hpp"
+#include "rocking/look/text_table.hpp"
 #include "rocking/output/long_run_table.hpp"
 #include "rocking/output/mode_table.hpp"
-#include "rocking/output/text_table.hpp"
 #include "rocking/text/json.hpp"
 #include "rocking/text/number_text.hpp"
 
@@ -18,10 +18,6 @@ constexpr std::size_t most_remedies = 3;
 /// Fixed horizons in the limit that is proposed before anything is known of the settling times.
 constexpr std::int64_t first_limit_horizons = 20;
 
-std::string end_text(const std::optional<double>& end, std::string_view absent) {
-  return end ? significant(*end, 6) : std::string(absent);
-}
-
 std::string whole_text(const std::optional<std::int64_t>& end) { return end ? std::to_string(*end) : "-"; }
 
 std::string share_text(const SettlingRow& row, std::uint64_t count) {
@@ -30,10 +26,6 @@ std::string share_text(const SettlingRow& row, std::uint64_t count) {
     return "0 (< " + per_cent(bound_of_none(of, row.confidence)) + " %)";
   }
   return std::to_string(count) + " (" + per_cent_of(count, of) + " %)";
-}
-
-std::string probability_cell(const std::optional<double>& probability) {
-  return probability ? per_cent(*probability) : ".";
 }
 
 /// The value that all rows have; empty if they differ or one has none.
@@ -52,7 +44,7 @@ std::int64_t rounded_up(std::int64_t periods) {
 
 struct SettlingColumn {
   std::string heading;
-  std::function<std::string(const SettlingRow&)> cell;
+  std::function<look::Cell(const SettlingRow&)> cell;
 };
 
 std::string settling_columns(std::span<const SettlingRow> rows, std::size_t width) {
@@ -61,24 +53,21 @@ std::string settling_columns(std::span<const SettlingRow> rows, std::size_t widt
   const std::vector<SettlingColumn> columns{
       {"unresolved " + at, [](const SettlingRow& row) { return share_text(row, row.unresolved_at_horizon); }},
       {"in the end", [](const SettlingRow& row) { return share_text(row, row.censored); }},
-      {"half settled by", [](const SettlingRow& row) { return period_text(row.median, row.limit); }},
+      {"half settled by", [](const SettlingRow& row) { return period_cell(row.median, row.limit); }},
       {"99 % settled by", [](const SettlingRow& row) { return horizon_text(row.all_but_one_per_cent); }},
-      {"differ " + at, [](const SettlingRow& row) { return probability_cell(row.differ_at_horizon); }},
-      {"differ in the end", [](const SettlingRow& row) { return probability_cell(row.differ_in_the_end); }}};
-  std::vector<TextRow> table(rows.size() + 1);
-  for (const Parameter& parameter : rows.front().parameters) table[0].push_back(last_key(parameter.pointer));
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    for (const Parameter& parameter : rows[i].parameters) table[i + 1].push_back(short_value(parameter));
-  }
+      {"differ " + at, [](const SettlingRow& row) { return look::number(row.differ_at_horizon, look::percentage()); }},
+      {"differ in the end",
+       [](const SettlingRow& row) { return look::number(row.differ_in_the_end, look::percentage()); }}};
+  look::Table table = table_of(rows.front().parameters, {});
+  for (const SettlingRow& row : rows) table.rows.push_back(row_of(row.parameters));
   for (const SettlingColumn& column : columns) {
-    std::vector<TextRow> wider = table;
-    wider[0].push_back(column.heading);
-    for (std::size_t i = 0; i < rows.size(); ++i) wider[i + 1].push_back(column.cell(rows[i]));
-    const std::string text = aligned(wider);
-    if (!table[0].empty() && letters_in(text.substr(0, text.find('\n'))) > width) break;
+    look::Table wider = table;
+    add_columns(wider, {column.heading});
+    for (std::size_t i = 0; i < rows.size(); ++i) wider.rows[i].push_back(column.cell(rows[i]));
+    if (!table.columns.empty() && width_of(wider) > width) break;
     table = std::move(wider);
   }
-  return aligned(table);
+  return to_terminal(table);
 }
 
 /// How often settled responses were left, and of which mode and condition the rate has the highest lower bound.
@@ -98,7 +87,7 @@ std::string leaving_line(std::span<const SettlingRow> rows) {
   }
   if (most == nullptr) return "";
   if (left == 0) return "no settled response was left in " + none_left_text(rows) + '\n';
-  const std::string name = name_of(*where);
+  const std::string name = values_of(where->parameters);
   return "settled responses were left " + counted(left, "time") + " in " + counted(periods, "watched period") +
          "; most often " + to_string(most->mode) + (name.empty() ? "" : " at " + name) + ": " + leaving_text(*most) +
          " per 1000 periods" + (may_be_left(*most) ? ". A label is that of a window, not of all time" : "") + '\n';
@@ -172,18 +161,14 @@ std::vector<SettlingRow> settling_rows(const Report& report) {
   return rows;
 }
 
-std::string name_of(const SettlingRow& condition) {
-  std::string name;
-  for (const Parameter& parameter : condition.parameters) {
-    name += (name.empty() ? "" : ", ") + last_key(parameter.pointer) + ' ' + short_value(parameter);
-  }
-  return name;
-}
-
-std::string period_text(const stats::QuantileEstimate& quantile, const std::optional<std::int64_t>& limit) {
-  const std::string value =
-      quantile.value ? significant(*quantile.value, 6) : "> " + (limit ? std::to_string(*limit) : "the limit");
-  return value + " [" + end_text(quantile.low, "-") + ", " + end_text(quantile.high, "-") + ']';
+look::Cell period_cell(const stats::QuantileEstimate& quantile, const std::optional<std::int64_t>& limit) {
+  constexpr int all = 12;  // periods are whole
+  look::Number cell{.value = quantile.value, .form = all, .interval = look::Ends(quantile.low, quantile.high)};
+  if (quantile.value) return cell;
+  if (!limit) return plain_text(cell, "> the limit");
+  cell.value = static_cast<double>(*limit);
+  cell.bound = '>';
+  return cell;
 }
 
 std::string horizon_text(const stats::TimeToShare& found) {
@@ -251,7 +236,8 @@ std::string settling_text(std::span<const SettlingRow> conditions, std::size_t w
   for (const SettlingRow& row : conditions) {
     realisations += row.realisations;
     censored += row.censored;
-    if (std::string remedy = limit_remedy(row, name_of(row)); !remedy.empty()) remedies.push_back(std::move(remedy));
+    if (std::string remedy = limit_remedy(row, values_of(row.parameters)); !remedy.empty())
+      remedies.push_back(std::move(remedy));
   }
   const std::string proviso = end_proviso(conditions);
   std::string text =

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "rocking/ensemble/settling_tally.hpp"
+#include "rocking/output/parameter_text.hpp"
 #include "rocking/output/report.hpp"
 #include "rocking/stats/incidence.hpp"
 #include "rocking/stats/interval.hpp"
@@ -64,8 +65,7 @@ struct SettlingRow {
 [[nodiscard]] std::vector<SettlingRow> settling_rows(const Report& report);
 
 /// `140 [80, 200]`; `> 1000` where the median lies beyond the observation, with the end of its interval that is known.
-[[nodiscard]] std::string period_text(const stats::QuantileEstimate& quantile,
-                                      const std::optional<std::int64_t>& limit);
+[[nodiscard]] look::Cell period_cell(const stats::QuantileEstimate& quantile, const std::optional<std::int64_t>& limit);
 
 /// By when all but one per cent have settled: `320 [260, -]`, `about 4100 [2480, 7760]` if it is extrapolated, `unknown`.
 [[nodiscard]] std::string horizon_text(const stats::TimeToShare& found);
@@ -100,8 +100,5 @@ struct SettlingRow {
 /// What to do about a limit at which more than one per cent of a condition is not classified: the limit that would do,
 /// or that it cannot be told; empty if it is less. `name`: of the condition, empty if there is one only.
 [[nodiscard]] std::string limit_remedy(const SettlingRow& condition, const std::string& name);
-
-/// `friction 0.4/0.35, amplitude 6`; empty if nothing is swept.
-[[nodiscard]] std::string name_of(const SettlingRow& condition);
 
 }  // namespace rocking

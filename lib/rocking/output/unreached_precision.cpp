@@ -40,14 +40,6 @@ std::string shortfall(const Until& until, const ConditionResult& result) {
   return to_string(mode->mode) + ": " + significant(100.0 * reached, 3) + " % of the estimate" + of_wanted;
 }
 
-std::string name_of(const Condition& condition) {
-  std::string name;
-  for (const Parameter& parameter : condition.parameters) {
-    name += (name.empty() ? "" : ", ") + last_key(parameter.pointer) + ' ' + short_value(parameter);
-  }
-  return name;
-}
-
 }  // namespace
 
 std::string unreached_precision(const Experiment& experiment, const Report& report) {
@@ -58,7 +50,7 @@ std::string unreached_precision(const Experiment& experiment, const Report& repo
     const ConditionResult& result = report.conditions[i].result;
     if (result.stopped_because != StoppedBecause::at_most_reached || !condition.until) continue;
     if (++number > most_unreached_listed) continue;
-    const std::string name = name_of(condition);
+    const std::string name = values_of(condition.parameters);
     list += "  " + (name.empty() ? "" : name + "; ") + shortfall(*condition.until, result) + '\n';
   }
   if (number == 0) return "";

@@ -17,7 +17,7 @@
 #include "rocking/base/stop_request.hpp"
 #include "rocking/fields/document.hpp"
 #include "rocking/figures/figure.hpp"
-#include "rocking/output/text_table.hpp"
+#include "rocking/look/text_table.hpp"
 #include "rocking/scene/experiment.hpp"
 #include "rocking/scene/hazard.hpp"
 

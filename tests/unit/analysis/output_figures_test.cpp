@@ -11,6 +11,7 @@
 #include "analysis/tables.hpp"
 #include "rocking/base/error.hpp"
 #include "rocking/figures/trajectory_figures.hpp"
+#include "rocking/look/markup.hpp"
 #include "rocking/studies/bifurcation/figure.hpp"
 #include "rocking/studies/check_normal/figure.hpp"
 #include "rocking/studies/cost/figure.hpp"
@@ -434,7 +435,7 @@ TEST(Tables, HaveEveryModeOfEveryConditionWithItsNumbers) {
 }
 
 TEST(LatexText, HasTheSignsThatWereWrittenAndCompilesWithoutPackages) {
-  using rocking::analysis::latex_text;
+  using rocking::look::latex_text;
   EXPECT_EQ(latex_text("a < b > c | d"), "a \\textless{} b \\textgreater{} c \\textbar{} d");
   EXPECT_EQ(latex_text("50 % \\ _{x}$#&~^"),
             "50 \\% \\textbackslash{} \\_\\{x\\}\\$\\#\\&\\textasciitilde{}\\textasciicircum{}");

@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "rocking/output/text_table.hpp"
+#include "rocking/look/text_table.hpp"
 
 namespace {
 

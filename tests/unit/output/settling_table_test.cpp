@@ -141,7 +141,7 @@ TEST(UnresolvedRemedy, ProposesUntilClassifiedAboveFivePerCent) {
 }
 
 TEST(PeriodText, SaysBeyond) {
-  EXPECT_EQ(period_text({.level = 0.5, .value = {}, .low = 740.0, .high = {}}, 1000), "> 1000 [740, -]");
+  EXPECT_EQ(plain_text(period_cell({.level = 0.5, .value = {}, .low = 740.0, .high = {}}, 1000)), "> 1000 [740, -]");
 }
 
 TEST(HorizonText, TellsWhatIsExtrapolated) {

@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 
 #include "rocking/base/error.hpp"
-#include "rocking/output/text_table.hpp"
+#include "rocking/look/text_table.hpp"
 #include "rocking/text/locate.hpp"
 #include "rocking/text/number_text.hpp"
 

@@ -5,10 +5,10 @@
 #include <set>
 #include <string_view>
 
-#include "rocking/output/mode_table.hpp"
+#include "rocking/look/text_table.hpp"
 #include "rocking/output/parameter_names.hpp"
+#include "rocking/output/parameter_text.hpp"
 #include "rocking/output/shaking_text.hpp"
-#include "rocking/output/text_table.hpp"
 #include "rocking/scene/shaking.hpp"
 #include "rocking/text/json.hpp"
 #include "rocking/text/number_text.hpp"
@@ -61,18 +61,20 @@ std::string table_of(const DrawnDiagrams& drawn, const Diagram& diagram, Extent 
   std::vector<std::optional<Shaking>> shakings;
   for (const std::size_t i : diagram.conditions) shakings.push_back(shaking_of(drawn.experiment->conditions[i].scene));
   const auto beside = shaking_columns(swept, shakings);
-  std::vector<TextRow> rows{{last_key(swept.front())}};
-  rows.front().insert(rows.front().end(), beside.begin(), beside.end());
-  for (const Branch branch : all_branches) rows.front().emplace_back(to_string(branch));
+  look::Table table;
+  add_columns(table, {last_key(swept.front())});
+  add_columns(table, {beside.begin(), beside.end()});
+  for (const Branch branch : all_branches) add_columns(table, {std::string(to_string(branch))});
   for (std::size_t i = 0; i < diagram.conditions.size(); ++i) {
-    TextRow row{short_value(parameters_of(drawn, diagram.conditions[i]).front())};
-    for (const std::string_view key : beside) row.push_back(column_cell(shakings[i], key));
-    for (const Branch branch : all_branches) row.push_back(cell(diagram, branch, i));
-    rows.push_back(std::move(row));
+    look::Row& row =
+        table.rows.emplace_back(look::Row{short_value(parameters_of(drawn, diagram.conditions[i]).front())});
+    for (const std::string_view key : beside) row.emplace_back(column_cell(shakings[i], key));
+    for (const Branch branch : all_branches) row.emplace_back(cell(diagram, branch, i));
   }
   const std::string common = common_shaking(swept, shakings);
-  if (extent == Extent::one_screen) rows = merged_rows(rows, 0, 1 + beside.size());
-  return coexistence_in(drawn, diagram) + '\n' + aligned(rows) + (common.empty() ? "" : "shaking: " + common + '\n');
+  if (!common.empty()) table.notes = "shaking: " + common + '\n';
+  if (extent == Extent::one_screen) merge_rows(table, 0, 1 + beside.size());
+  return coexistence_in(drawn, diagram) + '\n' + to_terminal(table);
 }
 
 /// The table of each diagram; on one screen of as many as fit there.

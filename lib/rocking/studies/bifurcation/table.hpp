@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "rocking/output/text_table.hpp"
+#include "rocking/look/text_table.hpp"
 #include "rocking/scene/experiment.hpp"
 #include "rocking/studies/bifurcation/bifurcation.hpp"
 

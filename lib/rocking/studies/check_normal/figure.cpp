@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "rocking/output/text_table.hpp"
+#include "rocking/look/text_table.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking::analysis {

@@ -3,13 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "rocking/output/text_table.hpp"
+#include "rocking/look/table.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking {
 namespace {
+
+using look::number;
 
 // A p-value in words. Among nineteen p-values one below 0.01 is not remarkable: every sixth normal sample has one.
 std::string judgement(double p_value) {
@@ -18,22 +21,29 @@ std::string judgement(double p_value) {
   return "1 sample in " + significant(1.0 / p_value, 2);
 }
 
-TextRow moment_row(const std::string& name, const stats::MomentTest& test) {
+look::Row moment_row(const std::string& name, const stats::MomentTest& test) {
   return {name,
-          significant(test.moment.value, 8),
-          significant(test.moment.standard_error, 3),
-          fixed_point(test.moment.z, 2),
-          significant(test.p_value, 3),
+          number(test.moment.value, 8),
+          number(test.moment.standard_error, 3),
+          number(test.moment.z, look::decimals(2)),
+          number(test.p_value, 3),
           judgement(test.p_value)};
 }
 
-TextRow test_row(const std::string& name, const stats::TestOfFit& test) {
-  return {name, significant(test.statistic, 4), significant(test.p_value, 3), judgement(test.p_value)};
+look::Row test_row(const std::string& name, const stats::TestOfFit& test) {
+  return {name, number(test.statistic, 4), number(test.p_value, 3), judgement(test.p_value)};
 }
 
-TextRow tail_row(const stats::TailCount& tail) {
-  return {"beyond " + significant(tail.sigmas, 1) + " sigma", std::to_string(tail.beyond.successes),
-          significant(tail.expected, 4), significant(tail.p_value, 3), judgement(tail.p_value)};
+look::Row tail_row(const stats::TailCount& tail) {
+  return {"beyond " + significant(tail.sigmas, 1) + " sigma", look::whole(tail.beyond.successes),
+          number(tail.expected, 4), number(tail.p_value, 3), judgement(tail.p_value)};
+}
+
+std::string table_of(const std::vector<std::string>& titles, std::vector<look::Row> rows) {
+  look::Table table;
+  add_columns(table, titles);
+  table.rows = std::move(rows);
+  return to_terminal(table);
 }
 
 // How often a perfect sampler has a moment as near to that of the law.
@@ -57,27 +67,27 @@ std::string shape_name(const std::string& name, const stats::ShapeTest& shape, d
 }
 
 std::string moments_table(const stats::NormalCheck& check) {
-  std::vector<TextRow> rows{{"moment", "value", "standard error", "z", "p-value", "result"},
-                            moment_row("mean", check.mean),
-                            moment_row("standard deviation", check.standard_deviation),
-                            moment_row(shape_name("skewness", check.skewness, 0.0), check.skewness.test),
-                            moment_row(shape_name("kurtosis", check.kurtosis, 3.0), check.kurtosis.test)};
+  const std::string table =
+      table_of({"moment", "value", "standard error", "z", "p-value", "result"},
+               {moment_row("mean", check.mean), moment_row("standard deviation", check.standard_deviation),
+                moment_row(shape_name("skewness", check.skewness, 0.0), check.skewness.test),
+                moment_row(shape_name("kurtosis", check.kurtosis, 3.0), check.kurtosis.test)});
   const auto distance = [](const std::string& name, const stats::ShapeTest& shape, double normal) {
     const double value = shape.of_law.value_or(normal);
     return value == 0.0 ? name : name + " - " + significant(value, 5);
   };
-  return aligned(rows) + '\n' + nearness_line(distance("skewness", check.skewness, 0.0), check.skewness) +
+  return table + '\n' + nearness_line(distance("skewness", check.skewness, 0.0), check.skewness) +
          nearness_line(distance("kurtosis", check.kurtosis, 3.0), check.kurtosis);
 }
 
 std::string correlations_table(const stats::NormalCheck& check) {
-  std::vector<TextRow> rows{{"correlation", "value", "standard error", "z", "p-value", "result"}};
+  std::vector<look::Row> rows;
   for (const stats::CorrelationTest& correlation : check.correlations) {
     std::string name = correlation.between;
     std::replace(name.begin(), name.end(), '_', ' ');
     rows.push_back(moment_row(name, correlation.test));
   }
-  return aligned(rows);
+  return table_of({"correlation", "value", "standard error", "z", "p-value", "result"}, std::move(rows));
 }
 
 // Among many p-values a small one is to be expected; the line says how often.
@@ -90,15 +100,15 @@ std::string smallest_line(const stats::NormalCheck& check) {
 std::string bars(const stats::Histogram& histogram) {
   constexpr double longest = 50.0;
   const auto tallest = static_cast<double>(*std::max_element(histogram.counts.begin(), histogram.counts.end()));
-  std::vector<TextRow> rows{{"from", "count", "expected"}};
+  std::vector<look::Row> rows;
   for (std::size_t k = 0; k < histogram.counts.size(); ++k) {
-    rows.push_back({significant(histogram.edges[k], 4), std::to_string(histogram.counts[k]),
-                    fixed_point(histogram.expected[k], 1)});
+    rows.push_back({number(histogram.edges[k], 4), look::whole(histogram.counts[k]),
+                    number(histogram.expected[k], look::decimals(1))});
   }
-  const std::string table = aligned(rows);
+  const std::string table = table_of({"from", "count", "expected"}, std::move(rows));
   std::string text;
   std::size_t start = 0;
-  for (std::size_t row = 0; row < rows.size(); ++row) {
+  for (std::size_t row = 0; row <= histogram.counts.size(); ++row) {
     const std::size_t end = table.find('\n', start);
     text += table.substr(start, end - start);
     if (row > 0 && tallest > 0.0) {
@@ -128,16 +138,13 @@ std::string check_normal_summary(const SamplerCheck& check) {
         "moments: for large samples; what follows is of the normal scores of the numbers under the distribution\n\n";
   }
   text += correlations_table(found) + '\n';
-  text += aligned({{"test of fit", "statistic", "p-value", "result"},
-                   test_row("Jarque-Bera", found.jarque_bera),
-                   test_row("D'Agostino-Pearson", found.dagostino_pearson),
-                   test_row("Anderson-Darling", found.anderson_darling),
-                   test_row("Kolmogorov-Smirnov", found.kolmogorov_smirnov)});
+  text += table_of(
+      {"test of fit", "statistic", "p-value", "result"},
+      {test_row("Jarque-Bera", found.jarque_bera), test_row("D'Agostino-Pearson", found.dagostino_pearson),
+       test_row("Anderson-Darling", found.anderson_darling), test_row("Kolmogorov-Smirnov", found.kolmogorov_smirnov)});
   text += jarque_bera_line(found);
-  text += '\n' + aligned({{"tails", "count", "expected", "p-value", "result"},
-                          tail_row(found.tails[0]),
-                          tail_row(found.tails[1]),
-                          tail_row(found.tails[2])});
+  text += '\n' + table_of({"tails", "count", "expected", "p-value", "result"},
+                          {tail_row(found.tails[0]), tail_row(found.tails[1]), tail_row(found.tails[2])});
   return text + '\n' + smallest_line(found) + '\n' + bars(found.histogram);
 }
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "rocking/fields/document.hpp"
-#include "rocking/output/text_table.hpp"
+#include "rocking/look/text_table.hpp"
 #include "rocking/scene/experiment.hpp"
 #include "rocking/studies/comparison/comparison.hpp"
 

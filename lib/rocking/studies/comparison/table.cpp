@@ -6,14 +6,17 @@
 #include <string_view>
 #include <utility>
 
-#include "rocking/output/mode_table.hpp"
+#include "rocking/look/text_table.hpp"
+#include "rocking/output/parameter_text.hpp"
 #include "rocking/output/shaking_text.hpp"
-#include "rocking/output/text_table.hpp"
 #include "rocking/scene/shaking.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking {
 namespace {
+
+using look::number;
+using look::percentage;
 
 std::string level_of(const Comparison& found) {
   return found.confidence ? level_text(*found.confidence) + " % interval"
@@ -88,23 +91,24 @@ std::string comparison_table(const Comparison& found, const Experiment& first, E
   text += answer_of(found) + '\n';
   std::uint64_t most = 0;
   for (const ConditionComparison& condition : found.conditions) most = std::max(most, condition.realisations);
-  std::vector<TextRow> rows{
-      {"condition", "n", "changed", "mode", "first", "second", "difference", "interval", "p", "worth"}};
+  look::Table table;
+  add_columns(table, {"condition", "n", "changed", "mode", "first", "second", "difference", "interval", "p", "worth"});
   for (const auto& [i, mode, pair] : compared_modes(found, extent)) {
     const ConditionComparison& compared = found.conditions[i];
+    const auto share = [all = compared.realisations](double share_in, std::uint64_t count) {
+      return number(share_in, percentage(), count_if_open(count, all));
+    };
     const auto& factor = pair->variance_reduction;
-    const std::uint64_t in_first = pair->counts.both + pair->counts.first_only;
-    const std::uint64_t in_second = pair->counts.both + pair->counts.second_only;
-    rows.push_back(
-        {name_of(first, i), std::to_string(compared.realisations), std::to_string(compared.changed.counts.successes),
-         to_string(mode), per_cent(pair->in_first) + count_if_open(in_first, compared.realisations),
-         per_cent(pair->in_second) + count_if_open(in_second, compared.realisations), per_cent(pair->difference),
-         per_cent(pair->exact), significant(pair->test.p_value, 2), factor ? significant(*factor, 2) + "x" : "."});
+    table.rows.push_back(
+        {name_of(first, i), look::whole(compared.realisations), look::whole(compared.changed.counts.successes),
+         to_string(mode), share(pair->in_first, pair->counts.both + pair->counts.first_only),
+         share(pair->in_second, pair->counts.both + pair->counts.second_only), number(pair->difference, percentage()),
+         look::interval(pair->exact, percentage()), number(pair->test.p_value, 2), number(factor, 2, "x")});
   }
   const std::size_t tests = number_of_tests(found.conditions);
-  text += aligned(rows);
-  if (rows.size() <= tests) {
-    text += "the " + std::to_string(rows.size() - 1) + " rows of smallest p of " + std::to_string(tests) +
+  text += to_terminal(table);
+  if (table.rows.size() < tests) {
+    text += "the " + std::to_string(table.rows.size()) + " rows of smallest p of " + std::to_string(tests) +
             "; all: --all, and --json\n";
   }
   return text + "\nper cent of n realisations with common random numbers; difference = first - second with its exact " +

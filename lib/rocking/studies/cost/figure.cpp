@@ -4,7 +4,7 @@
 #include <string>
 
 #include "rocking/figures/palette.hpp"
-#include "rocking/output/text_table.hpp"
+#include "rocking/look/text_table.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking::analysis {

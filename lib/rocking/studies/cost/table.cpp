@@ -5,35 +5,36 @@
 #include <cstdint>
 #include <vector>
 
-#include "rocking/output/text_table.hpp"
+#include "rocking/look/table.hpp"
 #include "rocking/studies/cost/measurement.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking {
 namespace {
 
+using look::number;
+using look::percentage;
+
 double ratio(std::uint64_t part, std::uint64_t whole) { return static_cast<double>(part) / static_cast<double>(whole); }
 
 std::string tolerance_name(const ToleranceCost& cost) { return significant(cost.tolerance, 3); }
 
-std::string error_cell(const std::optional<double>& error) { return error ? significant(*error, 1) : "."; }
-
-TextRow row_of(const Cost& cost, std::size_t place) {
+look::Row row_of(const Cost& cost, std::size_t place) {
   const ToleranceCost& tolerance = cost.curve[place];
-  TextRow row{tolerance_name(tolerance) + (cost.is_own(place) ? " *" : "  ")};
+  look::Row row{tolerance_name(tolerance) + (cost.is_own(place) ? " *" : "  ")};
   if (const auto& departure = tolerance.departure) {
-    row.insert(
-        row.end(),
-        {error_cell(departure->median_error), error_cell(departure->largest_error),
-         per_cent(ratio(departure->diverged, cost.sample), 2), std::to_string(departure->flips.successes),
-         cost.yardstick.is_everything ? "." : per_cent(departure->flips_interval, 2),
-         departure->beyond_floor && !cost.yardstick.is_everything ? per_cent(*departure->beyond_floor, 2) : "."});
+    const auto interval = [&cost](const std::optional<stats::Interval>& found) {
+      return cost.yardstick.is_everything ? look::Cell() : look::interval(found, percentage(2));
+    };
+    append(row,
+           {number(departure->median_error, 1), number(departure->largest_error, 1),
+            number(ratio(departure->diverged, cost.sample), percentage(2)), look::whole(departure->flips.successes),
+            interval(departure->flips_interval), interval(departure->beyond_floor)});
   } else {
-    row.insert(row.end(), 6, ".");
+    row.resize(row.size() + 6);
   }
-  row.push_back(fixed_point(tolerance.steps_per_period(), 1));
-  row.push_back(significant(1e6 * cost.seconds_per_period(place), 3));
-  row.push_back(fixed_point(cost.speed(place), 2));
+  append(row, {number(tolerance.steps_per_period(), look::decimals(1)), number(1e6 * cost.seconds_per_period(place), 3),
+               number(cost.speed(place), look::decimals(2))});
   return row;
 }
 
@@ -57,12 +58,14 @@ std::string realisations_asked_for(const Experiment& experiment, std::uint64_t f
 std::string realisations_table(const MeasuredCost& measured) {
   const Cost& cost = measured.cost;
   if (cost.planned.empty()) return "nothing is random: one realisation of each condition is sufficient\n";
-  std::vector<TextRow> rows{{"realisations", "mean half-width", "widest", "Wilson's", "time"}};
+  look::Table table;
+  add_columns(table, {"realisations", "mean half-width", "widest", "Wilson's", "time"});
   for (const auto& [factor, widths, periods, seconds] : cost.planned) {
-    rows.push_back({realisations_asked_for(*measured.experiment, factor), per_cent(widths.mean, 2),
-                    per_cent(widths.widest, 2), per_cent(widths.widest_wilson, 2), time_in_words(seconds)});
+    table.rows.push_back({realisations_asked_for(*measured.experiment, factor), number(widths.mean, percentage(2)),
+                          number(widths.widest, percentage(2)), number(widths.widest_wilson, percentage(2)),
+                          time_in_words(seconds)});
   }
-  std::string text = aligned(rows);
+  std::string text = to_terminal(table);
   for (const auto& [half_width, needed, periods, seconds] : cost.goals) {
     text += "for " + significant(100.0 * half_width, 3) + " % in every condition: " + std::to_string(needed.by_shares) +
             " realisations, " + time_in_words(seconds) +
@@ -158,10 +161,11 @@ std::string cost_recommendation(const MeasuredCost& measured) {
 
 std::string cost_table(const MeasuredCost& measured) {
   const Cost& cost = measured.cost;
-  std::vector<TextRow> rows{{"tolerance  ", "median error", "largest", "diverged", "changed", "interval",
-                             "beyond " + tolerance_name(cost.floor()), "steps", "us", "speed"}};
-  for (std::size_t i = 0; i < cost.curve.size(); ++i) rows.push_back(row_of(cost, i));
-  return cost_recommendation(measured) + "\n\n" + aligned(rows) + '\n' + std::to_string(cost.sample) +
+  look::Table table;
+  add_columns(table, {"tolerance  ", "median error", "largest", "diverged", "changed", "interval",
+                      "beyond " + tolerance_name(cost.floor()), "steps", "us", "speed"});
+  for (std::size_t i = 0; i < cost.curve.size(); ++i) table.rows.push_back(row_of(cost, i));
+  return cost_recommendation(measured) + "\n\n" + to_terminal(table) + '\n' + std::to_string(cost.sample) +
          " realisations of " + std::to_string(cost.sampled_conditions) +
          " conditions with the same random numbers as the reference, which is the last line. Error: of the first " +
          std::to_string(cost_error_periods) +

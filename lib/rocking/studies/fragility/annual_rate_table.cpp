@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "rocking/output/text_table.hpp"
+#include "rocking/look/table.hpp"
 #include "rocking/studies/fragility/words.hpp"
 #include "rocking/text/json.hpp"
 #include "rocking/text/number_text.hpp"
@@ -12,13 +12,16 @@
 namespace rocking {
 namespace {
 
+using look::number;
+
 std::string range_table(const AnnualRate& rate, const std::string& measure) {
-  std::vector<TextRow> rows{{measure + " from", "to", "per year", "share", "tested"}};
+  look::Table table{.title = "\nannual rate by range of " + measure};
+  add_columns(table, {measure + " from", "to", "per year", "share", "tested"});
   for (const RateInRange& range : rate.by_level) {
-    rows.push_back({significant(range.from, 4), range.to ? significant(*range.to, 4) : ".", significant(range.rate, 3),
-                    per_cent(range.share), range.is_tested ? "yes" : "no"});
+    table.rows.push_back({number(range.from, 4), number(range.to, 4), number(range.rate, 3),
+                          number(range.share, look::percentage()), range.is_tested ? "yes" : "no"});
   }
-  return "\nannual rate by range of " + measure + '\n' + aligned(rows);
+  return to_terminal(table);
 }
 
 /// What gives the rate below the least uplift: the fitted law, also where it is rejected, or the levels of one motion.
@@ -47,13 +50,14 @@ std::string extrapolation_text(const AnnualRate& rate, std::optional<double> lea
 }
 
 std::string estimate_table(const SuiteRate& rate) {
-  std::vector<TextRow> rows{{"rate by", "per year", "interval", "years"}};
+  look::Table table{.title = "\nannual rate by the probabilities between the levels"};
+  add_columns(table, {"rate by", "per year", "interval", "years"});
   for (const RateEstimate& estimate : rate.estimates) {
-    rows.push_back({source_in_words(estimate.source, rate), significant(estimate.value, 3),
-                    estimate.interval ? interval_in_words(*estimate.interval) : ".",
-                    estimate.value > 0.0 ? years_in_words(1.0 / estimate.value) : "."});
+    table.rows.push_back({source_in_words(estimate.source, rate), number(estimate.value, 3),
+                          look::interval(estimate.interval, 3),
+                          estimate.value > 0.0 ? years_in_words(1.0 / estimate.value) : look::Cell()});
   }
-  return "\nannual rate by the probabilities between the levels\n" + aligned(rows);
+  return to_terminal(table);
 }
 
 std::string record_share_text(const SuiteRate& rate) {

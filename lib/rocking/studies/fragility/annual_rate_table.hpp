@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "rocking/output/text_table.hpp"
+#include "rocking/look/text_table.hpp"
 #include "rocking/studies/fragility/run_fragility.hpp"
 
 namespace rocking {

@@ -3,13 +3,17 @@
 #include <utility>
 #include <vector>
 
-#include "rocking/output/text_table.hpp"
+#include "rocking/look/table.hpp"
 #include "rocking/studies/fragility/words.hpp"
 #include "rocking/text/json.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking {
 namespace {
+
+using look::number;
+using look::percentage;
+using look::whole;
 
 std::string_view words_for_suite(stats::FragilityOutcome outcome) {
   switch (outcome) {
@@ -33,14 +37,15 @@ std::string bootstrap_text(const std::optional<stats::Interval>& interval) {
 std::string law_table(const SuiteCurve& curve) {
   if (!curve.pooled) return "no law is fitted: " + std::string(words_for_suite(curve.outcome)) + '\n';
   const PooledSuite& pooled = *curve.pooled;
-  std::vector<TextRow> rows{{"", "value", "profile likelihood", "bootstrap over records"}};
+  look::Table table{.title = "law of the suite"};
+  add_columns(table, {"", "value", "profile likelihood", "bootstrap over records"});
   for (const auto& [name, estimate] :
        {std::pair{"median", &pooled.median}, std::pair{"dispersion", &pooled.dispersion},
         std::pair{"between records", &pooled.between_records}, std::pair{"within a record", &pooled.within_record}}) {
-    rows.push_back({name, significant(estimate->value, 3), interval_in_words(estimate->interval),
-                    bootstrap_text(estimate->bootstrap)});
+    table.rows.push_back({name, number(estimate->value, 3), look::interval(estimate->interval, 3),
+                          look::interval(estimate->bootstrap, 3)});
   }
-  std::string text = "law of the suite\n" + aligned(rows);
+  std::string text = to_terminal(table);
   if (curve.test) text += test_in_words(*curve.test);
   if (curve.outcome == stats::FragilityOutcome::rejected) {
     text += "the lognormal law is rejected: it does not describe these shares; use the isotonic ones\n";
@@ -60,28 +65,30 @@ std::string simple_text(const SimpleLaw& simple) {
 
 std::string level_table_of(const SuiteCurve& curve) {
   const bool has_law = curve.outcome == stats::FragilityOutcome::fitted;
-  std::vector<TextRow> rows{{last_key(curve.subject.parameter), "records", "n", column_of(curve.subject.event),
-                             has_law ? "fitted" : "isotonic", "band"}};
+  look::Table table{.title = "\nshares of the records at each level"};
+  add_columns(table, {last_key(curve.subject.parameter), "records", "n", column_of(curve.subject.event),
+                      has_law ? "fitted" : "isotonic", "band"});
   for (const SuiteLevel& level : curve.levels) {
-    rows.push_back({significant(level.intensity, 6), std::to_string(level.records),
-                    std::to_string(level.happened.trials),
-                    per_cent(level.estimate) + count_if_open(level.happened.successes, level.happened.trials),
-                    per_cent(has_law ? level.fitted.value() : level.isotonic), "."});
-    if (!has_law) rows.back().back() = per_cent(level.isotonic_band);
-    if (has_law && level.band) rows.back().back() = per_cent(*level.band);
+    table.rows.push_back(
+        {number(level.intensity, 6), whole(level.records), whole(level.happened.trials),
+         number(level.estimate, percentage(), count_if_open(level.happened.successes, level.happened.trials)),
+         number(has_law ? level.fitted.value() : level.isotonic, percentage()),
+         look::interval(has_law ? level.band : level.isotonic_band, percentage())});
   }
-  add_unresolved(curve.levels, 1, rows);
-  return "\nshares of the records at each level\n" + aligned(rows);
+  add_unresolved(curve.levels, 1, table);
+  return to_terminal(table);
 }
 
 std::string record_table(const SuiteCurve& curve) {
-  std::vector<TextRow> rows{{"record", "outcome", "median", "dispersion"}};
+  look::Table table{.title = "\neach record"};
+  add_columns(table, {"record", "outcome", "median", "dispersion"});
+  const auto cell = [](const stats::Bounded& found) { return estimate_cell(found.value, found.interval); };
   for (const RecordCurve& record : curve.records) {
     const auto& law = record.curve.law;
-    rows.push_back({record.name, std::string(to_string(record.curve.outcome)),
-                    law ? bounded_in_words(law->median) : ".", law ? bounded_in_words(law->dispersion) : "."});
+    table.rows.push_back({record.name, std::string(to_string(record.curve.outcome)),
+                          law ? cell(law->median) : look::Cell(), law ? cell(law->dispersion) : look::Cell()});
   }
-  return "\neach record\n" + aligned(rows);
+  return to_terminal(table);
 }
 
 std::string measure_table(const std::vector<RankedMeasure>& measures) {
@@ -89,29 +96,27 @@ std::string measure_table(const std::vector<RankedMeasure>& measures) {
     return std::ranges::any_of(measures, [&](const RankedMeasure& found) { return (found.*covariate).has_value(); });
   };
   const bool has_magnitude = has(&RankedMeasure::by_magnitude), has_distance = has(&RankedMeasure::by_distance);
-  std::vector<TextRow> rows{{"measure", "median", "dispersion", "between", "within", "deviance", "AIC"}};
-  if (has_magnitude) rows.front().emplace_back("p (magnitude)");
-  if (has_distance) rows.front().emplace_back("p (distance)");
+  look::Table table{.title = "\nmeasures of intensity, smallest dispersion (most efficient) first"};
+  add_columns(table, {"measure", "median", "dispersion", "between", "within", "deviance", "AIC"});
+  if (has_magnitude) add_columns(table, {"p (magnitude)"});
+  if (has_distance) add_columns(table, {"p (distance)"});
   for (const RankedMeasure& found : measures) {
-    TextRow row{std::string(to_string(found.measure))};
-    const auto add = [&row](const std::optional<double>& number, int digits) {
-      row.push_back(number ? significant(*number, digits) : ".");
+    look::Row& row = table.rows.emplace_back(look::Row{std::string(to_string(found.measure))});
+    for (const auto& each : {found.median, found.dispersion, found.between_records, found.within_record}) {
+      row.push_back(number(each, 3));
+    }
+    for (const auto& each : {found.deviance, found.aic}) row.push_back(number(each, 6));
+    const auto p_of = [](const std::optional<stats::SuiteCovariate>& covariate) {
+      return covariate ? number(covariate->p_value, 2) : look::Cell();
     };
-    for (const auto& number : {found.median, found.dispersion, found.between_records, found.within_record})
-      add(number, 3);
-    for (const auto& number : {found.deviance, found.aic}) add(number, 6);
-    const auto add_p = [&add](const std::optional<stats::SuiteCovariate>& covariate) {
-      add(covariate ? std::optional(covariate->p_value) : std::nullopt, 2);
-    };
-    if (has_magnitude) add_p(found.by_magnitude);
-    if (has_distance) add_p(found.by_distance);
-    rows.push_back(std::move(row));
+    if (has_magnitude) row.push_back(p_of(found.by_magnitude));
+    if (has_distance) row.push_back(p_of(found.by_distance));
   }
-  std::string text = "\nmeasures of intensity, smallest dispersion (most efficient) first\n" + aligned(rows);
   if (has_magnitude || has_distance) {
-    text += "p: of no dependence of the capacity in this measure on the earthquake; below 0.05 it is not sufficient\n";
+    table.notes =
+        "p: of no dependence of the capacity in this measure on the earthquake; below 0.05 it is not sufficient\n";
   }
-  return text;
+  return to_terminal(table);
 }
 
 }  // namespace
@@ -131,14 +136,15 @@ std::string suite_table(const SuiteCurve& curve, RecordTable records, Extent ext
 }
 
 std::string incremental_table(const IncrementalAnalysis& analysis) {
-  std::vector<TextRow> rows{{last_key(analysis.parameter), "n", "overturned", "16 %", "median", "84 %"}};
+  look::Table table{.title = "peak tilt, abs(theta)/psi, over all records and realisations", .absent = "overturned"};
+  add_columns(table, {last_key(analysis.parameter), "n", "overturned", "16 %", "median", "84 %"});
   for (const PeakTiltLevel& level : analysis.all) {
-    TextRow row{significant(level.intensity, 6), std::to_string(level.trials), std::to_string(level.overturned)};
-    for (const auto& quantile : level.quantiles) row.push_back(quantile ? significant(*quantile, 3) : "overturned");
-    rows.push_back(std::move(row));
+    look::Row& row =
+        table.rows.emplace_back(look::Row{number(level.intensity, 6), whole(level.trials), whole(level.overturned)});
+    for (const auto& quantile : level.quantiles) row.push_back(number(quantile, 3));
   }
-  return "peak tilt, abs(theta)/psi, over all records and realisations\n" + aligned(rows) +
-         std::to_string(analysis.resurrections.trials) + " of " + std::to_string(analysis.resurrections.of) +
+  return to_terminal(table) + std::to_string(analysis.resurrections.trials) + " of " +
+         std::to_string(analysis.resurrections.of) +
          " realisations that overturned at some level stood again at a stronger one\n";
 }
 

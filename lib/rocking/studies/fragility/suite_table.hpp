@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "rocking/output/text_table.hpp"
+#include "rocking/look/text_table.hpp"
 #include "rocking/studies/fragility/suite_curve.hpp"
 
 namespace rocking {

@@ -6,10 +6,10 @@
 #include <string_view>
 #include <vector>
 
+#include "rocking/look/text_table.hpp"
 #include "rocking/output/alarms.hpp"
-#include "rocking/output/mode_table.hpp"
+#include "rocking/output/parameter_text.hpp"
 #include "rocking/output/shaking_text.hpp"
-#include "rocking/output/text_table.hpp"
 #include "rocking/studies/fragility/annual_rate_table.hpp"
 #include "rocking/studies/fragility/words.hpp"
 #include "rocking/text/json.hpp"
@@ -17,6 +17,9 @@
 
 namespace rocking {
 namespace {
+
+using look::number;
+using look::percentage;
 
 using stats::FragilityOutcome;
 
@@ -68,17 +71,13 @@ std::string median_in_words(const FragilityCurve& curve) {
   return (is_above ? "> " : "< ") + significant(nearest, 6) + " (extrapolated: " + bounded_in_words(median) + ')';
 }
 
-TextRow row_of(const FragilityLevel& level) {
-  TextRow row{significant(level.intensity, 6),
-              std::to_string(level.overturned.trials),
-              per_cent(level.estimate) + count_if_open(level.overturned.successes, level.overturned.trials),
-              per_cent(level.exact),
-              ".",
-              "."};
-  if (level.fitted) row[4] = per_cent(*level.fitted) + (level.is_missed() ? " *" : "");
-  if (level.isotonic) row[4] = per_cent(*level.isotonic);
-  if (level.band) row[5] = per_cent(*level.band);
-  return row;
+/// The cells after the intensity.
+look::Row row_of(const FragilityLevel& level) {
+  look::Cell curve = number(level.isotonic ? level.isotonic : level.fitted, percentage());
+  if (level.fitted && !level.isotonic && level.is_missed()) std::get<look::Number>(curve).after = " *";
+  return {look::whole(level.overturned.trials),
+          number(level.estimate, percentage(), count_if_open(level.overturned.successes, level.overturned.trials)),
+          look::interval(level.exact, percentage()), curve, look::interval(level.band, percentage())};
 }
 
 /// Median and dispersion, or why there are none, and the test of the function.
@@ -91,22 +90,22 @@ std::string law_in_words(const FragilityCurve& curve) {
 
 std::string curve_table(const FragilityCurve& curve, Extent extent) {
   const bool is_isotonic = curve.outcome == FragilityOutcome::rejected;
-  std::vector<TextRow> rows{{last_key(curve.subject.parameter), "n", column_of(curve.subject.event), "exact",
-                             is_isotonic ? "isotonic" : "fitted", "band"}};
+  look::Table table{.title = "shares at the levels"};
   std::vector<std::optional<Shaking>> shakings;
   for (const FragilityLevel& level : curve.levels) shakings.push_back(level.shaking);
   const auto beside = shaking_columns(swept_in(curve), shakings);
-  rows.front().insert(rows.front().begin() + 1, beside.begin(), beside.end());
+  add_columns(table, {last_key(curve.subject.parameter)});
+  add_columns(table, {beside.begin(), beside.end()});
+  add_columns(table, {"n", column_of(curve.subject.event), "exact", is_isotonic ? "isotonic" : "fitted", "band"});
   const std::size_t step = extent == Extent::all ? 1 : (curve.levels.size() + most_screen_rows - 1) / most_screen_rows;
   for (std::size_t i = 0; i < curve.levels.size(); i += step) {
-    TextRow row = row_of(curve.levels[i]);
-    for (std::size_t k = beside.size(); k-- > 0;) row.insert(row.begin() + 1, column_cell(shakings[i], beside[k]));
-    rows.push_back(std::move(row));
+    look::Row& row = table.rows.emplace_back(look::Row{number(curve.levels[i].intensity, 6)});
+    for (const std::string_view key : beside) row.emplace_back(column_cell(shakings[i], key));
+    append(row, row_of(curve.levels[i]));
   }
-  add_unresolved(curve.levels, step, rows);
+  add_unresolved(curve.levels, step, table);
   const std::string common = common_shaking(swept_in(curve), shakings);
-  std::string text = law_in_words(curve) + "\nshares at the levels\n" + aligned(rows) +
-                     rare_table(curve.rare, curve.subject.parameter) +
+  std::string text = law_in_words(curve) + '\n' + to_terminal(table) + rare_table(curve.rare, curve.subject.parameter) +
                      (common.empty() ? "" : "shaking: " + common + '\n');
   const std::size_t missed = curve.missed_levels();
   if (missed == 0) return text;
@@ -175,41 +174,33 @@ const AnnualRate* rate_of(const ReportedCurve& reported) { return reported.rate 
 const AnnualRate* rate_of(const ReportedSuite& reported) { return reported.rate ? &reported.rate->chosen : nullptr; }
 
 /// Median and dispersion of a row of the summary; the outcome where there are none.
-TextRow law_cells(const FragilityCurve& curve) {
-  if (!curve.law) return {std::string(to_string(curve.outcome)), "."};
+look::Row law_cells(const FragilityCurve& curve) {
+  if (!curve.law) return {std::string(to_string(curve.outcome)), look::Cell()};
   return {median_in_words(curve), bounded_in_words(curve.law->dispersion)};
 }
 
-TextRow law_cells(const SuiteCurve& curve) {
-  if (!curve.pooled || curve.outcome != FragilityOutcome::fitted) return {std::string(to_string(curve.outcome)), "."};
-  const auto words = [](const SuiteEstimate& found) {
-    return significant(found.value, 3) + ' ' + interval_in_words(found.interval);
-  };
-  return {words(curve.pooled->median), words(curve.pooled->dispersion)};
-}
-
-std::string values_of(const std::vector<Parameter>& parameters) {
-  std::string text;
-  for (const Parameter& parameter : parameters) {
-    text += (text.empty() ? "" : ", ") + last_key(parameter.pointer) + ' ' + short_value(parameter);
+look::Row law_cells(const SuiteCurve& curve) {
+  if (!curve.pooled || curve.outcome != FragilityOutcome::fitted) {
+    return {std::string(to_string(curve.outcome)), look::Cell()};
   }
-  return text;
+  const PooledSuite& pooled = *curve.pooled;
+  return {estimate_cell(pooled.median.value, pooled.median.interval),
+          estimate_cell(pooled.dispersion.value, pooled.dispersion.interval)};
 }
 
 std::string comparisons_of(const FragilityReport& report) {
   if (report.comparisons.empty()) return "";
-  std::vector<TextRow> rows{
-      {"option", "against", "event", "by", "difference per year", "interval", "ratio", "interval"}};
-  const auto interval = [](const std::optional<stats::Interval>& found) {
-    return found ? interval_in_words(*found) : std::string(".");
-  };
+  look::Table table{
+      .title =
+          "rates compared, with the same records and random numbers; intervals hold what the levels leave undecided",
+      .notes = "\n"};
+  add_columns(table, {"option", "against", "event", "by", "difference per year", "interval", "ratio", "interval"});
   for (const auto& [run, found] : report.comparisons) {
-    rows.push_back({values_of(found.option), values_of(found.base), words_of(found.event),
-                    source_in_words(found.source), significant(found.difference, 3), interval(found.interval),
-                    found.ratio ? significant(*found.ratio, 3) : ".", interval(found.ratio_interval)});
+    table.rows.push_back({values_of(found.option), values_of(found.base), words_of(found.event),
+                          source_in_words(found.source), number(found.difference, 3), look::interval(found.interval, 3),
+                          number(found.ratio, 3), look::interval(found.ratio_interval, 3)});
   }
-  return "rates compared, with the same records and random numbers; intervals hold what the levels leave undecided\n" +
-         aligned(rows) + '\n';
+  return to_terminal(table);
 }
 
 std::string curve_tables(const FragilityReport& report, const Content& content) {
@@ -282,25 +273,22 @@ std::string warnings_in(const FragilityReport& report) {
 
 /// A row for each curve, in the units of its sweep.
 std::string summary_of(const FragilityReport& report) {
-  std::vector<TextRow> rows{{"curve", "event", "median", "dispersion", "per year", "years"}};
+  look::Table table{.title = "curves, median and dispersion in the units of the sweep"};
+  add_columns(table, {"curve", "event", "median", "dispersion", "per year", "years"});
   for (const auto& curve : report.curves) {
     std::visit(
-        [&rows](const auto& reported) {
+        [&table](const auto& reported) {
           const CurveSubject& subject = reported.curve.subject;
-          TextRow row{curve_name(reported), column_of(subject.event)};
-          const TextRow law = law_cells(reported.curve);
-          row.insert(row.end(), law.begin(), law.end());
+          look::Row& row = table.rows.emplace_back(look::Row{curve_name(reported), column_of(subject.event)});
+          append(row, law_cells(reported.curve));
           const AnnualRate* rate = rate_of(reported);
-          row.push_back(rate ? significant(rate->value, 3) : ".");
-          row.push_back(rate && rate->value > 0.0 ? years_in_words(1.0 / rate->value) : ".");
-          rows.push_back(std::move(row));
+          row.push_back(rate ? number(rate->value, 3) : look::Cell());
+          row.push_back(rate && rate->value > 0.0 ? years_in_words(1.0 / rate->value) : look::Cell());
         },
         curve);
   }
-  const std::size_t all = rows.size();
-  rows.resize(std::min(all, most_screen_rows));
-  return "curves, median and dispersion in the units of the sweep\n" + aligned(rows) + reasons_in(report) +
-         warnings_in(report);
+  table.rows.resize(std::min(table.rows.size(), most_screen_rows - 1));
+  return to_terminal(table) + reasons_in(report) + warnings_in(report);
 }
 
 /// A warning for each run whose suite lacks records.

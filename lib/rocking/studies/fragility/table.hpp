@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "rocking/output/text_table.hpp"
+#include "rocking/look/text_table.hpp"
 #include "rocking/studies/fragility/result.hpp"
 #include "rocking/studies/fragility/suite_table.hpp"
 

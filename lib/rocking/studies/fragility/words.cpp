@@ -2,12 +2,14 @@
 
 #include <cmath>
 
+#include "rocking/look/table.hpp"
 #include "rocking/output/mode_table.hpp"
-#include "rocking/output/text_table.hpp"
 #include "rocking/text/json.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking {
+
+using look::number;
 
 std::string words_of(const FragilityEvent& event) {
   return event.peak_tilt ? "a peak tilt above " + significant(*event.peak_tilt, 6) : "overturning";
@@ -17,8 +19,12 @@ std::string column_of(const FragilityEvent& event) {
   return event.peak_tilt ? "tilt > " + significant(*event.peak_tilt, 6) : "overturned";
 }
 
+look::Cell estimate_cell(double value, const std::optional<stats::Interval>& interval) {
+  return number(value, interval, 3);
+}
+
 std::string bounded_in_words(const stats::Bounded& bounded) {
-  return significant(bounded.value, 3) + ' ' + interval_in_words(bounded.interval);
+  return plain_text(estimate_cell(bounded.value, bounded.interval));
 }
 
 std::string years_in_words(double years) {
@@ -34,13 +40,13 @@ std::string test_in_words(const stats::LackOfFit& test) {
 
 std::string rare_table(const std::vector<RareLevel>& levels, const std::string& parameter) {
   if (levels.empty()) return "";
-  std::vector<TextRow> rows{{last_key(parameter), "probability", "from", "to", "error"}};
+  look::Table table{.title = "rare estimates"};
+  add_columns(table, {last_key(parameter), "probability", "from", "to", "error"});
   for (const RareLevel& level : levels) {
-    rows.push_back({significant(level.intensity, 6), significant(level.probability, 3),
-                    significant(level.interval.low, 3), significant(level.interval.high, 3),
-                    significant(100.0 * level.relative_error, 2) + " %"});
+    table.rows.push_back({number(level.intensity, 6), number(level.probability, 3), number(level.interval.low, 3),
+                          number(level.interval.high, 3), number(100.0 * level.relative_error, 2, " %")});
   }
-  return "rare estimates\n" + aligned(rows);
+  return to_terminal(table);
 }
 
 std::string heading_of_curve(const std::string& title, const std::vector<Parameter>& others) {

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "rocking/look/table.hpp"
 #include "rocking/scene/experiment.hpp"
 #include "rocking/stats/fragility.hpp"
 #include "rocking/studies/fragility/fragility_curve.hpp"
@@ -18,19 +20,19 @@ namespace rocking {
 /// Heading of the column of shares: `overturned`, or `tilt > 0.5`.
 [[nodiscard]] std::string column_of(const FragilityEvent& event);
 /// `2.31 [2.20, 2.43]`.
+[[nodiscard]] look::Cell estimate_cell(double value, const std::optional<stats::Interval>& interval);
 [[nodiscard]] std::string bounded_in_words(const stats::Bounded& bounded);
 
 /// A number of years with three digits and without a power of ten: `1910`, `0.25`.
 [[nodiscard]] std::string years_in_words(double years);
 
-/// Adds the column `unresolved` to the table of levels, whose rows follow the heading, if a level has realisations
-/// without an answer.
+/// Adds the column `unresolved` to the table of every `step`-th level if a level has realisations without an answer.
 template <class Levels>
-void add_unresolved(const Levels& levels, std::size_t step, std::vector<std::vector<std::string>>& rows) {
+void add_unresolved(const Levels& levels, std::size_t step, look::Table& table) {
   if (std::ranges::none_of(levels, [](const auto& level) { return level.unresolved > 0; })) return;
-  rows.front().emplace_back("unresolved");
-  for (std::size_t row = 1; row < rows.size(); ++row) {
-    rows[row].push_back(std::to_string(levels[(row - 1) * step].unresolved));
+  add_columns(table, {"unresolved"});
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    table.rows[row].push_back(look::whole(levels[row * step].unresolved));
   }
 }
 

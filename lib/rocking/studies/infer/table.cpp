@@ -1,7 +1,6 @@
 #include <algorithm>
 
-#include "rocking/output/mode_table.hpp"
-#include "rocking/output/text_table.hpp"
+#include "rocking/output/parameter_text.hpp"
 #include "rocking/studies/infer/result.hpp"
 #include "rocking/studies/infer/words.hpp"
 #include "rocking/text/number_text.hpp"
@@ -9,53 +8,46 @@
 namespace rocking {
 namespace {
 
+using look::decimals;
+using look::number;
+
+void add_estimate(look::Row& row, double value, const stats::Interval& interval) {
+  for (const double each : {value, interval.low, interval.high}) row.push_back(number(each, 3));
+}
+
 std::string unknowns_table(const InferReport& report) {
-  std::vector<TextRow> rows{{"unknown", "estimate", "from", "to"}};
+  look::Table table;
+  add_columns(table, {"unknown", "estimate", "from", "to"});
   const bool has_prior = !report.unknowns.empty() && report.unknowns.front().posterior.has_value();
-  if (has_prior) rows.front().insert(rows.front().end(), {"posterior mean", "from", "to"});
+  if (has_prior) add_columns(table, {"posterior mean", "from", "to"});
   for (const ReportedUnknown& unknown : report.unknowns) {
-    rows.push_back({unknown.parameter, significant(*unknown.estimate, 3), significant(unknown.interval->low, 3),
-                    significant(unknown.interval->high, 3)});
-    if (!has_prior) continue;
-    const UnknownPosterior& posterior = *unknown.posterior;
-    rows.back().insert(rows.back().end(), {significant(posterior.mean, 3), significant(posterior.interval.low, 3),
-                                           significant(posterior.interval.high, 3)});
+    look::Row& row = table.rows.emplace_back(look::Row{unknown.parameter});
+    add_estimate(row, *unknown.estimate, *unknown.interval);
+    if (has_prior) add_estimate(row, unknown.posterior->mean, unknown.posterior->interval);
   }
-  return aligned(rows) + "from, to: interval with " + level_text(report.confidence) + " % confidence" +
-         (has_prior ? ", of the profile likelihood and of the posterior" : " of the profile likelihood") + "\n";
-}
-
-TextRow cells_of(const std::vector<Parameter>& parameters) {
-  TextRow row;
-  for (const Parameter& parameter : parameters) row.push_back(short_value(parameter));
-  return row;
-}
-
-TextRow keys_of(const std::vector<Parameter>& parameters) {
-  TextRow row;
-  for (const Parameter& parameter : parameters) row.push_back(last_key(parameter.pointer));
-  return row;
+  table.notes = "from, to: interval with " + level_text(report.confidence) + " % confidence" +
+                (has_prior ? ", of the profile likelihood and of the posterior" : " of the profile likelihood") + "\n";
+  return to_terminal(table);
 }
 
 /// Counted and predicted shares side by side.
 std::string tests_table(const InferReport& report) {
-  std::vector<TextRow> rows{keys_of(report.tests.front().parameters)};
-  rows.front().insert(rows.front().end(), {"mode", "tests", "share", "from", "to", "predicted"});
+  look::Table table = table_of(report.tests.front().parameters, {"mode", "tests", "share", "from", "to", "predicted"});
   for (const ReportedTests& tests : report.tests) {
     std::uint64_t all = 0;
     for (const std::uint64_t count : tests.counts) all += count;
     for (std::size_t g = 0; g < tests.counts.size(); ++g) {
       constexpr double shown = 0.005;
       if (tests.counts[g] == 0 && tests.predicted[g] < shown) continue;
-      TextRow row = cells_of(tests.parameters);
+      look::Row& row = table.rows.emplace_back(
+          row_of(tests.parameters, {report.groups[g], std::to_string(tests.counts[g]) + " of " + std::to_string(all)}));
       const double share = static_cast<double>(tests.counts[g]) / static_cast<double>(all);
-      row.insert(row.end(), {report.groups[g], std::to_string(tests.counts[g]) + " of " + std::to_string(all),
-                             fixed_point(share, 2), fixed_point(tests.intervals[g].low, 2),
-                             fixed_point(tests.intervals[g].high, 2), fixed_point(tests.predicted[g], 2)});
-      rows.push_back(std::move(row));
+      for (const double each : {share, tests.intervals[g].low, tests.intervals[g].high, tests.predicted[g]}) {
+        row.push_back(number(each, decimals(2)));
+      }
     }
   }
-  return aligned(rows);
+  return to_terminal(table);
 }
 
 /// Counts of response modes that no realisation showed, at any value of the unknowns.
@@ -63,15 +55,12 @@ std::string never_simulated(const InferReport& report) {
   std::string words;
   for (std::size_t c = 0; c < report.tests.size(); ++c) {
     const ReportedTests& tested = report.tests[c];
-    std::string setting;
-    for (const Parameter& each : tested.parameters) {
-      setting += (setting.empty() ? " with " : ", ") + last_key(each.pointer) + ' ' + short_value(each);
-    }
+    const std::string setting = values_of(tested.parameters);
     for (std::size_t g = 0; g < tested.counts.size(); ++g) {
       const auto shows_it = [&](const infer::DesignPoint& point) { return point.counts[c][g] > 0; };
       if (tested.counts[g] == 0 || std::ranges::any_of(report.design, shows_it)) continue;
-      words += report.groups[g] + setting + " was counted " + counted(tested.counts[g], "time") +
-               ", but never simulated at any value of the unknowns\n";
+      words += report.groups[g] + (setting.empty() ? "" : " with " + setting) + " was counted " +
+               counted(tested.counts[g], "time") + ", but never simulated at any value of the unknowns\n";
     }
   }
   return words;
@@ -79,17 +68,15 @@ std::string never_simulated(const InferReport& report) {
 
 std::string candidates_table(const InferReport& report) {
   if (report.candidates.empty()) return "";
-  std::vector<TextRow> rows{keys_of(report.candidates.front().parameters)};
-  rows.front().emplace_back("region");
-  for (const ReportedUnknown& unknown : report.unknowns) rows.front().push_back(last_key(unknown.parameter));
+  look::Table table = table_of(report.candidates.front().parameters, {"region"});
+  for (const ReportedUnknown& unknown : report.unknowns) add_columns(table, {last_key(unknown.parameter)});
   for (const ReportedCandidate& candidate : report.candidates) {
-    TextRow row = cells_of(candidate.parameters);
-    row.push_back(fixed_point(*candidate.region, 2));
-    for (const double deviation : candidate.deviations) row.push_back(fixed_point(deviation, 2));
-    rows.push_back(std::move(row));
+    look::Row& row = table.rows.emplace_back(row_of(candidate.parameters, {number(*candidate.region, decimals(2))}));
+    for (const double deviation : candidate.deviations) row.push_back(number(deviation, decimals(2)));
   }
-  return "\nWith " + counted(report.next_tests, "more test") +
-         ", expected size of the region and standard deviations, over the present ones:\n\n" + aligned(rows);
+  table.title = "\nWith " + counted(report.next_tests, "more test") +
+                ", expected size of the region and standard deviations, over the present ones:\n";
+  return to_terminal(table);
 }
 
 std::string end_words(InferEnd end) {

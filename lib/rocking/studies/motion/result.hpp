@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "rocking/fields/document.hpp"
+#include "rocking/look/text_table.hpp"
 #include "rocking/output/ground_motion_facts.hpp"
-#include "rocking/output/text_table.hpp"
 #include "rocking/studies/motion/motion.hpp"
 
 namespace rocking {

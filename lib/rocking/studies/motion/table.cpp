@@ -1,13 +1,15 @@
 #include <algorithm>
 #include <array>
 
-#include "rocking/output/text_table.hpp"
+#include "rocking/look/table.hpp"
+#include "rocking/look/text_table.hpp"
 #include "rocking/studies/motion/result.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking {
 namespace {
 
+using look::number;
 struct MeasureColumn {
   const char* heading;
   double (*value)(const IntensityMeasures&);
@@ -26,86 +28,90 @@ std::string vertical_cell(const GroundMotionFacts& facts) {
   return facts.vertical_file.value_or("in the file");
 }
 
-std::string reading_table(const std::vector<ReportedMotion>& motions) {
-  std::vector<TextRow> rows{{"file", "format", "unit", "samples", "step [s]", "duration [s]", "vertical component"}};
+look::Table reading_table(const std::vector<ReportedMotion>& motions) {
+  look::Table table;
+  add_columns(table, {"file", "format", "unit", "samples", "step [s]", "duration [s]", "vertical component"});
   const bool has_columns =
       std::ranges::any_of(motions, [](const ReportedMotion& motion) { return !motion.facts.columns.empty(); });
-  if (has_columns) rows.front().emplace_back("columns");
+  if (has_columns) add_columns(table, {"columns"});
   for (const ReportedMotion& motion : motions) {
     const GroundMotionFacts& facts = motion.facts;
-    rows.push_back({facts.file, facts.format, facts.unit + (facts.unit_is_assumed ? " (assumed)" : ""),
-                    std::to_string(facts.samples), facts.time_step_s ? significant(*facts.time_step_s, 6) : "uneven",
-                    significant(facts.duration_s, 6), vertical_cell(facts)});
+    look::Row& row = table.rows.emplace_back(
+        look::Row{facts.file, facts.format, facts.unit + (facts.unit_is_assumed ? " (assumed)" : ""),
+                  look::whole(facts.samples), facts.time_step_s ? look::number(facts.time_step_s, 6) : "uneven",
+                  look::number(facts.duration_s, 6), vertical_cell(facts)});
     if (!has_columns) continue;
     std::string columns;
     for (const std::string& column : facts.columns) columns += (columns.empty() ? "" : ",") + column;
-    rows.back().push_back(columns.empty() ? "-" : columns);
+    row.emplace_back(columns.empty() ? "-" : columns);
   }
-  return aligned(rows);
+  return table;
 }
 
-std::string measures_table(const MotionReport& report, Extent extent) {
-  std::vector<TextRow> rows{{"file"}};
-  for (const MeasureColumn& column : measure_columns) rows.front().emplace_back(column.heading);
+look::Table measures_table(const MotionReport& report, Extent extent) {
+  look::Table table{.absent = "none"};
+  add_columns(table, {"file"});
+  for (const MeasureColumn& column : measure_columns) add_columns(table, {column.heading});
   const bool has_vertical = std::ranges::any_of(
       report.motions, [](const ReportedMotion& motion) { return motion.vertical_pga_g.has_value(); });
-  if (has_vertical) rows.front().emplace_back("vertical PGA [g]");
-  if (report.block) rows.front().emplace_back("uplift scale");
+  if (has_vertical) add_columns(table, {"vertical PGA [g]"});
+  if (report.block) add_columns(table, {"uplift scale"});
   for (const ReportedMotion& motion : report.motions) {
-    rows.push_back({motion.facts.file});
-    for (const MeasureColumn& column : measure_columns) {
-      rows.back().push_back(significant(column.value(motion.measures), 4));
-    }
-    if (has_vertical) {
-      rows.back().push_back(motion.vertical_pga_g ? significant(*motion.vertical_pga_g, 4) : "none");
-    }
-    if (!motion.uplift_scale) continue;
-    rows.back().push_back(*motion.uplift_scale ? significant(**motion.uplift_scale, 4) : "none");
+    look::Row& row = table.rows.emplace_back(look::Row{motion.facts.file});
+    for (const MeasureColumn& column : measure_columns) row.push_back(number(column.value(motion.measures), 4));
+    if (has_vertical) row.push_back(number(motion.vertical_pga_g, 4));
+    if (motion.uplift_scale) row.push_back(number(*motion.uplift_scale, 4));
   }
-  if (extent == Extent::one_screen) rows.resize(std::min(rows.size(), most_screen_rows));
-  return aligned(rows);
+  if (extent == Extent::one_screen) table.rows.resize(std::min(table.rows.size(), most_screen_rows - 1));
+  return table;
 }
 
-std::string spectrum_table(const std::vector<ReportedMotion>& motions) {
-  std::vector<TextRow> rows{{"file", "T [s]", "PSa [g]", "Sv [m/s]", "Sd [m]", "PSv [m/s]", "absolute Sa [g]"}};
+look::Table spectrum_table(const std::vector<ReportedMotion>& motions) {
+  look::Table table;
+  add_columns(table, {"file", "T [s]", "PSa [g]", "Sv [m/s]", "Sd [m]", "PSv [m/s]", "absolute Sa [g]"});
   for (const ReportedMotion& motion : motions) {
     for (const SpectrumEntry& entry : motion.spectrum) {
-      rows.push_back({motion.facts.file, significant(entry.period_s, 4), significant(entry.sa_g, 4),
-                      significant(entry.sv_m_s, 4), significant(entry.sd_m, 4), significant(entry.psv_m_s, 4),
-                      significant(entry.sa_absolute_g, 4)});
+      look::Row& row = table.rows.emplace_back(look::Row{motion.facts.file});
+      for (const double value :
+           {entry.period_s, entry.sa_g, entry.sv_m_s, entry.sd_m, entry.psv_m_s, entry.sa_absolute_g}) {
+        row.push_back(number(value, 4));
+      }
     }
   }
-  return aligned(rows);
+  return table;
 }
 
 /// Smallest, median and largest value over the motions at each period; the motions have the same periods.
-std::string spectra_summary(const std::vector<ReportedMotion>& motions) {
-  std::vector<TextRow> rows{{"T [s]", "PSa [g] least", "median", "largest"}};
+look::Table spectra_summary(const std::vector<ReportedMotion>& motions) {
+  look::Table table;
+  add_columns(table, {"T [s]", "PSa [g] least", "median", "largest"});
   for (std::size_t i = 0; i < motions.front().spectrum.size(); ++i) {
     std::vector<double> values;
     for (const ReportedMotion& motion : motions) values.push_back(motion.spectrum[i].sa_g);
     std::ranges::sort(values);
     const std::size_t half = values.size() / 2;
     const double median = values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
-    rows.push_back({significant(motions.front().spectrum[i].period_s, 4), significant(values.front(), 4),
-                    significant(median, 4), significant(values.back(), 4)});
+    table.rows.push_back({number(motions.front().spectrum[i].period_s, 4), number(values.front(), 4), number(median, 4),
+                          number(values.back(), 4)});
   }
-  return aligned(rows);
+  return table;
 }
 
 }  // namespace
 
 std::string motion_table(const MotionReport& report, Extent extent) {
-  const std::string measures = measures_table(report, extent);
+  const std::string measures = to_terminal(measures_table(report, extent));
   const bool has_spectrum = !report.motions.empty() && !report.motions.front().spectrum.empty();
-  const std::string heading = "\nresponse spectrum, " + significant(100.0 * report.damping, 3) + " % damping";
-  const std::string whole = measures + '\n' + reading_table(report.motions) +
-                            (has_spectrum ? heading + '\n' + spectrum_table(report.motions) : "");
+  const auto spectra = [&](look::Table table, const std::string& of) {
+    table.title = "\nresponse spectrum, " + significant(100.0 * report.damping, 3) + " % damping" + of;
+    return to_terminal(table);
+  };
+  const std::string whole = measures + '\n' + to_terminal(reading_table(report.motions)) +
+                            (has_spectrum ? spectra(spectrum_table(report.motions), "") : "");
   if (is_printed_whole(whole, extent)) return whole;
   return measures +
-         (has_spectrum
-              ? heading + ", over " + counted(report.motions.size(), "motion") + '\n' + spectra_summary(report.motions)
-              : "") +
+         (has_spectrum ? spectra(spectra_summary(report.motions), ", over " + counted(report.motions.size(), "motion"))
+                       : "") +
          "more rows: --all, and --json\n";
 }
 

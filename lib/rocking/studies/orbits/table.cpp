@@ -6,12 +6,16 @@
 #include <utility>
 #include <vector>
 
-#include "rocking/output/mode_table.hpp"
-#include "rocking/output/text_table.hpp"
+#include "rocking/look/text_table.hpp"
+#include "rocking/output/parameter_text.hpp"
+#include "rocking/text/json.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking {
 namespace {
+
+using look::number;
+using look::whole;
 
 constexpr std::size_t most_ranges = 30;     ///< of conditions with the same stable orbits, on one screen
 constexpr std::size_t most_not_backed = 5;  ///< conditions that are listed there
@@ -19,9 +23,9 @@ constexpr std::size_t most_not_backed = 5;  ///< conditions that are listed ther
 std::string mode_of(const Orbit& orbit) { return to_string(section::periodic(orbit.cycles, orbit.period)); }
 
 /// Modulus of the largest multiplier.
-std::string largest_multiplier(const Stability& stability) {
+look::Cell largest_multiplier(const Stability& stability) {
   if (stability.kind == OrbitKind::not_differentiable) return "-";
-  return significant(stability.multipliers.empty() ? 0.0 : std::abs(stability.multipliers.front()), 4);
+  return number(stability.multipliers.empty() ? 0.0 : std::abs(stability.multipliers.front()), 4);
 }
 
 std::string both(const std::array<BranchEnd, 2>& ends) {
@@ -30,26 +34,21 @@ std::string both(const std::array<BranchEnd, 2>& ends) {
 
 /// A row for each orbit of a condition.
 std::string orbits_of_conditions(const std::vector<OrbitsOfCondition>& conditions) {
-  std::vector<TextRow> rows(1);
-  for (const Parameter& parameter : conditions.front().parameters) rows[0].push_back(last_key(parameter.pointer));
-  for (const char* name :
-       {"orbit", "contact", "kind", "multiplier", "tilt", "tilt_rate", "found by", "mirror", "run"}) {
-    rows[0].emplace_back(name);
-  }
+  look::Table table = table_of(conditions.front().parameters, {"orbit", "contact", "kind", "multiplier", "tilt",
+                                                               "tilt_rate", "found by", "mirror", "run"});
   for (const OrbitsOfCondition& condition : conditions) {
     for (std::size_t i = 0; i < condition.orbits.size(); ++i) {
       const Orbit& orbit = condition.orbits[i];
       const SectionState& start = orbit.points.front();
-      TextRow& row = rows.emplace_back();
-      for (const Parameter& parameter : condition.parameters) row.push_back(short_value(parameter));
-      row.insert(row.end(),
+      table.rows.push_back(
+          row_of(condition.parameters,
                  {mode_of(orbit), std::string(to_string(start.contact)), std::string(to_string(orbit.stability.kind)),
-                  largest_multiplier(orbit.stability), significant(start.point.tilt, 4),
-                  significant(start.point.tilt_rate, 4), std::string(to_string(orbit.found_by)),
-                  orbit.is_symmetric ? "itself" : "another", condition.run_on == i ? "*" : ""});
+                  largest_multiplier(orbit.stability), number(start.point.tilt, 4), number(start.point.tilt_rate, 4),
+                  std::string(to_string(orbit.found_by)), orbit.is_symmetric ? "itself" : "another",
+                  condition.run_on == i ? "*" : ""}));
     }
   }
-  return aligned(rows);
+  return to_terminal(table);
 }
 
 std::vector<std::string> modes_of_stable(const OrbitsOfCondition& condition) {
@@ -75,19 +74,15 @@ std::string counted_names(const std::vector<std::string>& sorted) {
 /// A row for each range of conditions with the same stable orbits.
 std::string stable_orbits(const std::vector<OrbitsOfCondition>& conditions) {
   const std::size_t swept = conditions.front().parameters.size();
-  std::vector<TextRow> rows(1);
-  for (const Parameter& parameter : conditions.front().parameters) rows[0].push_back(last_key(parameter.pointer));
-  rows[0].insert(rows[0].end(), {"stable orbits", "the run ended on"});
+  look::Table table = table_of(conditions.front().parameters, {"stable orbits", "the run ended on"});
   for (const OrbitsOfCondition& condition : conditions) {
-    TextRow& row = rows.emplace_back();
-    for (const Parameter& parameter : condition.parameters) row.push_back(short_value(parameter));
-    row.insert(row.end(),
-               {counted_names(modes_of_stable(condition)),
-                condition.run_on ? mode_of(condition.orbits[*condition.run_on]) : to_string(condition.mode)});
+    table.rows.push_back(row_of(condition.parameters, {counted_names(modes_of_stable(condition)),
+                                                       condition.run_on ? mode_of(condition.orbits[*condition.run_on])
+                                                                        : to_string(condition.mode)}));
   }
-  if (swept > 0) rows = merged_rows(rows, swept - 1, 1);
-  rows.resize(std::min(rows.size(), most_ranges + 1));
-  return aligned(rows);
+  if (swept > 0) merge_rows(table, swept - 1, 1);
+  table.rows.resize(std::min(table.rows.size(), most_ranges));
+  return to_terminal(table);
 }
 
 std::string coexistence_in(const std::vector<OrbitsOfCondition>& conditions) {
@@ -99,45 +94,44 @@ std::string coexistence_in(const std::vector<OrbitsOfCondition>& conditions) {
 
 std::string branch_table(const FoundBranches& found) {
   const std::string parameter = last_key(found.pointer);
-  std::vector<TextRow> rows{{"branch", "orbits", "symmetric", "points", parameter + " from", "to", "ends"}};
+  look::Table table;
+  add_columns(table, {"branch", "orbits", "symmetric", "points", parameter + " from", "to", "ends"});
   for (std::size_t i = 0; i < found.study.branches.size(); ++i) {
     const OrbitBranch& branch = found.study.branches[i];
     const auto [low, high] = std::ranges::minmax(branch.points, {}, &BranchPoint::value);
-    rows.push_back({std::to_string(i), mode_of(branch.points.front().orbit), branch.is_symmetric ? "yes" : "no",
-                    std::to_string(branch.points.size()), significant(low.value, 8), significant(high.value, 8),
-                    both(branch.ends)});
+    table.rows.push_back({whole(i), mode_of(branch.points.front().orbit), branch.is_symmetric ? "yes" : "no",
+                          whole(branch.points.size()), number(low.value, 8), number(high.value, 8), both(branch.ends)});
   }
-  return '\n' + aligned(rows) +
-         (found.study.is_complete ? "" : "There are more: the largest number of branches was reached.\n");
+  if (!found.study.is_complete) table.notes = "There are more: the largest number of branches was reached.\n";
+  return '\n' + to_terminal(table);
 }
 
 std::string bifurcations_table(const FoundBranches& found) {
   if (found.study.bifurcations.empty()) return "";
-  std::vector<TextRow> rows{{"bifurcation", "branch", last_key(found.pointer), "error", "orbit"}};
+  look::Table table;
+  add_columns(table, {"bifurcation", "branch", last_key(found.pointer), "error", "orbit"});
   for (const Bifurcation& one : found.study.bifurcations) {
-    rows.push_back({std::string(to_string(one.kind)), std::to_string(one.branch), significant(one.value, 12),
-                    significant(one.error, 1), one.orbit ? mode_of(*one.orbit) : "-"});
+    table.rows.push_back({std::string(to_string(one.kind)), whole(one.branch), number(one.value, 12),
+                          number(one.error, 1), one.orbit ? mode_of(*one.orbit) : "-"});
   }
-  return '\n' + aligned(rows);
+  return '\n' + to_terminal(table);
 }
 
 /// A row for each curve.
 std::string curves_table(const FoundCurves& found, const FoundBranches& branches) {
   if (found.curves.empty()) return "\nNo fold, period doubling or loss of symmetry to follow.\n";
-  const std::string first = last_key(branches.pointer);
-  const std::string second = last_key(found.pointers.front());
-  std::vector<TextRow> rows{
-      {"curve", "branch", "orbits", "points", first + " from", "to", second + " from", "to", "ends"}};
+  look::Table table;
+  add_columns(table, {"curve", "branch", "orbits", "points", last_key(branches.pointer) + " from", "to",
+                      last_key(found.pointers.front()) + " from", "to", "ends"});
   for (const BifurcationCurve& curve : found.curves) {
     const auto [low, high] = std::ranges::minmax(curve.points, {}, &BifurcationPoint::value);
     const auto [lower, higher] = std::ranges::minmax(curve.points, {}, &BifurcationPoint::second_value);
-    rows.push_back({std::string(to_string(curve.kind)),
-                    std::to_string(branches.study.bifurcations[curve.bifurcation].branch),
-                    mode_of(curve.points.front().orbit), std::to_string(curve.points.size()), significant(low.value, 8),
-                    significant(high.value, 8), significant(lower.second_value, 8), significant(higher.second_value, 8),
-                    both(curve.ends)});
+    table.rows.push_back(
+        {std::string(to_string(curve.kind)), whole(branches.study.bifurcations[curve.bifurcation].branch),
+         mode_of(curve.points.front().orbit), whole(curve.points.size()), number(low.value, 8), number(high.value, 8),
+         number(lower.second_value, 8), number(higher.second_value, 8), both(curve.ends)});
   }
-  return '\n' + aligned(rows);
+  return '\n' + to_terminal(table);
 }
 
 /// How many response modes (m,n) are backed by an orbit, and the conditions of those that are not.
@@ -153,10 +147,7 @@ std::string labels_note(const OrbitStudy& study, Extent extent) {
       return text + "  and " + std::to_string(labels.not_certified.size() - k) + " more\n";
     }
     const std::size_t i = labels.not_certified[k];
-    std::string where;
-    for (const Parameter& parameter : study.conditions[i].parameters) {
-      where += (where.empty() ? "" : ", ") + last_key(parameter.pointer) + ' ' + short_value(parameter);
-    }
+    const std::string where = values_of(study.conditions[i].parameters);
     text += "  " + (where.empty() ? "the condition" : where) + ": " + to_string(study.conditions[i].mode) + '\n';
   }
   return text;

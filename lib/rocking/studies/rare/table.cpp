@@ -1,20 +1,21 @@
 #include <algorithm>
 
-#include "rocking/output/mode_table.hpp"
-#include "rocking/output/text_table.hpp"
+#include "rocking/output/parameter_text.hpp"
 #include "rocking/studies/rare/result.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking {
 namespace {
 
+using look::number;
+
 std::string event_words(const RareQuestion& question) {
   if (!question.event.peak_tilt) return "the block overturns within the horizon";
   return "the largest abs(Theta) within the horizon exceeds " + significant(*question.event.peak_tilt, 6);
 }
 
-std::string percentage(const std::optional<double>& relative) {
-  return relative ? significant(100.0 * *relative, 2) + " %" : "-";
+look::Cell in_per_cent(const std::optional<double>& relative) {
+  return number(relative ? std::optional(100.0 * *relative) : std::nullopt, 2, " %");
 }
 
 std::string warning_about(const RareEstimate& found) {
@@ -54,54 +55,45 @@ std::string unresolved_words(const RareEstimate& found) {
 /// A row for each suite; empty without any.
 std::string suite_rows(const std::vector<RareSuite>& suites) {
   if (suites.empty()) return "";
-  TextRow heading;
-  for (const Parameter& parameter : suites.front().parameters) heading.push_back(last_key(parameter.pointer));
-  for (const char* name : {"records", "probability", "from", "to", "error"}) heading.emplace_back(name);
-  std::vector<TextRow> rows{heading};
+  look::Table table = table_of(suites.front().parameters, {"records", "probability", "from", "to", "error"});
+  table.title = "\nUnder one of the records of the suite, each of which is equally likely:\n";
+  table.absent = "-";
   for (const RareSuite& suite : suites) {
-    TextRow row;
-    for (const Parameter& parameter : suite.parameters) row.push_back(short_value(parameter));
-    row.insert(row.end(), {std::to_string(suite.records), suite.probability ? significant(*suite.probability, 3) : "-",
-                           significant(suite.interval.low, 3), significant(suite.interval.high, 3),
-                           percentage(suite.relative_error)});
-    rows.push_back(std::move(row));
+    table.rows.push_back(row_of(
+        suite.parameters, {look::whole(suite.records), number(suite.probability, 3), number(suite.interval.low, 3),
+                           number(suite.interval.high, 3), in_per_cent(suite.relative_error)}));
   }
-  return "\nUnder one of the records of the suite, each of which is equally likely:\n\n" + aligned(rows);
+  return to_terminal(table);
 }
 
 }  // namespace
 
 std::string rare_table(const RareReport& report) {
   const auto& conditions = report.conditions;
-  TextRow heading;
-  for (const Parameter& parameter : conditions.front().parameters) heading.push_back(last_key(parameter.pointer));
-  for (const char* name : {"probability", "from", "to", "error", "repetitions", "work", "plain sampling"}) {
-    heading.emplace_back(name);
-  }
-  std::vector<TextRow> rows{heading};
+  look::Table table = table_of(conditions.front().parameters,
+                               {"probability", "from", "to", "error", "repetitions", "work", "plain sampling"});
+  table.title = "Probability that " + event_words(report.question) + ".\n";
+  table.absent = "-";
   std::string notes;
   double highest = 0.0;  // confidence
   for (std::size_t c = 0; c < conditions.size(); ++c) {
     const RareEstimate& estimate = conditions[c].estimate;
     highest = std::max(highest, conditions[c].confidence);
-    TextRow row;
-    for (const Parameter& parameter : conditions[c].parameters) row.push_back(short_value(parameter));
-    row.insert(row.end(),
-               {estimate.probability ? significant(*estimate.probability, 3) : "-",
-                significant(estimate.interval.low, 3), significant(estimate.interval.high, 3),
-                percentage(estimate.relative_error), std::to_string(estimate.repetitions.size()),
-                significant(estimate.work, 3), estimate.crude_work ? significant(*estimate.crude_work, 3) : "-"});
-    rows.push_back(std::move(row));
+    table.rows.push_back(
+        row_of(conditions[c].parameters,
+               {number(estimate.probability, 3), number(estimate.interval.low, 3), number(estimate.interval.high, 3),
+                in_per_cent(estimate.relative_error), look::whole(estimate.repetitions.size()),
+                number(estimate.work, 3), number(estimate.crude_work, 3)}));
     for (const std::string& note : {end_of(estimate), warning_about(estimate), unresolved_words(estimate)}) {
       if (note.empty()) continue;
       notes += (conditions.size() > 1 ? "condition " + std::to_string(c) + ": " : "") + note + ".\n";
     }
   }
-  return "Probability that " + event_words(report.question) + ".\n\n" + aligned(rows) + "from, to: interval with " +
-         level_text(highest) +
-         " % confidence; error: standard error over the probability; work, plain sampling: simulated\ntime in "
-         "realisations to the horizon, by this method and by plain sampling for the same error.\n" +
-         notes + suite_rows(report.suites);
+  table.notes = "from, to: interval with " + level_text(highest) +
+                " % confidence; error: standard error over the probability; work, plain sampling: simulated\ntime in "
+                "realisations to the horizon, by this method and by plain sampling for the same error.\n" +
+                notes;
+  return to_terminal(table) + suite_rows(report.suites);
 }
 
 }  // namespace rocking

@@ -11,12 +11,6 @@ namespace rocking {
 /// Number of characters of a text in UTF-8.
 [[nodiscard]] std::size_t letters_in(std::string_view text);
 
-using TextRow = std::vector<std::string>;
-
-/// Rows of equal length as lines of columns, each as wide as its widest cell, two blanks apart, flush right. Cells of more
-/// than 40 letters, such as paths, are shortened in the middle.
-[[nodiscard]] std::string aligned(const std::vector<TextRow>& rows);
-
 /// How much of a result is printed: what fits one screen, or all.
 enum class Extent : std::uint8_t { one_screen, all };
 
@@ -25,10 +19,6 @@ inline constexpr std::size_t most_screen_rows = 40;
 
 /// Whether a result of these lines is printed as it is, and not summarised: all is wanted, or it has at most 55 lines.
 [[nodiscard]] bool is_printed_whole(std::string_view text, Extent extent);
-
-/// A table, whose first row is its heading, in which neighbouring rows that differ only in the `count` columns from `first`
-/// on are one row, with `0.15 to 0.35` in these columns.
-[[nodiscard]] std::vector<TextRow> merged_rows(const std::vector<TextRow>& table, std::size_t first, std::size_t count);
 
 /// Characters that a terminal can show.
 enum class Letters : std::uint8_t { ascii, unicode };

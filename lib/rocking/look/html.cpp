@@ -1,0 +1,53 @@
+#include <algorithm>
+
+#include "rocking/look/markup.hpp"
+#include "rocking/look/table.hpp"
+
+namespace rocking::look {
+namespace {
+
+std::string html_of(const Cell& cell) {
+  if (const std::string* words = std::get_if<std::string>(&cell)) return escaped(*words);
+  const Number* number = std::get_if<Number>(&cell);
+  const std::string none = "<span class=\"none\">none</span>";
+  if (number == nullptr) return none;
+  const std::string value = number->value ? in_form(*number->value, number->form) : none;
+  if (number->bound != '\0')
+    return "<span class=\"none\">" + escaped(std::string{number->bound, ' '}) + value + "</span>";
+  const std::string ends = interval_words(*number, "open");
+  return value + (ends.empty() ? "" : " <span class=\"interval\">" + ends + "</span>") + number->after;
+}
+
+/// A bound is sorted as 0, other numbers by the number with which their text begins.
+std::string element(const char* name, const char* scope, const Cell& cell) {
+  const Number* number = std::get_if<Number>(&cell);
+  const bool is_bound = number != nullptr && number->bound != '\0';
+  return std::string("<") + name + scope + (is_bound ? " data-value=\"0\"" : "") + '>' + html_of(cell) + "</" + name +
+         '>';
+}
+
+}  // namespace
+
+std::string to_html(const Table& table, const Caption& caption, std::size_t most) {
+  std::string text = "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"" + caption.label +
+                     "\"><table class=\"sortable\"><caption><span>" + caption.html + "</span></caption>\n<thead><tr>";
+  for (const Column& column : table.columns) {
+    text += "<th scope=\"col\">" + (column.html.empty() ? lowered(column.title) : column.html) + "</th>";
+  }
+  text += "</tr></thead>\n<tbody>\n";
+  const std::size_t shown = std::min(most, table.rows.size());
+  for (std::size_t r = 0; r < shown; ++r) {
+    const Row& row = table.rows[r];
+    text += "<tr>";
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      text += i == 0 ? element("th", " scope=\"row\"", row[i]) : element("td", "", row[i]);
+    }
+    text += "</tr>\n";
+  }
+  text += "</tbody></table></div>\n";
+  if (shown == table.rows.size()) return text;
+  return text + "<p class=\"limit\">The first " + std::to_string(shown) + " of " + std::to_string(table.rows.size()) +
+         " rows. <code>rocking report DIR --format csv</code> writes all of them.</p>\n";
+}
+
+}  // namespace rocking::look

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "rocking/look/table.hpp"
+#include "rocking/scene/experiment.hpp"
+
+/// Values of swept parameters in tables and sentences.
+namespace rocking {
+
+/// The value of a swept parameter in a table: `0.35/0.3` for friction, the value for anything else.
+[[nodiscard]] std::string short_value(const Parameter& parameter);
+
+/// `friction 0.4/0.35, amplitude 6`; empty if nothing is swept.
+[[nodiscard]] std::string values_of(const std::vector<Parameter>& parameters);
+
+/// A table with a column for each parameter, named by its last key, and further columns.
+[[nodiscard]] look::Table table_of(const std::vector<Parameter>& parameters, const std::vector<std::string>& further);
+
+/// A row that begins with their values.
+[[nodiscard]] look::Row row_of(const std::vector<Parameter>& parameters, const look::Row& further = {});
+
+}  // namespace rocking

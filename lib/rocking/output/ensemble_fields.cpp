@@ -14,11 +14,11 @@ namespace rocking {
 
 template <>
 struct TypeOf<StoppedBecause> {
-  static const ValueType& get() { return the_only<WordType<StoppedBecause, stop_cause_names>>(); }
+  static const ValueType& get() { return the_only<NamedType<StoppedBecause, stop_cause_names>>(); }
 };
 template <>
 struct TypeOf<NumericalError> {
-  static const ValueType& get() { return the_only<WordType<NumericalError, numerical_error_names>>(); }
+  static const ValueType& get() { return the_only<NamedType<NumericalError, numerical_error_names>>(); }
 };
 
 namespace {

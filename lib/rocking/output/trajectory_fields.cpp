@@ -16,7 +16,7 @@ constexpr const char* words_on_tilt = "Theta = theta/psi, or theta [rad]";
 constexpr const char* words_on_tilt_rate = "Theta' = dTheta/dtau, or dtheta/dt [rad/s]";
 constexpr const char* words_on_time = "tau = p t, or t [s]";
 
-const ValueType& contact_type() { return the_only<WordType<ContactState, dynamics::contact_names>>(); }
+const ValueType& contact_type() { return the_only<NamedType<ContactState, dynamics::contact_names>>(); }
 
 const StructType& state_fields(TrajectoryUnits units) {
   using State = ReportedState;
@@ -63,7 +63,7 @@ const StructType& fields_in(TrajectoryUnits units, const ReportedEvent*) {
     return StructType{
         in == TrajectoryUnits::si ? "EventSi" : "Event",
         field<&Event::time>(time_key(in), words_on_time),
-        field<&Event::kind>("kind", "what happens", the_only<WordType<EventKind, dynamics::event_names>>()),
+        field<&Event::kind>("kind", "what happens", the_only<NamedType<EventKind, dynamics::event_names>>()),
         state_in<&Event::state>(in),
     };
   };
@@ -220,7 +220,7 @@ const StructType& block_fields() {
 
 template <>
 struct TypeOf<TrajectoryUnits> {
-  static const ValueType& get() { return the_only<WordType<TrajectoryUnits, trajectory_unit_names>>(); }
+  static const ValueType& get() { return the_only<NamedType<TrajectoryUnits, trajectory_unit_names>>(); }
 };
 
 const StructType& fields_of(const TrajectoryReport*) {
@@ -234,13 +234,13 @@ const StructType& fields_of(const TrajectoryReport*) {
       part_in_units<&File::strobe>("strobe", "states at tau = 2 pi period/Omega_h, after the events of that instant"),
       part_in_units<&File::events>("events", "with the state after each"),
       field<&File::samples_per_period>("samples_per_period", "of the history, with `--samples`", Rule{.least = 1.0},
-                                         WithoutValue::omitted),
+                                       WithoutValue::omitted),
       history_field(),
       part_in_units<&File::peaks>("peaks", "largest absolute values of the motion until it ended, from tau = 0 on"),
       part_in_units<&File::validity>("validity", "departures from the model (model.md, 7)"),
       field<&File::energy>("energy", "over m R^2 p^2, since the mass of the block is not known", energy_fields()),
       field<&File::termination>("termination", "why it ended",
-                                  the_only<WordType<dynamics::Termination, dynamics::termination_names>>()),
+                                the_only<NamedType<dynamics::Termination, dynamics::termination_names>>()),
   };
   return fields;
 }

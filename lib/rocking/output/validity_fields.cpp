@@ -56,7 +56,9 @@ template <>
 struct TypeOf<Cases> {
   static const ValueType& get() { return the_only<CasesType>(); }
 };
-const ValueType& TypeOf<section::Reason>::get() { return the_only<WordType<section::Reason, section::reason_names>>(); }
+const ValueType& TypeOf<section::Reason>::get() {
+  return the_only<NamedType<section::Reason, section::reason_names>>();
+}
 
 const ValueType& TypeOf<Clamps>::get() { return the_only<ClampsType>(); }
 

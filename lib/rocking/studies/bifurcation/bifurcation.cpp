@@ -121,15 +121,6 @@ void check_diagrams(const Experiment& experiment) {
 
 }  // namespace
 
-std::string_view to_string(Branch branch) {
-  switch (branch) {
-    case Branch::initial: return "initial";
-    case Branch::upwards: return "upwards";
-    case Branch::downwards: return "downwards";
-  }
-  return "";
-}
-
 std::optional<double> diagram_value(const Condition& condition) {
   const std::string& text = condition.parameters.front().value;
   double value = 0.0;

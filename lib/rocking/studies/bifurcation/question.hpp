@@ -20,8 +20,11 @@ namespace rocking {
 enum class Branch : std::uint8_t { initial, upwards, downwards };
 inline constexpr std::array all_branches{Branch::initial, Branch::upwards, Branch::downwards};
 
-/// Spelled as the enumerator.
-[[nodiscard]] std::string_view to_string(Branch branch);
+/// Their names, in their order.
+inline constexpr std::array<std::string_view, 3> branch_names{"initial", "upwards", "downwards"};
+[[nodiscard]] constexpr std::string_view to_string(Branch branch) {
+  return branch_names[static_cast<std::size_t>(branch)];
+}
 
 /// One value of the parameter on one branch.
 struct DiagramStep {

@@ -13,7 +13,7 @@ namespace rocking {
 
 template <>
 struct TypeOf<Branch> {
-  static const ValueType& get() { return the_only<NamedType<all_branches>>(); }
+  static const ValueType& get() { return the_only<NamedType<Branch, branch_names>>(); }
 };
 
 constexpr std::array all_starts{std::string_view("initial"), std::string_view("continued")};
@@ -63,7 +63,7 @@ static const StructType& fields_of(const ReportedStep*) {
       field<step, &DiagramStep::condition>("condition", "its number in the experiment"),
       field<&Reported::shaking>("shaking", "as in a report", rule::none, WithoutValue::omitted),
       field<step, &DiagramStep::termination>("termination", "why the run ended",
-                                             the_only<NamedType<dynamics::terminations>>()),
+                                             the_only<NamedType<dynamics::Termination, dynamics::termination_names>>()),
       field<step, &DiagramStep::classification, &Classification::mode>("mode", "response mode"),
       field<step, &DiagramStep::classification, &Classification::reason>(
           "reason", "rule that gave the mode; null: the horizon was not reached"),

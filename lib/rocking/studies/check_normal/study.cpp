@@ -5,19 +5,12 @@
 
 #include "rocking/fields/named_type.hpp"
 #include "rocking/output/provenance_fields.hpp"
+#include "rocking/random/sampler.hpp"
 #include "rocking/studies/check_normal/figure.hpp"
 #include "rocking/studies/check_normal/result.hpp"
 #include "rocking/studies/check_normal/table.hpp"
 
 namespace rocking {
-namespace {
-
-constexpr std::array<std::string_view, 3> sampler_names{"box-muller", "ziggurat", "inverse-cdf"};
-constexpr std::array all_laws{FluctuationLaw::normal, FluctuationLaw::lognormal, FluctuationLaw::uniform};
-
-}  // namespace
-
-static std::string_view to_string(FluctuationLaw law) { return fluctuation_law_names[static_cast<std::size_t>(law)]; }
 
 const StructType& fields_of(const SamplerQuestion*) {
   using Type = SamplerQuestion;
@@ -32,12 +25,13 @@ const StructType& fields_of(const SamplerQuestion*) {
       asked(field<&Type::law, &stats::NormalLaw::sigma>("sigma", "Standard deviation of the distribution",
                                                         Rule{.least = 1e-70, .most = 1e6}),
             {.names = "--sigma", .letter = "S"}),
-      asked(field<&Type::distribution>("law", "Distribution of the numbers", the_only<NamedType<all_laws>>()),
+      asked(field<&Type::distribution>("law", "Distribution of the numbers",
+                                       the_only<NamedType<FluctuationLaw, fluctuation_law_names>>()),
             {.names = "--law", .letter = "NAME"}),
       asked(field<&Type::seed>("seed", "Seed, for example 0x2012 or 8210", seed_type()),
             {.names = "--seed", .letter = "S"}),
       asked(field<&Type::sampler>("sampler", "Method for normal numbers; simulations use box-muller",
-                                  Rule{.choices = sampler_names}),
+                                  Rule{.choices = random::sampler_names}),
             {.names = "--sampler", .letter = "NAME"}),
   };
   return fields;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -83,7 +84,11 @@ enum class Assurance : std::uint8_t {
   none,            ///< neither holds for any tolerance
 };
 
-[[nodiscard]] std::string_view to_string(Assurance assurance);
+/// Their names, in their order.
+inline constexpr std::array<std::string_view, 3> assurance_names{"shown", "not_told_apart", "none"};
+[[nodiscard]] constexpr std::string_view to_string(Assurance assurance) {
+  return assurance_names[static_cast<std::size_t>(assurance)];
+}
 
 /// What a share of flipped modes is compared with.
 struct Yardstick {

@@ -66,15 +66,6 @@ std::optional<std::uint64_t> sample_for(const stats::Proportion& flips, double b
 
 }  // namespace
 
-std::string_view to_string(Assurance assurance) {
-  switch (assurance) {
-    case Assurance::shown: return "shown";
-    case Assurance::not_told_apart: return "not_told_apart";
-    case Assurance::none: return "none";
-  }
-  return "";
-}
-
 double share_at_most(const Departure& departure, const Yardstick& yardstick) {
   if (yardstick.is_everything) {
     const auto& floor = departure.beside_tolerance_sensitivity;

@@ -12,10 +12,9 @@
 
 namespace rocking {
 
-constexpr std::array all_assurances{Assurance::shown, Assurance::not_told_apart, Assurance::none};
 template <>
 struct TypeOf<Assurance> {
-  static const ValueType& get() { return the_only<NamedType<all_assurances>>(); }
+  static const ValueType& get() { return the_only<NamedType<Assurance, assurance_names>>(); }
 };
 
 /// Flips at a tolerance beside those at the floor.

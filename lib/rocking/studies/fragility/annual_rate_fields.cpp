@@ -8,18 +8,14 @@
 
 namespace rocking {
 
-constexpr std::array all_rate_sources{RateSource::law,      RateSource::levels,   RateSource::isotonic,
-                                      RateSource::observed, RateSource::at_least, RateSource::at_most};
 template <>
 struct TypeOf<RateSource> {
-  static const ValueType& get() { return the_only<NamedType<all_rate_sources>>(); }
+  static const ValueType& get() { return the_only<NamedType<RateSource, rate_source_names>>(); }
 };
 
-constexpr std::array all_rare_uses{RareUse::below_sure_level, RareUse::below_best_level, RareUse::up_to_highest,
-                                   RareUse::not_used};
 template <>
 struct TypeOf<RareUse> {
-  static const ValueType& get() { return the_only<NamedType<all_rare_uses>>(); }
+  static const ValueType& get() { return the_only<NamedType<RareUse, rare_use_names>>(); }
 };
 
 static const StructType& fields_of(const RateInRange*) {

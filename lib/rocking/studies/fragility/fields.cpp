@@ -59,7 +59,7 @@ const ValueType& open_interval_type() {
 }
 
 const ValueType& TypeOf<stats::FragilityOutcome>::get() {
-  return the_only<WordType<stats::FragilityOutcome, stats::fragility_outcome_names>>();
+  return the_only<NamedType<stats::FragilityOutcome, stats::fragility_outcome_names>>();
 }
 
 const ValueType& TypeOf<FragilityEvent>::get() { return the_only<EventType>(); }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -52,8 +53,12 @@ enum class RareUse : std::uint8_t {
   up_to_highest,     ///< no level above the estimates has an event: up to the highest estimate
   not_used,          ///< none lies below a level with ten events, or there is one alone and no level with an event
 };
-/// The name of its enumerator.
-[[nodiscard]] std::string_view to_string(RareUse use);
+/// Their names, in their order.
+inline constexpr std::array<std::string_view, 4> rare_use_names{"below_sure_level", "below_best_level", "up_to_highest",
+                                                                "not_used"};
+[[nodiscard]] constexpr std::string_view to_string(RareUse use) {
+  return rare_use_names[static_cast<std::size_t>(use)];
+}
 
 /// The fitted function of a curve, and what follows from it at the curve's confidence and levels.
 struct FittedLaw {

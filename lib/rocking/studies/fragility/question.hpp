@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -36,8 +38,12 @@ enum class RateSource : std::uint8_t {
   at_most,   ///< the same with the larger of them; 1 above the levels
 };
 
-/// The name of its enumerator.
-[[nodiscard]] std::string_view to_string(RateSource source);
+/// Their names, in their order.
+inline constexpr std::array<std::string_view, 6> rate_source_names{"law",      "levels",   "isotonic",
+                                                                   "observed", "at_least", "at_most"};
+[[nodiscard]] constexpr std::string_view to_string(RateSource source) {
+  return rate_source_names[static_cast<std::size_t>(source)];
+}
 
 /// Mean annual rate of the event. Where the least intensity that lifts the block is known, it counts from there on.
 struct AnnualRate {

@@ -4,16 +4,6 @@
 
 namespace rocking {
 
-std::string_view to_string(RareUse use) {
-  switch (use) {
-    case RareUse::below_sure_level: return "below_sure_level";
-    case RareUse::below_best_level: return "below_best_level";
-    case RareUse::up_to_highest: return "up_to_highest";
-    case RareUse::not_used: break;
-  }
-  return "not_used";
-}
-
 TailPiece tail_piece(double y_low, double p_low, double y_high, double p_high) {
   if (!(0.0 < p_low && p_low < p_high && p_high < 1.0)) {
     return KnownProbabilities{.y = {y_low, y_high}, .probabilities = {p_low, p_high}};

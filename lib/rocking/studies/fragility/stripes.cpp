@@ -140,20 +140,6 @@ std::vector<Stripe> filled(const Experiment& experiment, const Store& store) {
 
 }  // namespace
 
-std::string_view to_string(IntensityMeasure measure) {
-  switch (measure) {
-    case IntensityMeasure::pga: return "pga_g";
-    case IntensityMeasure::pgv: return "pgv_m_s";
-    case IntensityMeasure::pga_ratio: return "pga_over_g_tan_psi";
-    case IntensityMeasure::pgv_ratio: return "p_pgv_over_g_tan_psi";
-    case IntensityMeasure::sa_p: return "sa_p_g";
-    case IntensityMeasure::sa: return "sa_g";
-    case IntensityMeasure::avgsa: return "avgsa_g";
-    case IntensityMeasure::sa_absolute: break;
-  }
-  return "sa_absolute_g";
-}
-
 std::vector<std::span<const Stripe>> StripeGroup::by_record() const {
   std::vector<std::span<const Stripe>> records;
   for (auto begin = stripes.begin(); begin != stripes.end();) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -49,7 +50,11 @@ inline constexpr std::array all_intensity_measures{
 
 /// In files: `pga_g`, `pgv_m_s`, `pga_over_g_tan_psi`, `p_pgv_over_g_tan_psi`, `sa_p_g`, `sa_g`, `avgsa_g`,
 /// `sa_absolute_g`.
-[[nodiscard]] std::string_view to_string(IntensityMeasure measure);
+inline constexpr std::array<std::string_view, 8> intensity_measure_names{
+    "pga_g", "pgv_m_s", "pga_over_g_tan_psi", "p_pgv_over_g_tan_psi", "sa_p_g", "sa_g", "avgsa_g", "sa_absolute_g"};
+[[nodiscard]] constexpr std::string_view to_string(IntensityMeasure measure) {
+  return intensity_measure_names[static_cast<std::size_t>(measure)];
+}
 
 /// What a stripe of a multiple-stripe analysis holds: all realisations of one block under one motion at one level.
 struct Stripe {

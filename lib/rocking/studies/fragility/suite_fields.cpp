@@ -12,7 +12,7 @@ namespace rocking {
 
 template <>
 struct TypeOf<IntensityMeasure> {
-  static const ValueType& get() { return the_only<NamedType<all_intensity_measures>>(); }
+  static const ValueType& get() { return the_only<NamedType<IntensityMeasure, intensity_measure_names>>(); }
 };
 
 static const StructType& fields_of(const SuiteEstimate*) {

@@ -348,18 +348,6 @@ class SuiteRates {
 
 }  // namespace
 
-std::string_view to_string(RateSource source) {
-  switch (source) {
-    case RateSource::law: return "law";
-    case RateSource::levels: return "levels";
-    case RateSource::isotonic: return "isotonic";
-    case RateSource::observed: return "observed";
-    case RateSource::at_least: return "at_least";
-    case RateSource::at_most: break;
-  }
-  return "at_most";
-}
-
 RateComparison compared_rates(const SuiteCurve& base, const SuiteCurve& option, const HazardCurve& hazard,
                               RateBasis basis) {
   ROCKING_EXPECT(base.records.size() == option.records.size());

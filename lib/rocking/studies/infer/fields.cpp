@@ -9,16 +9,14 @@
 
 namespace rocking {
 
-constexpr std::array all_reached_bounds{ReachedBound::none, ReachedBound::from, ReachedBound::to, ReachedBound::both};
 template <>
 struct TypeOf<ReachedBound> {
-  static const ValueType& get() { return the_only<NamedType<all_reached_bounds>>(); }
+  static const ValueType& get() { return the_only<NamedType<ReachedBound, reached_bound_names>>(); }
 };
 
-constexpr std::array all_infer_ends{InferEnd::settled, InferEnd::most_points, InferEnd::out_of_time, InferEnd::stopped};
 template <>
 struct TypeOf<InferEnd> {
-  static const ValueType& get() { return the_only<NamedType<all_infer_ends>>(); }
+  static const ValueType& get() { return the_only<NamedType<InferEnd, infer_end_names>>(); }
 };
 
 namespace {

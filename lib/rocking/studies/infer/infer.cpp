@@ -174,26 +174,6 @@ class Study {
 }  // namespace
 }  // namespace infer
 
-std::string_view to_string(ReachedBound bound) {
-  switch (bound) {
-    case ReachedBound::none: return "none";
-    case ReachedBound::from: return "from";
-    case ReachedBound::to: return "to";
-    case ReachedBound::both: return "both";
-  }
-  return "";
-}
-
-std::string_view to_string(InferEnd end) {
-  switch (end) {
-    case InferEnd::settled: return "settled";
-    case InferEnd::most_points: return "most_points";
-    case InferEnd::out_of_time: return "out_of_time";
-    case InferEnd::stopped: return "stopped";
-  }
-  return "";
-}
-
 Inference inference_from(const InferenceQuestion& question, std::vector<infer::DesignPoint> design, InferEnd end,
                          const base::ManyParts& how) {
   Inference result{.design = std::move(design), .answer = {}, .end = end};

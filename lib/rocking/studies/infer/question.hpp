@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -41,7 +42,11 @@ struct RegionPoint {
 
 /// Which ends of its range the interval of an unknown reaches.
 enum class ReachedBound : std::uint8_t { none, from, to, both };
-[[nodiscard]] std::string_view to_string(ReachedBound bound);
+/// Their names, in their order.
+inline constexpr std::array<std::string_view, 4> reached_bound_names{"none", "from", "to", "both"};
+[[nodiscard]] constexpr std::string_view to_string(ReachedBound bound) {
+  return reached_bound_names[static_cast<std::size_t>(bound)];
+}
 
 /// Bayesian answer for one unknown.
 struct UnknownPosterior {
@@ -84,7 +89,11 @@ enum class InferEnd : std::uint8_t {
   out_of_time,
   stopped,  ///< it was asked to stop
 };
-[[nodiscard]] std::string_view to_string(InferEnd end);
+/// Their names, in their order.
+inline constexpr std::array<std::string_view, 4> infer_end_names{"settled", "most_points", "out_of_time", "stopped"};
+[[nodiscard]] constexpr std::string_view to_string(InferEnd end) {
+  return infer_end_names[static_cast<std::size_t>(end)];
+}
 
 /// The answer, once the first design is finished and unless it was stopped.
 struct InferenceAnswer {

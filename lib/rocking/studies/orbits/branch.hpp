@@ -29,12 +29,13 @@ enum class BifurcationKind : std::uint8_t {
   grazing,            ///< the contact sequence changes by a guard that is reached at a rate of 0
   contact_change      ///< the contact sequence changes otherwise
 };
-inline constexpr std::array all_bifurcation_kinds{BifurcationKind::fold, BifurcationKind::period_doubling,
-                                                  BifurcationKind::symmetry_breaking, BifurcationKind::grazing,
-                                                  BifurcationKind::contact_change};
 
-/// Spelled as the enumerator.
-[[nodiscard]] std::string_view to_string(BifurcationKind kind);
+/// Their names, in their order.
+inline constexpr std::array<std::string_view, 5> bifurcation_kind_names{"fold", "period_doubling", "symmetry_breaking",
+                                                                        "grazing", "contact_change"};
+[[nodiscard]] constexpr std::string_view to_string(BifurcationKind kind) {
+  return bifurcation_kind_names[static_cast<std::size_t>(kind)];
+}
 
 /// Why a branch ends.
 enum class BranchEnd : std::uint8_t {
@@ -47,12 +48,13 @@ enum class BranchEnd : std::uint8_t {
   known,           ///< it has come to a branch that is listed
   points           ///< the largest number of points is reached
 };
-inline constexpr std::array all_branch_ends{BranchEnd::range,          BranchEnd::joins,      BranchEnd::grazing,
-                                            BranchEnd::contact_change, BranchEnd::last_point, BranchEnd::closed,
-                                            BranchEnd::known,          BranchEnd::points};
 
-/// Spelled as the enumerator.
-[[nodiscard]] std::string_view to_string(BranchEnd end);
+/// Their names, in their order.
+inline constexpr std::array<std::string_view, 8> branch_end_names{"range",      "joins",  "grazing", "contact_change",
+                                                                  "last_point", "closed", "known",   "points"};
+[[nodiscard]] constexpr std::string_view to_string(BranchEnd end) {
+  return branch_end_names[static_cast<std::size_t>(end)];
+}
 
 /// An orbit at a value of the parameter.
 struct BranchPoint {

@@ -23,16 +23,6 @@ int smallest_period(const section::StrobePoint& start, const std::vector<Section
 
 }  // namespace
 
-std::string_view to_string(FoundBy found_by) {
-  switch (found_by) {
-    case FoundBy::run: return "run";
-    case FoundBy::grid: return "grid";
-    case FoundBy::mirror: return "mirror";
-    case FoundBy::continuation: return "continuation";
-  }
-  return "";
-}
-
 bool is_same_cycle(const std::vector<SectionState>& a, const std::vector<SectionState>& b) {
   if (a.size() != b.size()) return false;
   for (std::size_t shift = 0; shift < b.size(); ++shift) {

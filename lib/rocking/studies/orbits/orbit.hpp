@@ -24,12 +24,13 @@ enum class OrbitKind : std::uint8_t {
   unstable_focus,     ///< several outside, the largest ones a complex pair
   not_differentiable  ///< the orbit passes a grazing or a coincidence of events, where there are no multipliers
 };
-inline constexpr std::array all_orbit_kinds{
-    OrbitKind::superstable, OrbitKind::node,          OrbitKind::focus,          OrbitKind::saddle,
-    OrbitKind::flip_saddle, OrbitKind::unstable_node, OrbitKind::unstable_focus, OrbitKind::not_differentiable};
 
-/// Spelled as the enumerator.
-[[nodiscard]] std::string_view to_string(OrbitKind kind);
+/// Their names, in their order.
+inline constexpr std::array<std::string_view, 8> orbit_kind_names{
+    "superstable", "node", "focus", "saddle", "flip_saddle", "unstable_node", "unstable_focus", "not_differentiable"};
+[[nodiscard]] constexpr std::string_view to_string(OrbitKind kind) {
+  return orbit_kind_names[static_cast<std::size_t>(kind)];
+}
 
 /// Multipliers of the map over the period of an orbit.
 struct Stability {
@@ -53,8 +54,11 @@ struct PoincareImage;
 /// an orbit found, or a branch that passes the condition.
 enum class FoundBy : std::uint8_t { run, grid, mirror, continuation };
 
-/// Spelled as the enumerator.
-[[nodiscard]] std::string_view to_string(FoundBy found_by);
+/// Their names, in their order.
+inline constexpr std::array<std::string_view, 4> found_by_names{"run", "grid", "mirror", "continuation"};
+[[nodiscard]] constexpr std::string_view to_string(FoundBy found_by) {
+  return found_by_names[static_cast<std::size_t>(found_by)];
+}
 
 /// A periodic orbit.
 struct Orbit {

@@ -20,9 +20,7 @@ namespace {
 using dynamics::ContactState;
 
 constexpr Rule at_least_one{.least = 1.0};
-constexpr std::array contact_states{ContactState::rest, ContactState::slide, ContactState::rock,
-                                    ContactState::rock_slide};
-constexpr std::array found_by{FoundBy::run, FoundBy::grid, FoundBy::mirror, FoundBy::continuation};
+constexpr std::array<std::string_view, 4> contacts_of_an_orbit{"rest", "slide", "rock", "rock_slide"};
 
 using Coordinates = std::array<double, 3>;
 
@@ -96,23 +94,23 @@ void set_ends(const Ends& read, const ReadingPlace& place, ParameterRange& range
 
 template <>
 struct TypeOf<ContactState> {
-  static const ValueType& get() { return the_only<NamedType<contact_states>>(); }
+  static const ValueType& get() { return the_only<NamedType<ContactState, contacts_of_an_orbit>>(); }
 };
 template <>
 struct TypeOf<FoundBy> {
-  static const ValueType& get() { return the_only<NamedType<found_by>>(); }
+  static const ValueType& get() { return the_only<NamedType<FoundBy, found_by_names>>(); }
 };
 template <>
 struct TypeOf<OrbitKind> {
-  static const ValueType& get() { return the_only<NamedType<all_orbit_kinds>>(); }
+  static const ValueType& get() { return the_only<NamedType<OrbitKind, orbit_kind_names>>(); }
 };
 template <>
 struct TypeOf<BifurcationKind> {
-  static const ValueType& get() { return the_only<NamedType<all_bifurcation_kinds>>(); }
+  static const ValueType& get() { return the_only<NamedType<BifurcationKind, bifurcation_kind_names>>(); }
 };
 template <>
 struct TypeOf<BranchEnd> {
-  static const ValueType& get() { return the_only<NamedType<all_branch_ends>>(); }
+  static const ValueType& get() { return the_only<NamedType<BranchEnd, branch_end_names>>(); }
 };
 template <>
 struct TypeOf<std::complex<double>> {
@@ -179,7 +177,8 @@ static const StructType& run_fields() {
   using Found = OrbitsOfCondition;
   static const StructType fields{
       "OrbitRun",
-      field<&Found::termination>("termination", "why it ended", the_only<NamedType<dynamics::terminations>>()),
+      field<&Found::termination>("termination", "why it ended",
+                                 the_only<NamedType<dynamics::Termination, dynamics::termination_names>>()),
       field<&Found::mode>("mode", "response mode"),
       field<&Found::run_on>(
           "orbit", "place of the stable orbit on which it ended; null: none is within 1e-6 of its last strobe point"),

@@ -43,20 +43,6 @@ std::vector<std::complex<double>> multipliers_of(const PoincareImage& image) {
 
 }  // namespace
 
-std::string_view to_string(OrbitKind kind) {
-  switch (kind) {
-    case OrbitKind::superstable: return "superstable";
-    case OrbitKind::node: return "node";
-    case OrbitKind::focus: return "focus";
-    case OrbitKind::saddle: return "saddle";
-    case OrbitKind::flip_saddle: return "flip_saddle";
-    case OrbitKind::unstable_node: return "unstable_node";
-    case OrbitKind::unstable_focus: return "unstable_focus";
-    case OrbitKind::not_differentiable: return "not_differentiable";
-  }
-  return "";
-}
-
 OrbitKind kind_of(const std::vector<std::complex<double>>& multipliers) {
   if (multipliers.empty() || std::abs(multipliers.front()) == 0.0) return OrbitKind::superstable;
   const bool is_pair = multipliers.front().imag() != 0.0;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -82,7 +83,12 @@ enum class RareEnd : std::uint8_t {
   never_seen,  ///< the first repetitions have not seen the event
   most_repetitions,
 };
-[[nodiscard]] std::string_view to_string(RareEnd end);
+/// Their names, in their order.
+inline constexpr std::array<std::string_view, 5> rare_end_names{"precise", "out_of_time", "stopped", "never_seen",
+                                                                "most_repetitions"};
+[[nodiscard]] constexpr std::string_view to_string(RareEnd end) {
+  return rare_end_names[static_cast<std::size_t>(end)];
+}
 
 /// What stands in the way of trusting an interval.
 enum class RareDiagnosis : std::uint8_t {
@@ -91,14 +97,22 @@ enum class RareDiagnosis : std::uint8_t {
   few_repetitions,  ///< fewer than 8 were finished: the interval is [0, 1]
   uneven,           ///< a tenth of the repetitions or more missed the event, or one has more than a third of the sum
 };
-[[nodiscard]] std::string_view to_string(RareDiagnosis diagnosis);
+/// Their names, in their order.
+inline constexpr std::array<std::string_view, 4> rare_diagnosis_names{"none", "not_found", "few_repetitions", "uneven"};
+[[nodiscard]] constexpr std::string_view to_string(RareDiagnosis diagnosis) {
+  return rare_diagnosis_names[static_cast<std::size_t>(diagnosis)];
+}
 
 /// How the probability of a condition is estimated.
 enum class RareMethod : std::uint8_t {
   twisted_run,          ///< a particle run that the committor steers; numbers are drawn along the way
   importance_sampling,  ///< of numbers that are all drawn once
 };
-[[nodiscard]] std::string_view to_string(RareMethod method);
+/// Their names, in their order.
+inline constexpr std::array<std::string_view, 2> rare_method_names{"twisted_run", "importance_sampling"};
+[[nodiscard]] constexpr std::string_view to_string(RareMethod method) {
+  return rare_method_names[static_cast<std::size_t>(method)];
+}
 
 /// The probability of the event for one condition.
 struct RareEstimate {

@@ -281,35 +281,6 @@ class ConditionStudy {
 
 }  // namespace
 
-std::string_view to_string(RareEnd end) {
-  switch (end) {
-    case RareEnd::precise: return "precise";
-    case RareEnd::out_of_time: return "out_of_time";
-    case RareEnd::stopped: return "stopped";
-    case RareEnd::never_seen: return "never_seen";
-    case RareEnd::most_repetitions: return "most_repetitions";
-  }
-  return "";
-}
-
-std::string_view to_string(RareDiagnosis diagnosis) {
-  switch (diagnosis) {
-    case RareDiagnosis::none: return "none";
-    case RareDiagnosis::not_found: return "not_found";
-    case RareDiagnosis::few_repetitions: return "few_repetitions";
-    case RareDiagnosis::uneven: return "uneven";
-  }
-  return "";
-}
-
-std::string_view to_string(RareMethod method) {
-  switch (method) {
-    case RareMethod::twisted_run: return "twisted_run";
-    case RareMethod::importance_sampling: return "importance_sampling";
-  }
-  return "";
-}
-
 void check_rare(const Experiment& experiment) {
   check_experiment(experiment);
   for (std::size_t i = 0; i < experiment.conditions.size(); ++i) {

@@ -13,24 +13,19 @@
 
 namespace rocking {
 
-constexpr std::array all_rare_methods{RareMethod::twisted_run, RareMethod::importance_sampling};
 template <>
 struct TypeOf<RareMethod> {
-  static const ValueType& get() { return the_only<NamedType<all_rare_methods>>(); }
+  static const ValueType& get() { return the_only<NamedType<RareMethod, rare_method_names>>(); }
 };
 
-constexpr std::array all_rare_ends{RareEnd::precise, RareEnd::out_of_time, RareEnd::stopped, RareEnd::never_seen,
-                                   RareEnd::most_repetitions};
 template <>
 struct TypeOf<RareEnd> {
-  static const ValueType& get() { return the_only<NamedType<all_rare_ends>>(); }
+  static const ValueType& get() { return the_only<NamedType<RareEnd, rare_end_names>>(); }
 };
 
-constexpr std::array all_rare_diagnoses{RareDiagnosis::none, RareDiagnosis::not_found, RareDiagnosis::few_repetitions,
-                                        RareDiagnosis::uneven};
 template <>
 struct TypeOf<RareDiagnosis> {
-  static const ValueType& get() { return the_only<NamedType<all_rare_diagnoses>>(); }
+  static const ValueType& get() { return the_only<NamedType<RareDiagnosis, rare_diagnosis_names>>(); }
 };
 
 namespace {

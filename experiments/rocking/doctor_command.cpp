@@ -6,9 +6,7 @@
 #include "commands.hpp"
 #include "machine.hpp"
 #include "output.hpp"
-#include "rocking/base/build_info.hpp"
-#include "rocking/lanes/kernels.hpp"
-#include "rocking/output/write_facts.hpp"
+#include "rocking/rocking.hpp"
 
 namespace rocking::program {
 namespace {
@@ -16,14 +14,8 @@ namespace {
 // tests/support/setup.sh has the same list, and README.md.
 constexpr std::string_view supported_systems = "Debian 12, Debian 13, Ubuntu 24.04";
 
-// How many realisations a thread advances side by side, and with which instructions.
-std::string lanes_description() {
-  const lanes::Kernels best = lanes::available_kernels().back();
-  return std::to_string(best.lanes) + ", " + std::string(best.name);
-}
-
 std::vector<Fact> build_facts() {
-  const base::BuildInfo build = base::build_info();
+  const base::BuildInfo build = build_info();
   return {{"version", std::string(build.version)},
           {"revision", std::string(build.revision)},
           {"compiler", std::string(build.compiler)},
@@ -32,12 +24,12 @@ std::vector<Fact> build_facts() {
           {"machine", machine_description()},
           {"system", system_name()},
           {"supported_systems", std::string(supported_systems)},
-          {"lanes", lanes_description()}};
+          {"lanes", lanes_in_use()}};
 }
 
 ExitCode examine(const Loudness& loudness) {
   std::vector<Fact> facts = build_facts();
-  const std::vector<base::ArithmeticCheck> checks = base::arithmetic_checks();
+  const std::vector<base::ArithmeticCheck> checks = check_arithmetic();
   bool sound = true;
   std::string text;
   for (const Fact& fact : facts) text += fact.name + ": " + std::get<std::string>(fact.value) + '\n';

@@ -10,9 +10,7 @@
 #include "commands.hpp"
 #include "drawing.hpp"
 #include "output.hpp"
-#include "rocking/output/write_facts.hpp"
 #include "rocking/studies/output_figures.hpp"
-#include "rocking/text/files.hpp"
 
 namespace rocking::program {
 namespace {

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "rocking/output/ground_motion_facts.hpp"
 #include "rocking/scene/experiment.hpp"
 
 namespace rocking::program {

@@ -89,6 +89,11 @@ void print_result(const std::function<void(const TextSink& sink)>& write) {
   expect(std::fflush(stdout) == 0);
 }
 
+void print_written(const Loudness& loudness, const std::vector<std::string>& files, std::string above) {
+  for (const std::string& file : files) above += file + '\n';
+  print_result(loudness.json ? facts_text(std::vector<Fact>{{"written", files}}) : base::printable(above));
+}
+
 void print_notice(std::string_view text) { print_aside(fmt::format("rocking: {}\n", base::printable(text))); }
 
 void print_aside(const std::string& text) { static_cast<void>(std::fputs(text.c_str(), stderr)); }

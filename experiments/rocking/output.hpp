@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -15,6 +16,7 @@
 #include "rocking/base/error.hpp"
 #include "rocking/look/text_table.hpp"
 #include "rocking/output/mode_table.hpp"
+#include "rocking/output/write_facts.hpp"
 #include "rocking/text/files.hpp"
 #include "rocking/text/json_writer.hpp"
 
@@ -45,6 +47,9 @@ CLI::Option* add_duration(CLI::App& command, const std::string& name, Seconds& s
 void print_result(std::string_view text);
 /// The same of a text that comes piece by piece.
 void print_result(const std::function<void(const TextSink& sink)>& write);
+
+/// Prints which files were written, below a text of other results; or as JSON, without it.
+void print_written(const Loudness& loudness, const std::vector<std::string>& files, std::string above = "");
 
 /// Writes `rocking: text` to standard error.
 void print_notice(std::string_view text);

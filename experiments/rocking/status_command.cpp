@@ -15,7 +15,7 @@ struct StatusRequest {
 };
 
 ExitCode status(const StatusRequest& request) {
-  const RunStatus found = rocking::status(request.folder);
+  const RunStatus found = status_of(request.folder);
   print_study(request.loudness, describe_as_json(found), describe(found, request.folder));
   return ExitCode::done;
 }

@@ -1,178 +1,15 @@
-#include <filesystem>
 #include <memory>
 #include <string>
-#include <utility>
-#include <vector>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include "campaign.hpp"
 #include "commands.hpp"
-#include "drawing.hpp"
 #include "experiment_argument.hpp"
-#include "interrupt.hpp"
-#include "machine.hpp"
-#include "rocking/studies/studies.hpp"
-#include "rocking/text/files.hpp"
-#include "rocking/api/run_folder.hpp"
-#include "study_file.hpp"
+#include "study_call.hpp"
 #include "study_flags.hpp"
-#include "watched.hpp"
 
 namespace rocking::program {
 namespace {
-
-/// A study as it is asked on a command line.
-struct StudyCommand {
-  explicit StudyCommand(const Study& asked)
-      : study(asked), question(asked.of_command()), file(std::string(asked.file), std::string(asked.label)) {}
-
-  const Study& study;
-  std::string experiment;
-  std::vector<std::string> folders;
-  std::shared_ptr<void> question;
-  StudyFile file;
-  std::string figures;  ///< folder; empty: nothing is drawn
-  StyleRequest style;
-  Overrides overrides;
-  ExecutionOptions execution{.threads = available_threads(), .max_time = {}, .loudness = {}};
-};
-
-NamedRun run_in(const std::string& folder, bool is_complete) {
-  RunFolder(folder).expect_installed();
-  StoredRun stored = input_of([&] { return open_run(folder); });
-  if (is_complete && (stored.run.done < stored.run.all || !stored.run.is_complete())) {
-    throw MissingInput(
-        fmt::format("{}: has {} of {} realisations; `rocking resume {}`, or `rocking merge` of all parts, completes it",
-                    folder, stored.run.done, stored.run.all, shell_word(folder)));
-  }
-  return {folder, std::move(stored)};
-}
-
-/// The subject, with a checked question. Throws before any file is written.
-Subject checked_subject(const StudyCommand& command) {
-  const Study& study = command.study;
-  Subject subject;
-  const auto check = [&] { input_of([&] { study.check(subject, command.question.get()); }); };
-  for (const std::string& folder : command.folders) {
-    subject.runs.push_back(run_in(folder, study.subject == SubjectKind::runs));
-  }
-  if (study.subject != SubjectKind::experiment) {
-    check();
-    return subject;
-  }
-  const ExperimentText source = load_experiment_text(command.experiment);
-  subject.experiment = load_experiment(source, command.overrides);
-  subject.folder = source.folder;
-  check_source(source, check);
-  return subject;
-}
-
-void expect_free(const StudyCommand& command, const Subject& subject) {
-  for (const std::filesystem::path& file : new_files(*command.study.question, command.question.get())) {
-    command.file.expect_free(file);
-  }
-  if (command.study.files == nullptr) return;
-  for (const std::string& name : command.study.files(subject)) {
-    command.file.expect_free(command.file.folder() / name);
-  }
-}
-
-/// The lines that name the files beside the document; where they are many, the first.
-std::string lines_on(const std::vector<TextFile>& files, const StudyCommand& command) {
-  constexpr std::size_t most_named = 4;
-  const bool names_all = command.execution.extent == Extent::all || files.size() <= most_named;
-  std::string lines;
-  for (std::size_t i = 0; i < (names_all ? files.size() : 1); ++i) {
-    lines += fmt::format("        {}\n", (command.file.folder() / files[i].name).string());
-  }
-  if (names_all) return lines;
-  return lines + fmt::format("        and one file for each diagram, {} in all\n", files.size() - 1);
-}
-
-/// What became of the pictures and pages beside an answer.
-struct Extras {
-  WrittenFigures figures;
-  More more;
-};
-
-/// Writes the document, the files beside it, figures and more; the lines that say so.
-std::string write(const StudyCommand& command, const Subject& subject, const Answer& answer,
-                  const analysis::FigureLook& look, Extras& extras) {
-  expect_free(command, subject);
-  for (const TextFile& file : answer.files) write_atomically(command.file.folder() / file.name, file.text);
-  std::string where = command.file.write(answer.document) + lines_on(answer.files, command);
-  if (!command.figures.empty()) {
-    extras.figures = write_figures(answer.figures, command.figures, look);
-    where += fmt::format("{}\n", fmt::join(extras.figures.files, "\n"));
-  }
-  if (answer.write_more) extras.more = answer.write_more(&stop_on_interrupt());
-  return answer.is_alone ? "" : where + extras.more.lines;
-}
-
-Answer answer_of(StudyCommand& command, const Subject& subject) {
-  const Study& study = command.study;
-  const SystemFacts system = system_facts(command.execution.threads);
-  Progress progress(study.progress.empty() ? ProgressStyle::none : suitable_progress_style(command.execution.loudness),
-                    std::string(study.progress), std::string(study.then));
-  Circumstances circumstances{
-      .execution = watched(command.execution, progress),
-      .elapsed_seconds = seconds_from_now(),
-      .processor_seconds = thread_seconds,
-      .provenance = {.machine = system.machine, .start = system.start, .threads = system.threads},
-      .extent = command.execution.extent,
-      .draws = !command.figures.empty()};
-  if (!study.kept.empty()) {
-    circumstances.keep = [&](const std::function<std::string()>& document) { command.file.keep(document); };
-  }
-  const auto find = [&] { return study.find(subject, command.question.get(), circumstances); };
-  // An experiment is read before; the other studies read what the question names.
-  return study.subject == SubjectKind::experiment ? find() : input_of(find);
-}
-
-ExitCode end_of(const StudyCommand& command, const Answer& answer, const Extras& extras) {
-  for (const std::string& notice : answer.notices) print_notice(notice);
-  for (const std::string& notice : extras.more.notices) print_notice(notice);
-  if (answer.end == AnswerEnd::refuted) return ExitCode::check_failed;
-  if (answer.end == AnswerEnd::stopped) {
-    print_notice(fmt::format("interrupted; the finished {} are in {}. The same command with --resume goes on",
-                             command.study.kept, command.file.path().string()));
-    return ExitCode::interrupted;
-  }
-  const ExitCode drawn = extras.figures.failures.tell(no_figure, PictureRole::purpose);
-  return extras.more.is_complete ? drawn : ExitCode::input_output;
-}
-
-ExitCode carry_out(StudyCommand& command) {
-  const Study& study = command.study;
-  const analysis::FigureLook look = look_for(command.style);
-  const Subject subject = checked_subject(command);
-  expect_free(command, subject);
-  command.file.prepare();
-  if (command.file.resumes() && std::filesystem::exists(command.file.path())) {
-    command.file.read_earlier([&](const Json& earlier) { study.resume(subject, command.question.get(), earlier); });
-  }
-  const Answer answer = answer_of(command, subject);
-  if (!command.execution.loudness.quiet) {
-    for (const std::string& warning : answer.warnings) print_notice(warning);
-  }
-  Extras extras;
-  deliver_study(command.execution.loudness, answer.document, heading(subject.experiment) + answer.table,
-                [&] { return write(command, subject, answer, look, extras); });
-  return end_of(command, answer, extras);
-}
-
-/// The same; problems name the flags of what is asked.
-ExitCode carry_out_in_words(StudyCommand& command) {
-  try {
-    return carry_out(command);
-  } catch (const UnfitQuestion& error) {
-    throw UsageError(error.what());
-  } catch (const base::InputError& error) {
-    throw with_flags(error, *command.study.question);
-  }
-}
 
 void add_subject(CLI::App& command, StudyCommand& asked) {
   const SubjectKind subject = asked.study.subject;
@@ -211,7 +48,7 @@ void add_study(CLI::App& app, Action& action, const Study& study) {
   }
   if (study.has_long_table) add_extent(*command, request->execution.extent);
   add_loudness(*command, request->execution.loudness);
-  command->final_callback([&action, request] { action = [request] { return carry_out_in_words(*request); }; });
+  command->final_callback([&action, request] { action = [request] { return carry_out(*request); }; });
 }
 
 }  // namespace rocking::program

@@ -7,9 +7,7 @@
 #include "ground_motion_notes.hpp"
 #include "machine.hpp"
 #include "output.hpp"
-#include "rocking/output/ground_motion_facts.hpp"
-#include "rocking/output/plan_text.hpp"
-#include "rocking/output/write_facts.hpp"
+#include "rocking/rocking.hpp"
 
 namespace rocking::program {
 namespace {
@@ -25,17 +23,17 @@ ExitCode validate(const ValidateRequest& request) {
     const ExperimentText source = load_experiment_text(request.file);
     const Experiment experiment = load_experiment(source, request.overrides);
     if (request.loudness.json) {
-      print_result(validation_text(experiment));
+      print_result(describe_as_json(experiment));
     } else if (!request.loudness.quiet) {
       tell_ground_motion_notes(experiment);
       const Plan plan = plan_of(experiment, {.threads = available_threads(), .shard = {}});
       print_result(base::printable(
-          fmt::format("{}: valid: {}\n{}", source.name, plan_text(plan), ground_motion_text(experiment))));
+          fmt::format("{}: valid: {}\n{}", source.name, describe(plan), ground_motion_text(experiment))));
     }
     return ExitCode::done;
   } catch (const base::InputError& error) {
     if (!request.loudness.json) throw;
-    print_result(validation_text(error.problems()));
+    print_result(describe_as_json(error));
     return ExitCode::bad_input;
   }
 }

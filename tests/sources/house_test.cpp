@@ -2,6 +2,7 @@
 // functions would make results depend on the C library of a machine. Each rule is a pure function from a text to its
 // offences, and is tested with invented offences before it is applied to the tree.
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -130,6 +131,16 @@ Offences forbidden_in_analysis(const std::string& source) {
 /// Includes of the library that are not its public headers.
 Offences private_includes(const std::string& source) {
   return matches(source, R"(#\s*include\s*["<]rocking/(?!(rocking|pages)\.hpp)[^">]*)");
+}
+
+/// Includes of the library that are not among its open headers.
+Offences closed_includes(const std::string& source, const std::set<std::string>& open) {
+  static const std::regex include("#include \"(rocking/[^\"]+)\"");
+  Offences found;
+  for (std::sregex_iterator match(source.begin(), source.end(), include), end; match != end; ++match) {
+    if (!open.contains(match->str(1))) found.push_back(match->str(1));
+  }
+  return found;
 }
 
 /// The JSON library is included in one room only.
@@ -295,6 +306,21 @@ TEST(TheHouse, LetsPythonSeeWhatEveryUserSees) {
   EXPECT_GT(sources, 4U);
 }
 
+TEST(TheHouse, LetsCommandsParseCallAndPrint) {
+  std::set<std::string> open = included_by("rocking/rocking.hpp");
+  open.insert({"rocking/pages.hpp", "rocking/studies/studies.hpp", "rocking/studies/documents.hpp",
+               "rocking/studies/output_figures.hpp"});
+  std::size_t commands = 0;
+  for (const File& file : files_of_tree()) {
+    const std::string name = file.path.filename().string();
+    if (!name.ends_with("_command.cpp")) continue;
+    ++commands;
+    EXPECT_THAT(closed_includes(file.text, open), IsEmpty()) << file.path;
+    EXPECT_LE(std::ranges::count(file.text, '\n'), 80) << file.path;
+  }
+  EXPECT_GT(commands, 10U);
+}
+
 TEST(TheHouse, ComputesNoStatisticsInAWriter) {
   for (const File& file : files_of_tree()) {
     const bool draws = *file.path.lexically_relative(ROCKING_SOURCE_DIR).begin() == "analysis";
@@ -359,6 +385,13 @@ TEST(TheHouseRules, FindAnIncludeThatIsNotForEveryUser) {
   EXPECT_THAT(private_includes("#include \"rocking/rocking.hpp\"\n#include <rocking/pages.hpp>\n"), IsEmpty());
   EXPECT_THAT(private_includes("#include \"rocking/store/store.hpp\"\n"),
               ElementsAre("#include \"rocking/store/store.hpp"));
+}
+
+TEST(TheHouseRules, FindAnIncludeThatIsNotOpen) {
+  EXPECT_THAT(
+      closed_includes("#include \"rocking/api/run.hpp\"\n#include \"rocking/store/store.hpp\"\n#include \"a.hpp\"\n",
+                      {"rocking/api/run.hpp"}),
+      ElementsAre("rocking/store/store.hpp"));
 }
 
 TEST(TheHouseRules, FindASimulatingFigure) {

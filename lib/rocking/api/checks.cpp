@@ -74,6 +74,34 @@ RunCheck verify_alone(const std::string& text, const std::filesystem::path& fold
   return check;
 }
 
+RealisationKey key_of(const TrajectoryRequest& request) {
+  return {.condition = request.condition, .realisation = request.realisation};
+}
+
+std::optional<Summary> row_of(const Store& store, const Experiment& experiment, const TrajectoryRequest& request) {
+  return request.condition < experiment.conditions.size() ? store.find(key_of(request)) : std::optional<Summary>{};
+}
+
+/// A row of a store, and where it comes from.
+struct StoredRow {
+  Summary row;
+  std::string code;   ///< version that computed it
+  std::string where;  ///< `stored in out`
+};
+
+/// The trajectory of a realisation that has the digest of its row.
+Trajectory checked_trajectory(const Experiment& experiment, const TrajectoryRequest& request, const StoredRow& stored,
+                              const Execution& execution) {
+  const RealisationResult again =
+      realise(experiment.conditions[request.condition], experiment.seed, request.realisation, execution.stop);
+  if (digest_of(again, request.realisation) != stored.row.digest) {
+    throw DifferentBits(text_of(key_of(request)) + ": this program gives a result different from the one " +
+                        stored.where + ", which rocking " + stored.code + " computed; this is " +
+                        base::code_identity());
+  }
+  return trajectory(experiment, request, execution);
+}
+
 }  // namespace
 
 RunCheck verify(const StoredRun& stored, std::optional<std::uint64_t> sample, const Execution& execution) {
@@ -121,21 +149,36 @@ RunCheck verify(const std::filesystem::path& folder, std::optional<std::uint64_t
 }
 
 Trajectory replay(const StoredRun& stored, const TrajectoryRequest& request, const Execution& execution) {
-  const Experiment& experiment = stored.experiment;
-  const RealisationKey key{.condition = request.condition, .realisation = request.realisation};
-  const auto row =
-      key.condition < experiment.conditions.size() ? store_of(stored.run).find(key) : std::optional<Summary>{};
-  if (!row) refuse("realisation", std::to_string(key.realisation), "is not in the run: it has no " + text_of(key));
-  const RealisationResult again =
-      realise(experiment.conditions[key.condition], experiment.seed, key.realisation, execution.stop);
-  if (digest_of(again, key.realisation) != row->digest) {
-    throw DifferentBits(text_of(key) + ": this version gives a result different from the stored one, which rocking " +
-                        store_of(stored.run).identity().code + " computed");
+  const Store& store = store_of(stored.run);
+  const auto row = row_of(store, stored.experiment, request);
+  if (!row) {
+    refuse("realisation", std::to_string(request.realisation),
+           "is not in the run: it has no " + text_of(key_of(request)));
   }
-  return trajectory(experiment, request, execution);
+  return checked_trajectory(stored.experiment, request, {*row, store.identity().code, "stored"}, execution);
+}
+
+Trajectory replay(const std::filesystem::path& path, const TrajectoryRequest& request, const Execution& execution) {
+  const RunFolder folder(path);
+  const Store store = folder.open_store(sqlite::Access::read);
+  const Experiment experiment = experiment_of(store.identity());
+  const auto row = row_of(store, experiment, request);
+  if (!row) {
+    static_cast<void>(folder.open_valid_store());  // in a damaged store a row may be there and not be found
+    throw base::FolderError(base::FolderError::Kind::contradiction, "",
+                            folder.name() + " contains no realisation " + std::to_string(request.realisation) +
+                                " of condition " + std::to_string(request.condition) + "; both numbers start at 0");
+  }
+  return checked_trajectory(experiment, request, {*row, store.identity().code, "stored in " + folder.name()},
+                            execution);
 }
 
 base::BuildInfo build_info() { return base::build_info(); }
+
+std::string lanes_in_use() {
+  const auto used = RunOptions().lanes;
+  return std::to_string(used.lanes) + ", " + std::string(used.name);
+}
 
 std::vector<base::ArithmeticCheck> check_arithmetic() { return base::arithmetic_checks(); }
 

@@ -69,7 +69,7 @@ struct RunStatus {
 
 /// Reads the state of the run in a folder, of the one that replaces it if there is one; also while it is in progress.
 /// Throws FolderError if there is none, or if a file that the experiment names cannot be read; otherwise as open_run.
-[[nodiscard]] ROCKING_API RunStatus status(const std::filesystem::path& folder);
+[[nodiscard]] ROCKING_API RunStatus status_of(const std::filesystem::path& folder);
 
 /// A state in words, as `rocking status` prints it.
 [[nodiscard]] ROCKING_API std::string describe(const RunStatus& status, const std::filesystem::path& folder);
@@ -82,8 +82,16 @@ struct RunStatus {
 [[nodiscard]] ROCKING_API Trajectory replay(const StoredRun& stored, const TrajectoryRequest& request = {},
                                             const Execution& execution = {});
 
+/// The same of the run in a folder, of which only that realisation is read. Throws base::FolderError if there is no run, or
+/// no such realisation in it.
+[[nodiscard]] ROCKING_API Trajectory replay(const std::filesystem::path& folder, const TrajectoryRequest& request = {},
+                                            const Execution& execution = {});
+
 /// Version, source, compiler and flags of this library.
 [[nodiscard]] ROCKING_API base::BuildInfo build_info();
+
+/// How many realisations a thread advances side by side, and with which instructions: `8, AVX-512`.
+[[nodiscard]] ROCKING_API std::string lanes_in_use();
 
 /// Examines the arithmetic of this machine, as `rocking doctor` does: if all checks pass, results have the same bits as
 /// on other machines.

@@ -5,6 +5,7 @@
 #include "rocking/base/build_info.hpp"
 #include "rocking/input/read_experiment.hpp"
 #include "rocking/output/mode_look.hpp"
+#include "rocking/output/write_facts.hpp"
 #include "rocking/scene/check_condition.hpp"
 
 namespace rocking {
@@ -31,6 +32,10 @@ Experiment experiment_of(std::vector<Condition> conditions, const Declaration& d
   check_experiment(experiment);
   return experiment;
 }
+
+std::string describe_as_json(const Experiment& experiment) { return validation_text(experiment); }
+
+std::string describe_as_json(const base::InputError& error) { return validation_text(error.problems()); }
 
 std::string name_of(const section::ResponseMode& mode) { return to_string(mode); }
 

@@ -43,6 +43,10 @@ struct Declaration {
 /// The experiment as JSON text with every default written out: equal for equal experiments. Empty for one made in C++.
 [[nodiscard]] inline const std::string& text_of(const Experiment& experiment) { return experiment.canonical_text; }
 
+/// A valid experiment, and the problems of one that is not, as JSON text: what `rocking validate --json` prints.
+[[nodiscard]] ROCKING_API std::string describe_as_json(const Experiment& experiment);
+[[nodiscard]] ROCKING_API std::string describe_as_json(const base::InputError& problems);
+
 /// `(1,3)`, `chaotic`, `overturned`, `rest` or `unresolved`.
 [[nodiscard]] ROCKING_API std::string name_of(const section::ResponseMode& mode);
 

@@ -9,6 +9,7 @@
 #include "rocking/ensemble/extension.hpp"
 #include "rocking/store/results_version.hpp"
 #include "rocking/text/files.hpp"
+#include "rocking/text/locate.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking {
@@ -185,6 +186,27 @@ FolderRun resume_run(const fs::path& path, const Overrides& extension, const Fol
   if (!plan.at_most) folder.expect_room(plan.needs.disk_bytes);
   if (is_extension) store = extended_store(folder, experiment, wanted, std::move(store), means.remark);
   return {.folder = std::move(folder), .experiment = std::move(wanted), .store = std::move(store)};
+}
+
+Report report_in(const RunFolder& folder) {
+  folder.expect_installed();
+  if (!folder.has_report()) {
+    throw FolderError(Kind::missing, folder.name(),
+                      folder.has_store() ? "there is no report.json yet" : "contains no run (there is no report.json)",
+                      folder.has_store() ? "`rocking resume " + shell_word(folder.name()) + "` finishes the run" : "");
+  }
+  if (folder.has_store()) static_cast<void>(folder.open_store(sqlite::Access::read));  // the report is that of this run
+  std::string text;
+  try {
+    text = read_file(folder.report_path());
+  } catch (const std::system_error& cause) {
+    throw FolderError(cause);
+  }
+  try {
+    return parse_report(text);
+  } catch (const base::InputError& error) {
+    throw located(error, text, folder.report_path().string());
+  }
 }
 
 RunEnd run_in_folder(FolderRun& run, const RunOptions& options) {

@@ -60,6 +60,10 @@ struct NewRun {
 [[nodiscard]] FolderRun merge_runs(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& parts,
                                    bool overwrite, const Tell& tell = say_nothing);
 
+/// The report of a finished run. Throws base::FolderError if there is none, or if it cannot be read; base::InputError with
+/// file and line where it is none, or if it is that of another run.
+[[nodiscard]] Report report_in(const RunFolder& folder);
+
 /// Runs the realisations that are missing. A shard that is complete then replaces an earlier one in its folder.
 [[nodiscard]] RunEnd run_in_folder(FolderRun& run, const RunOptions& options);
 

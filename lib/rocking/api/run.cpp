@@ -4,8 +4,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "rocking/api/folder_run.hpp"
 #include "rocking/api/refuse.hpp"
-#include "rocking/api/run_folder.hpp"
 #include "rocking/api/run_options.hpp"
 #include "rocking/api/run_store.hpp"
 #include "rocking/api/shard.hpp"
@@ -152,6 +152,15 @@ StoredRun stored_run(Store store) {
   StoredRun stored{.experiment = experiment_of(store.identity()), .run = {}};
   stored.run = look_at(stored.experiment, std::move(store));
   return stored;
+}
+
+StoredRun resume(const fs::path& folder, const Overrides& extension, const Execution& execution) {
+  const OptionsOfExecution asked(execution);
+  FolderRun going_on = resume_run(folder, extension, {.threads = execution.threads, .page = false});
+  const RunEnd end = run_in_folder(going_on, asked.options());
+  going_on.store.close_up();
+  if (end == RunEnd::complete) going_on.folder.install_replacement();
+  return stored_run(std::move(going_on.store));
 }
 
 std::vector<RunRealisation> realisations_of(const RunResult& run) {

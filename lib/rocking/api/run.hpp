@@ -79,6 +79,13 @@ struct StoredRun {
 /// a report.json in the folder is of another experiment.
 [[nodiscard]] ROCKING_API StoredRun open_run(const std::filesystem::path& folder);
 
+/// Goes on with the run in a folder, after a damaged store was mended. `extension`: more realisations, or further levels of
+/// the sweep; such a run replaces a complete one, whose report it removes, when it is complete itself. Throws
+/// base::FolderError if there is no run, if it cannot be extended so, or if another run is at work in the folder; otherwise
+/// as run and open_run. Uses `threads`, `on_progress` and `stop` of the execution.
+[[nodiscard]] ROCKING_API StoredRun resume(const std::filesystem::path& folder, const Overrides& extension = {},
+                                           const Execution& execution = {});
+
 /// Joins the parts of a divided run, folders that run() or the program has filled, in a new folder; the run there has no
 /// result while realisations are missing. Parts may overlap if their common realisations agree. Throws base::InputError
 /// if the folder already contains a run, if the parts are not of one experiment and of this results version, or if they

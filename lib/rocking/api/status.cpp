@@ -27,7 +27,7 @@ double seconds_to_go(const RunStatus& status) { return static_cast<double>(statu
 
 }  // namespace
 
-RunStatus status(const std::filesystem::path& path) {
+RunStatus status_of(const std::filesystem::path& path) {
   RunFolder folder(path);
   const bool running = folder.is_at_work();
   if (folder.has_replacement()) folder.enter_replacement();

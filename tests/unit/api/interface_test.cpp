@@ -147,7 +147,7 @@ TEST_F(Interface, TellsOfProgressBeforeTheFirstRealisation) {
     told.push_back(done);
     return Decision::proceed;
   };
-  const auto found = run(small_experiment(), {.on_progress = look});
+  const auto found = run(small_experiment(), Execution{.on_progress = look});
   ASSERT_GT(told.size(), 1U);
   EXPECT_EQ(told.front(), 0U);
   EXPECT_EQ(told.back(), found.all);

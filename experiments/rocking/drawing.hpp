@@ -13,8 +13,8 @@
 #include "analysis/draw.hpp"
 #include "analysis/look.hpp"
 #include "exit_code.hpp"
-#include "rocking/figures/figure.hpp"
 #include "rocking/api/run_folder.hpp"
+#include "rocking/figures/figure.hpp"
 #include "rocking/output/report.hpp"
 #include "rocking/scene/hazard.hpp"
 

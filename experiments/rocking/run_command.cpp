@@ -9,11 +9,10 @@
 #include "dry_run.hpp"
 #include "experiment_argument.hpp"
 #include "ground_motion_notes.hpp"
-#include "rocking/rocking.hpp"
 #include "machine.hpp"
 #include "output.hpp"
 #include "rocking/base/build_info.hpp"
-#include "rocking/output/plan_text.hpp"
+#include "rocking/rocking.hpp"
 
 namespace rocking::program {
 namespace {

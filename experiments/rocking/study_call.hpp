@@ -26,8 +26,9 @@ struct StudyCommand {
   StyleRequest style;
   Overrides overrides;
   ExecutionOptions execution{.threads = available_threads(), .max_time = {}, .loudness = {}};
+};
 
-  /// Finds the answer, prints it, and writes its files. Problems name the flags of what is asked.
-  [[nodiscard]] ExitCode carry_out(StudyCommand& command);
+/// Finds the answer, prints it, and writes its files. Problems name the flags of what is asked.
+[[nodiscard]] ExitCode carry_out(StudyCommand& command);
 
 }  // namespace rocking::program

@@ -24,9 +24,12 @@ std::string kind_of(const Json& schema) {
 
 void set(const Field& field, const Json& value, void* question) {
   std::vector<base::Problem> problems;
-  field.read(value, {.pointer = "", .rule = field.rule, .problems = &problems}, question);
+  const Rule rule = field.flag.kind == FlagKind::words ? Rule{} : field.rule;
+  field.read(value, {.pointer = "", .rule = rule, .problems = &problems}, question);
   if (!problems.empty()) {
-    throw CLI::ValidationError(std::string(field.flag.names), value.dump() + ": " + problems.front().reason);
+    const auto& [place, wrong, reason, remedy, where] = problems.front();
+    throw CLI::ValidationError(std::string(field.flag.names),
+                               value.dump() + ": " + reason + (remedy.empty() ? "" : "; " + remedy));
   }
 }
 
@@ -34,11 +37,6 @@ CLI::Validator whole_numbers_of(const Rule& rule) {
   const auto whole = [](double number) { return static_cast<std::uint64_t>(number); };
   constexpr std::uint64_t largest = std::numeric_limits<std::uint64_t>::max();
   return whole_number(whole(rule.least.value_or(0.0)), rule.most ? whole(*rule.most) : largest);
-}
-
-CLI::Validator numbers_of(const Rule& rule) {
-  constexpr double largest = std::numeric_limits<double>::max();
-  return number(rule.least.value_or(rule.above.value_or(-largest)), rule.most.value_or(rule.below.value_or(largest)));
 }
 
 template <class Value>
@@ -59,8 +57,8 @@ void check_by_rule(CLI::Option& option, const std::string& kind, const Json& sch
     option.check(one_of(choices));
   } else if (kind == "integer") {
     option.check(whole_numbers_of(rule));
-  } else if (kind == "number" && (rule.least || rule.above || rule.most || rule.below)) {
-    option.check(numbers_of(rule));
+  } else if (kind == "number" && rule.least && rule.most) {
+    option.check(number(*rule.least, *rule.most));
   }
 }
 

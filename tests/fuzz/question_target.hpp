@@ -295,7 +295,7 @@ class QuestionTarget {
         return check_request(of.experiment, request);
       }
       case 2: {
-        GroundMotionRequest request{.vertical = choose_.maybe([&] { return choose_.text(); })};
+        GroundMotionRequest request{.files = {}, .vertical = choose_.maybe([&] { return choose_.text(); })};
         request.format = choose_.text();
         request.units = choose_.maybe([&] { return choose_.text(); });
         request.time_step = choose_.maybe(number);

@@ -16,7 +16,9 @@ class SeedType final : public ValueType {
   }
   void read(const Json& json, const ReadingPlace& place, void* value) const override {
     const auto seed = json.is_string() ? seed_from_text(json.get<std::string>()) : std::nullopt;
-    if (!seed) return place.reject(json, "must be a seed as text", "for example \"0x2012\"");
+    if (!seed)
+      return place.reject(json, "must be a whole number of at most 64 bits, as text",
+                          "give a value such as 0x2012 or 8210");
     *static_cast<std::uint64_t*>(value) = *seed;
   }
   [[nodiscard]] Json schema(const Rule&) const override {

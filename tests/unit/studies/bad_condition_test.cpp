@@ -44,10 +44,10 @@ std::map<std::string, Entry> entries() {
           {"trajectory_of", [](const auto& e) { static_cast<void>(trajectory_of(e.conditions[0], 0, 0, {2})); }},
           {"Continuation",
            [](const auto& e) { static_cast<void>(Continuation(random::Draws(0, 0)).run(e.conditions[0])); }},
-          {"run", [](const auto& e) { static_cast<void>(run(e, {})); }},
+          {"run", [](const auto& e) { static_cast<void>(run(e, RunOptions{})); }},
           {"verify", [](const auto& e) { static_cast<void>(verify(e, empty_store(), std::nullopt, {})); }},
-          {"bifurcation", [](const auto& e) { static_cast<void>(bifurcation(e, 0, {})); }},
-          {"orbits", [](const auto& e) { static_cast<void>(orbits(e, 1, {})); }},
+          {"bifurcation", [](const auto& e) { static_cast<void>(bifurcation(e, 0, RunOptions{})); }},
+          {"orbits", [](const auto& e) { static_cast<void>(orbits(e, 1, RunOptions{})); }},
           {"measure_cost",
            [=](const auto& e) { static_cast<void>(measure_cost(e, {.tolerances = tolerances, .sample = 1}, {})); }},
           {"time_cost", [=](const auto& e) {

@@ -1,5 +1,6 @@
 // The list of the studies, and what follows from the constants in it.
 
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <set>
@@ -18,7 +19,7 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 
 std::string text_of_file(const std::string& path) {
-  std::ifstream stream(std::string(ROCKING_SOURCE_DIR) + '/' + path, std::ios::binary);
+  std::ifstream stream(std::filesystem::path(ROCKING_SOURCE_DIR) / path, std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "rocking/random/draws.hpp"
 #include "rocking/studies/bifurcation/bifurcation.hpp"
 #include "rocking/studies/bifurcation/figure.hpp"
 #include "rocking/studies/bifurcation/result.hpp"
@@ -23,7 +22,7 @@ const StructType& fields_of(const BifurcationQuestion*) {
       "BifurcationQuestion",
       asked(field<&BifurcationQuestion::realisation>(
                 "realisation", "Realisation whose random numbers are used, if something is random",
-                Rule{.least = 0.0, .most = static_cast<double>(random::realisation_limit - 1)}),
+                Rule{.least = 0.0, .most = 999'999'999.0}),
             {.names = "--realisation", .letter = "K"}),
   };
   return fields;

@@ -227,7 +227,7 @@ TEST(Diagram, FromTheInitialStateIsWhatARunGives) {
   document["friction"] = {{"static", 0.35}, {"kinetic", 0.30}};
   document["fluctuation"]["friction"] = {{"sigma", 0.03}};
   const Experiment experiment = experiment_from(document);
-  const auto diagrams = bifurcation(experiment, 7, {}).value();
+  const auto diagrams = bifurcation(experiment, 7, RunOptions{}).value();
   for (const DiagramStep& step : branch_of(diagrams[0], Branch::initial)) {
     const RealisationResult result = realise(experiment.conditions[step.condition], experiment.seed, 7);
     EXPECT_EQ(step.classification.mode, result.classification.mode);

@@ -26,6 +26,16 @@ NamedRun run_in(const std::string& folder, bool is_complete) {
   return {folder, std::move(stored)};
 }
 
+/// What `ask` gives; problems of the question name its flags.
+template <class Ask>
+auto in_flags(const Study& study, const Ask& ask) {
+  try {
+    return ask();
+  } catch (const base::InputError& error) {
+    throw with_flags(error, *study.question);
+  }
+}
+
 /// The subject, with a checked question. Throws before any file is written.
 Subject checked_subject(const StudyCommand& command) {
   const Study& study = command.study;
@@ -90,8 +100,10 @@ std::string write(const StudyCommand& command, const Subject& subject, const Ans
 Answer answer_of(StudyCommand& command, const Subject& subject) {
   const Study& study = command.study;
   const SystemFacts system = system_facts(command.execution.threads);
+  const std::string_view then = study.then == nullptr ? "" : study.then(command.question.get());
+  if (!then.empty() && !command.execution.loudness.quiet) print_notice(study.more_notice);
   Progress progress(study.progress.empty() ? ProgressStyle::none : suitable_progress_style(command.execution.loudness),
-                    std::string(study.progress), std::string(study.then));
+                    std::string(study.progress), std::string(then));
   Circumstances circumstances{
       .execution = watched(command.execution, progress),
       .elapsed_seconds = seconds_from_now(),
@@ -103,6 +115,7 @@ Answer answer_of(StudyCommand& command, const Subject& subject) {
     circumstances.keep = [&](const std::function<std::string()>& document) { command.file.keep(document); };
   }
   const auto find = [&] { return study.find(subject, command.question.get(), circumstances); };
+  if (study.subject == SubjectKind::none) return in_flags(study, find);
   // An experiment is read before; the other studies read what the question names.
   return study.subject == SubjectKind::experiment ? find() : input_of(find);
 }
@@ -123,7 +136,7 @@ ExitCode end_of(const StudyCommand& command, const Answer& answer, const Extras&
 ExitCode answered(StudyCommand& command) {
   const Study& study = command.study;
   const analysis::FigureLook look = look_for(command.style);
-  const Subject subject = checked_subject(command);
+  const Subject subject = in_flags(study, [&] { return checked_subject(command); });
   expect_free(command, subject);
   command.file.prepare();
   if (command.file.resumes() && std::filesystem::exists(command.file.path())) {
@@ -146,8 +159,6 @@ ExitCode carry_out(StudyCommand& command) {
     return answered(command);
   } catch (const UnfitQuestion& error) {
     throw UsageError(error.what());
-  } catch (const base::InputError& error) {
-    throw with_flags(error, *command.study.question);
   }
 }
 

@@ -28,7 +28,7 @@ struct StudyCommand {
   ExecutionOptions execution{.threads = available_threads(), .max_time = {}, .loudness = {}};
 };
 
-/// Finds the answer, prints it, and writes its files. Problems name the flags of what is asked.
+/// Finds the answer, prints it, and writes its files.
 [[nodiscard]] ExitCode carry_out(StudyCommand& command);
 
 }  // namespace rocking::program

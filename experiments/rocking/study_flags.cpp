@@ -84,9 +84,10 @@ std::string default_of(const Field& field, const void* question) {
 CLI::Option* add_flag(CLI::App& command, const Field& field, void* question) {
   const FlagKind flag = field.flag.kind;
   if (flag == FlagKind::on || flag == FlagKind::off) {
-    return command.add_flag_callback(
-        std::string(field.flag.names), [&field, question, flag] { set(field, Json(flag == FlagKind::on), question); },
-        std::string(field.sentence));
+    std::string sentence(field.sentence);
+    if (flag == FlagKind::off) sentence = "Do not " + CLI::detail::to_lower(sentence.substr(0, 1)) + sentence.substr(1);
+    const auto set_it = [&field, question, flag] { set(field, Json(flag == FlagKind::on), question); };
+    return command.add_flag_callback(std::string(field.flag.names), set_it, sentence);
   }
   const Json schema = field.type->schema(field.rule);
   const std::string kind = kind_of(schema);

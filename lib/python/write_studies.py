@@ -62,7 +62,7 @@ class Parameter:
     def described(self, simple, default):
         """Annotation, default and the value of the question."""
         if self.is_range:
-            return "Tuple[Optional[float], Optional[float]]", "(None, None)", f"ends({self.name!r}, {self.name})"
+            return "Tuple[Optional[float], Optional[float]]", "(None, None)", f"ends(\"{self.name}\", {self.name})"
         if self.is_list and simple == "str":
             single = "Path" if self.is_path else "str"
             convert = "paths" if self.is_path else "words"
@@ -96,6 +96,7 @@ def sentences(parameters, study, of_subject):
         parts.append("threads: one for each processor, unless given; they change the time, never the result.")
         parts.append("progress: called with what is done and all, once that is known.")
     parts.append(study["notes"])
+    parts = [re.sub(r"(?<![\w-])--(\w[\w-]*)", lambda flag: flag.group(1).replace("-", "_"), part) for part in parts]
     text = re.sub(r"`([^`]+)`", r"``\1``", " ".join(part for part in parts if part).replace("``", "`"))
     return textwrap.wrap(text.replace("\\", "\\\\"), 112, break_long_words=False)
 
@@ -114,8 +115,8 @@ def function(study):
         optional_sources += ["threads: Optional[int] = None", "progress: Optional[Progress] = None"]
     if optional_sources:
         arguments += ["*", *optional_sources]
-    values = [f"**{each.value}" if each.is_range else f"{each.name!r}: {each.value}" for each in parameters]
-    call = [repr(study["name"]), "{" + ", ".join(values) + "}"]
+    values = [f"**{each.value}" if each.is_range else f"\"{each.name}\": {each.value}" for each in parameters]
+    call = [json.dumps(study["name"]), "{" + ", ".join(values) + "}"]
     if about:
         call.append(about)
     if study["has_progress"]:

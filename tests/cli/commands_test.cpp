@@ -204,7 +204,7 @@ TEST_F(Command, CheckNormalSaysWhatASmallSkewnessIsWorth) {
     const auto tiny = rocking(std::string("check-normal ") + law);
     EXPECT_EQ(tiny.exit_code, 64) << law;
     EXPECT_THAT(tiny.errors, HasSubstr(law[2] == 'l' ? "--mean = 1e-60: must be at least 1e-12"
-                                                     : "--sigma = 1e-200: must be at least 1e-70"))
+                                                     : "--sigma: \"1e-200\" is not a number from 1e-70"))
         << law;
   }
   EXPECT_EQ(rocking("check-normal --mean 0 --sigma 1e-60").exit_code, 0);

@@ -32,7 +32,7 @@ enum class FlagKind : std::uint8_t {
   commas,    ///< `--flag X,X`
   duration,  ///< `--flag 10min` [s]
   on,        ///< `--flag` alone: true
-  off,       ///< `--no-flag` alone: false
+  off,       ///< `--no-flag` alone: false; what the field says is then not done
 };
 
 /// In place of a keyword: the field is for command lines alone.

@@ -29,7 +29,15 @@ class Store;
 
 /// What is asked contradicts itself, or its subject cannot answer it; the text says so in the words of a command line.
 class UnfitQuestion : public std::runtime_error {
-  using std::runtime_error::runtime_error;
+ public:
+  /// `place`: of what contradicts, where it is not the question.
+  explicit UnfitQuestion(const std::string& text, std::string place = "")
+      : std::runtime_error(text), place_(std::move(place)) {}
+
+  [[nodiscard]] const std::string& place() const { return place_; }
+
+ private:
+  std::string place_;
 };
 
 /// What a study is about.
@@ -128,7 +136,7 @@ struct Study {
   bool has_long_table = false;         ///< whether `--all` prints more
   bool draws = false;                  ///< whether `--figure` draws what was found
   std::string_view progress = {};      ///< what progress counts; empty: there is none
-  std::string_view then = {};          ///< what it counts where their number is not known
+  std::string_view more_notice = {};   ///< of a study that counts something else afterwards
   std::string_view file = {};          ///< the document in the folder of `-o`; empty: there is no such flag
   std::string_view label = "numbers";  ///< precedes its path where it is printed
   bool needs_folder = false;           ///< whether `-o` must be given
@@ -148,6 +156,8 @@ struct Study {
   Answer (*find)(const Subject& subject, const void* question, const Circumstances& circumstances) = nullptr;
   /// Takes what an earlier call has finished from its document.
   void (*resume)(const Subject& subject, void* question, const Json& earlier) = nullptr;
+  /// What progress counts afterwards, where their number is not known; empty: nothing. Null: nothing ever.
+  std::string_view (*then)(const void* question) = nullptr;
   /// Names of the files that are written beside the document; null: none.
   std::vector<std::string> (*files)(const Subject& subject) = nullptr;
   /// Those of a document; `others` are drawn in the same call. Empty where it has nothing to draw.
@@ -159,13 +169,14 @@ struct Study {
   [[nodiscard]] std::string command() const;
 };
 
-/// The functions of a study whose question is a Question. The last four may be null.
+/// The functions of a study whose question is a Question. Those after `find` may be null.
 template <class Question>
 struct StudyFunctions {
   Question (*of_command)() = nullptr;  ///< null: Question{}
   void (*check)(const Subject& subject, Question& question) = nullptr;
   Answer (*find)(const Subject& subject, const Question& question, const Circumstances& circumstances) = nullptr;
   void (*resume)(const Subject& subject, Question& question, const Json& earlier) = nullptr;
+  std::string_view (*then)(const Question& question) = nullptr;
   std::vector<std::string> (*files)(const Subject& subject) = nullptr;
   std::vector<analysis::Figure> (*figures)(const Json& document, std::span<const Json> others) = nullptr;
   std::vector<analysis::Figure> (*figures_of_run)(const RunShown& run) = nullptr;
@@ -190,6 +201,9 @@ template <class Question, const StudyFunctions<Question>& functions>
     facts.resume = [](const Subject& subject, void* question, const Json& earlier) {
       functions.resume(subject, *static_cast<Question*>(question), earlier);
     };
+  }
+  if constexpr (functions.then != nullptr) {
+    facts.then = [](const void* question) { return functions.then(*static_cast<const Question*>(question)); };
   }
   facts.files = functions.files;
   facts.figures = functions.figures;

@@ -175,9 +175,10 @@ FragilityQuestion question_about(const Experiment& experiment, const RunsQuestio
 }
 
 RunFragility curves_of(const NamedRun& run, const RunsQuestion& asked, const Execution& execution) {
+  const Experiment& experiment = run.stored.experiment;
+  const FragilityQuestion question = question_about(experiment, asked);
   try {
-    const Experiment& experiment = run.stored.experiment;
-    return fragility(experiment, run.stored.run, question_about(experiment, asked), execution);
+    return fragility(experiment, run.stored.run, question, execution);
   } catch (const base::InputError& error) {
     const base::Problem& problem = error.problems().front();
     if (!problem.place.starts_with('/')) throw;                         // of the hazard curve or the metadata

@@ -15,7 +15,7 @@ const StructType& fields_of(const OrbitsRequest*) {
       asked(field<&Type::longest>("longest", "Longest period that is searched from the grid, in excitation periods",
                                   Rule{.least = 1.0, .most = static_cast<double>(section::longest_period)}),
             {.names = "--periods", .letter = "N"}),
-      asked(field<&Type::branches>("branches", "Do not follow the orbits over the swept parameter"),
+      asked(field<&Type::branches>("branches", "Follow the orbits over the swept parameter"),
             {.names = "--no-branches", .kind = FlagKind::off}),
       asked(field<&Type::from>("from", "Smallest value of the swept parameter for branches; else of the sweep"),
             {.names = "--from", .letter = "X"}, "branch_range[0]"),
@@ -68,8 +68,13 @@ std::vector<analysis::Figure> figures(const Json& document, std::span<const Json
   return drawn;
 }
 
-constexpr StudyFunctions<OrbitsRequest> functions{
-    .of_command = [] { return OrbitsRequest{.branches = true}; }, .check = check, .find = find, .figures = figures};
+std::string_view then(const OrbitsRequest& request) { return request.branches ? "points of branches" : ""; }
+
+constexpr StudyFunctions<OrbitsRequest> functions{.of_command = [] { return OrbitsRequest{.branches = true}; },
+                                                  .check = check,
+                                                  .find = find,
+                                                  .then = then,
+                                                  .figures = figures};
 
 }  // namespace
 
@@ -92,7 +97,7 @@ const Study& orbits_study() {
 True)",
       .has_long_table = true,
       .progress = "conditions",
-      .then = "points of branches",
+      .more_notice = "following branches, too; --no-branches omits them",
       .file = "orbits.json",
       .label = "orbits",
       .needs_folder = true,

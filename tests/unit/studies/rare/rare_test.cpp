@@ -208,10 +208,10 @@ TEST(Proposal, IsWideEnoughForFreshPointsBetweenTheOthers) {
 TEST(RareProbabilities, AreRefusedWhereNothingIsRandom) {
   Condition condition = fluctuating();
   condition.scene.fluctuation = {};
-  EXPECT_THROW(
-      static_cast<void>(rare_probabilities(
-          {.title = "", .seed = rare_seed, .conditions = {condition}, .canonical_text = "{}"}, RareQuestion{}, {})),
-      rocking::base::InputError);
+  EXPECT_THROW(static_cast<void>(rare_probabilities(
+                   {.title = "", .seed = rare_seed, .conditions = {condition}, .canonical_text = "{}"},
+                   rocking::RareQuestion{}, {})),
+               rocking::base::InputError);
 }
 
 TEST(DrawnNumbers, FollowFromWhatTheSceneDraws) {

@@ -169,20 +169,22 @@ ExitCode write_results(FolderRun& run, ExperimentResult result, const SystemFact
 }  // namespace
 
 void add_threads(CLI::App& command, ExecutionOptions& execution) {
-  command.add_option("-j,--threads", execution.threads, "Number of threads; changes the time, never the result")
+  command
+      .add_option("-j,--threads", execution.threads,
+                  "Number of threads; default: all that this process may use; changes the time, never the result")
       ->check(whole_number(1, 4096))
-      ->capture_default_str()
       ->type_name("N");
 }
 
 void add_max_time(CLI::App& command, ExecutionOptions& execution) {
   add_duration(command, "--max-time", execution.max_time,
-               "Stop cleanly after this time, e.g. 90s, 15min, 2h; can be resumed");
+               "Stop cleanly after this time, e.g. 90 (seconds), 15min, 2h, 1d, with exit code 75; can be resumed");
 }
 
 void add_page_choice(CLI::App& command, PageChoice& page) {
   command.add_flag_callback(
-      "--no-page", [&page] { page = PageChoice::omitted; }, "Draw no page; `rocking report DIR` draws it later");
+      "--no-page", [&page] { page = PageChoice::omitted; },
+      "Draw no page, and remove an earlier one; `rocking report DIR` draws it later");
 }
 
 SystemFacts system_facts(unsigned threads) {

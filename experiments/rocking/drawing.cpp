@@ -111,10 +111,13 @@ WrittenFigures write_figures(const std::vector<analysis::Figure>& figures, const
 }
 
 void add_style(CLI::App& command, StyleRequest& request) {
-  command.add_option("--style", request.style, "For what figures are drawn: screen, or journal (8 pt, no titles)")
+  command
+      .add_option("--style", request.style,
+                  "For what figures are drawn; for a journal without titles, with text of 8 pt")
       ->check(CLI::IsMember({"screen", "journal"}))
-      ->capture_default_str();
-  command.add_option("--width", request.width, "Column of a journal: single (84 mm, default) or double (174 mm)")
+      ->capture_default_str()
+      ->type_name("STYLE");
+  command.add_option("--width", request.width, "With --style journal: width of the column, 84 mm (default) or 174 mm")
       ->check(CLI::IsMember({"single", "double"}))
       ->type_name("COLUMN");
 }

@@ -15,7 +15,7 @@ if(ROCKING_PYTHON_INTERPRETER)
   add_custom_command(OUTPUT ${help_folder}/man1/rocking.1
     COMMAND ${ROCKING_PYTHON_INTERPRETER} ${CMAKE_CURRENT_SOURCE_DIR}/manual_pages $<TARGET_FILE:rocking>
       ${help_folder}/man1
-    DEPENDS rocking manual_pages VERBATIM)
+    DEPENDS rocking manual_pages help_text.py VERBATIM)
   list(APPEND help_files ${help_folder}/man1/rocking.1)
 else()
   message(STATUS "manual pages skipped: python3 was not found")

@@ -32,7 +32,8 @@ void add_merge(CLI::App& app, Action& action) {
       "`system`. The order of the folders has no influence; shards may overlap if their common realisations agree.");
   command->add_option("DIR", request->folder, "Folder for the whole; created if necessary")->required();
   command->add_option("SHARD", request->shards, "Folders of the parts")->required();
-  command->add_flag("--overwrite", request->overwrite, "Replace the run in the folder, after all shards are joined");
+  command->add_flag("--overwrite", request->overwrite,
+                    "Replace the run in the folder, after all shards are read and found to agree");
   add_page_choice(*command, request->execution.page);
   add_extent(*command, request->execution.extent);
   add_loudness(*command, request->execution.loudness);

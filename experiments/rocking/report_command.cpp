@@ -19,7 +19,9 @@ void add_report(CLI::App& app, Action& action) {
       "(tsv), script (gp) and pictures drawn by gnuplot (svg, png, pdf). csv and latex: tables in out/tables. text: "
       "the table of response modes, on standard output.");
   command->add_option("DIR", request->folder, "Folder of the run")->required();
-  command->add_option("--format", request->formats, "What to write; default: all files")
+  command
+      ->add_option("--format", request->formats,
+                   "What to write, separated by commas, all files by default; text prints the table of response modes")
       ->delimiter(',')
       ->check(one_of(all_formats))
       ->type_name("LIST");

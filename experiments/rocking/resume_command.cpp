@@ -37,7 +37,7 @@ void add_resume(CLI::App& app, Action& action, const ProcessPool& pool) {
   command
       ->add_option("--levels", request->extension.levels,
                    "Extend the run by intensities, as `rocking fragility --suggest` names them: 0.23,0.9")
-      ->type_name("X")
+      ->type_name("X,X")
       ->delimiter(',')
       ->expected(1)
       ->allow_extra_args(false)

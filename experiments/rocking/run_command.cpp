@@ -51,9 +51,10 @@ void add_run(CLI::App& app, Action& action, const ProcessPool& pool) {
       "simulates every realisation of every condition, stores them in out/realisations.sqlite, writes out/report.json "
       "and out/report.html, and prints a table of the responses.");
   add_experiment(*command, request->file);
-  const auto folder =
-      command->add_option("-o,--output", request->folder, "Folder for the results; created if necessary")
-          ->type_name("DIR");
+  const auto folder = command
+                          ->add_option("-o,--output", request->folder,
+                                       "Folder for the results; created if necessary; required except with --dry-run")
+                          ->type_name("DIR");
   add_threads(*command, request->execution);
   add_seed(*command, request->overrides);
   command

@@ -52,13 +52,26 @@ std::vector<std::string> choices_in(const Json& schema) {
   return schema.contains("enum") ? schema["enum"].get<std::vector<std::string>>() : std::vector<std::string>{};
 }
 
+void add_to_help(CLI::Option& option, const std::string& words) {
+  option.description(option.get_description() + "; " + words);
+}
+
+/// Help tells no bound that is beyond any use.
+void tell_bounds(CLI::Option& option, Rule rule) {
+  constexpr double beyond_use = 1e15;
+  if (rule.most && *rule.most > beyond_use) rule.most.reset();
+  if (const std::string bounds = bounds_in_words(rule); !bounds.empty()) add_to_help(option, bounds);
+}
+
 void check_by_rule(CLI::Option& option, const std::string& kind, const Json& schema, const Rule& rule) {
   if (const auto choices = choices_in(schema); !choices.empty()) {
     option.check(one_of(choices));
   } else if (kind == "integer") {
     option.check(whole_numbers_of(rule));
-  } else if (kind == "number" && rule.least && rule.most) {
-    option.check(number(*rule.least, *rule.most));
+    tell_bounds(option, rule);
+  } else if (kind == "number" && (rule.least || rule.above || rule.most || rule.below)) {
+    if (rule.least && rule.most) option.check(number(*rule.least, *rule.most));
+    tell_bounds(option, rule);
   }
 }
 
@@ -73,12 +86,23 @@ CLI::Option* add_list(CLI::App& command, const Field& field, const std::string& 
   return option;
 }
 
+std::string written(const Json& value) {
+  if (value.is_number_float()) return base::shortest(value.get<double>());
+  return value.is_string() ? value.get<std::string>() : value.dump();
+}
+
 /// As the flag would give it; empty for none.
 std::string default_of(const Field& field, const void* question) {
   const Json value = field.json(question);
   if (value.is_null() || value.is_boolean() || value.is_array()) return "";
-  if (value.is_number_float()) return base::shortest(value.get<double>());
-  return value.is_string() ? value.get<std::string>() : value.dump();
+  return written(value) + (field.flag.kind == FlagKind::duration ? "s" : "");
+}
+
+/// A list is too long for the column of the flags.
+void tell_default_list(CLI::Option& option, const Json& values) {
+  std::string words;
+  for (const Json& value : values) words += ' ' + written(value);
+  if (!words.empty()) add_to_help(option, "default:" + words);
 }
 
 CLI::Option* add_flag(CLI::App& command, const Field& field, void* question) {
@@ -96,6 +120,7 @@ CLI::Option* add_flag(CLI::App& command, const Field& field, void* question) {
     const std::string item = kind_of(schema["items"]);
     option = add_list(command, field, item, question);
     if (flag != FlagKind::words) check_by_rule(*option, item, schema["items"], field.rule);
+    tell_default_list(*option, field.json(question));
   } else if (flag == FlagKind::duration) {
     option = add_value<double>(command, field, question)->transform(duration());
   } else {
@@ -115,7 +140,9 @@ void add_flags(CLI::App& command, const StructType& fields, void* question) {
     CLI::Option* option = add_flag(command, field, question);
     if (field.flag.is_required) option->required();
     if (!field.flag.needs.empty()) option->needs(command.get_option(std::string(field.flag.needs)));
-    if (!field.flag.excludes.empty()) option->excludes(command.get_option(std::string(field.flag.excludes)));
+    if (field.flag.excludes.empty()) continue;
+    option->excludes(command.get_option(std::string(field.flag.excludes)));
+    add_to_help(*option, "not with " + std::string(field.flag.excludes));
   }
 }
 

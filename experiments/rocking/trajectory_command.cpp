@@ -54,18 +54,20 @@ void add_trajectory(CLI::App& app, Action& action) {
   add_experiment(*command, request->experiment);
   add_realisation(*command, request->trajectory, Naming::optional);
   command
-      ->add_option("--periods", request->trajectory.periods, "Periods of the excitation; default: all of the horizon")
+      ->add_option("--periods", request->trajectory.periods,
+                   "Periods of the excitation from the initial state; default: all of the horizon")
       ->check(whole_number(1, 100'000'000))
       ->type_name("N");
   command
       ->add_option("--samples", request->trajectory.samples_per_period,
-                   "Adds a history: N states per period, evenly spaced; 0: none")
+                   "Add a history: N states per period, evenly spaced; 0: none")
       ->check(whole_number(0, 100'000))
       ->capture_default_str()
       ->type_name("N");
   command
       ->add_option("--html", request->page,
-                   "Writes a page with the animated block to this file instead of printing the trajectory")
+                   "Write a page with the animated block to FILE and print its path, instead of the trajectory; with "
+                   "--samples, from N states per period")
       ->type_name("FILE");
   add_seed(*command, request->overrides);
   add_trajectory_output(*command, request->output);

@@ -18,11 +18,12 @@ void add_realisation(CLI::App& command, TrajectoryRequest& asked, Naming naming)
     }
   };
   add("--condition", asked.condition, "Number of the condition, from 0", "I");
-  add("--realisation", asked.realisation, "Number of the realisation, from 0", "K");
+  add("--realisation", asked.realisation, "Number of the realisation, which determines the random numbers, from 0",
+      "K");
 }
 
 void add_trajectory_output(CLI::App& command, TrajectoryOutput& output) {
-  command.add_option("--format", output.format, "Text to print")
+  command.add_option("--format", output.format, "Text to print; csv: a table for spreadsheets")
       ->check(one_of({"json", "csv"}))
       ->capture_default_str()
       ->type_name("NAME");

@@ -42,7 +42,6 @@ bool is_digested(const std::string& name, const std::string& text) {
 /// Without what follows from the machine, the time or the build.
 std::string of_every_machine(const std::string& text) {
   static const std::vector<std::pair<std::regex, std::string>> of_this_machine{
-      {std::regex(R"((--threads N )\(\d+\))"), "$1(*)"},                                            // help
       {std::regex("<dt>(program|built with|machine|begun|time)</dt><dd>.*</dd>"), "<dt>$1</dt>*"},  // page
       {std::regex(R"((; rocking )\S+ \S+(\. Made by))"), "$1*$2"},                                  // sheet
   };

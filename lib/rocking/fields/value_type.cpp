@@ -30,14 +30,7 @@ std::string plain(double number) {
 }
 
 std::string in_words(const Rule& rule) {
-  std::string words;
-  const auto add = [&words](std::string_view word, const std::optional<double>& bound) {
-    if (bound) words += (words.empty() ? "" : " and ") + std::string(word) + ' ' + plain(*bound);
-  };
-  add("at least", rule.least);
-  add("above", rule.above);
-  add("at most", rule.most);
-  add("below", rule.below);
+  std::string words = bounds_in_words(rule);
   for (const std::string_view choice : rule.choices) words += (words.empty() ? "" : ", ") + std::string(choice);
   return (rule.choices.empty() ? "must be " : "must be one of ") + words;
 }
@@ -125,6 +118,18 @@ class AnyType final : public ValueType {
 };
 
 }  // namespace
+
+std::string bounds_in_words(const Rule& rule) {
+  std::string words;
+  const auto add = [&words](std::string_view word, const std::optional<double>& bound) {
+    if (bound) words += (words.empty() ? "" : " and ") + std::string(word) + ' ' + plain(*bound);
+  };
+  add("at least", rule.least);
+  add("above", rule.above);
+  add("at most", rule.most);
+  add("below", rule.below);
+  return words;
+}
 
 void ReadingPlace::reject(const Json& value, std::string reason, std::string remedy) const {
   problems->push_back({pointer.empty() ? "/" : pointer, brief(value), std::move(reason), std::move(remedy)});

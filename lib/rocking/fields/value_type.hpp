@@ -13,6 +13,9 @@
 
 namespace rocking {
 
+/// Such as `at least 1 and at most 12`; empty without bounds.
+[[nodiscard]] std::string bounds_in_words(const Rule& rule);
+
 /// Where a value is read from, and what becomes of its faults.
 struct ReadingPlace {
   std::string pointer;  ///< JSON pointer

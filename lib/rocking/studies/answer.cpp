@@ -27,7 +27,7 @@ void read_question(const StructType& fields, const Json& question, void* asked) 
     }
     if (field == nullptr) {
       place.at(keyword).reject(value, "is not a keyword of this question");
-    } else if (!value.is_null()) {
+    } else if (!value.is_null() || !field->json(asked).is_null()) {
       field->read(value, {.pointer = keyword, .rule = field->rule, .problems = &problems}, asked);
     }
   }
@@ -82,8 +82,11 @@ std::string answer(std::string_view study, std::string_view question, const Stud
                .provenance = provenance})
         .document;
   } catch (const UnfitQuestion& error) {
-    throw base::InputError(
-        {.place = std::string(study), .value = "", .reason = error.what(), .remedy = "", .where = {}});
+    throw base::InputError({.place = error.place().empty() ? std::string(study) : error.place(),
+                            .value = "",
+                            .reason = error.what(),
+                            .remedy = "",
+                            .where = {}});
   }
 }
 

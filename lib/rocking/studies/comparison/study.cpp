@@ -22,18 +22,22 @@ void check(const Subject& subject, NoQuestion&) {
   if (one.seed != other.seed) {
     throw UnfitQuestion(
         first.folder + " and " + second.folder +
-        " have different seeds, so no common random numbers; run one of them again with the seed of the "
-        "other");
+            " have different seeds, so no common random numbers; run one of them again with the seed of the "
+            "other",
+        "/seed");
   }
   if (one.conditions.size() != other.conditions.size()) {
     throw UnfitQuestion(first.folder + " has " + counted(one.conditions.size(), "condition") + ", " + second.folder +
-                        " has " + counted(other.conditions.size(), "condition") +
-                        "; compare runs with the same number of conditions");
+                            " has " + counted(other.conditions.size(), "condition") +
+                            "; compare runs with the same number of conditions",
+                        "/sweep");
   }
   if (const auto place = condition_with_other_record(one, other)) {
-    throw UnfitQuestion("condition " + std::to_string(*place) + " of " + first.folder + " and of " + second.folder +
-                        " has different records of a suite, so no common random numbers; compare runs with the same "
-                        "records in the same order");
+    throw UnfitQuestion(
+        "condition " + std::to_string(*place) + " of " + first.folder + " and of " + second.folder +
+            " has different records of a suite, so no common random numbers; compare runs with the same "
+            "records in the same order",
+        "/excitation/suite");
   }
 }
 

@@ -15,15 +15,19 @@ namespace rocking {
 const StructType& fields_of(const CostRequest*) {
   static const StructType fields{
       "CostRequest",
-      asked(field<&CostRequest::seconds>("seconds", "Measure as many realisations as possible in this time, e.g. 5min",
-                                         rule::positive),
+      asked(field<&CostRequest::seconds>(
+                "seconds", "Measure as many realisations as possible in about this time, at least one, e.g. 5min",
+                rule::positive),
             {.names = "--max-time,--time", .letter = "T", .kind = FlagKind::duration}),
-      asked(field<&CostRequest::sample>("sample", "Measure N realisations; gives the same numbers again, except times",
-                                        Rule{.least = 1.0, .most = static_cast<double>(largest_cost_sample)}),
+      asked(field<&CostRequest::sample>(
+                "sample", "Measure N realisations; the same experiment gives the same numbers again, except times",
+                Rule{.least = 1.0, .most = static_cast<double>(largest_cost_sample)}),
             {.names = "--sample", .letter = "N", .excludes = "--max-time"}),
-      asked(field<&CostRequest::tolerances>("tolerances",
-                                            "Instead of 1e-4, 1e-5, ... 1e-14; the experiment's own is added",
-                                            Rule{.least = 1e-16, .most = 1e-2}),
+      asked(field<&CostRequest::tolerances>(
+                "tolerances",
+                "These tolerances instead of 1e-4, 1e-5, ... 1e-14; the experiment's own is added, and the tightest "
+                "is the reference",
+                Rule{.least = 1e-16, .most = 1e-2}),
             {.names = "--tolerances", .letter = "T,T,T", .kind = FlagKind::commas}),
   };
   return fields;

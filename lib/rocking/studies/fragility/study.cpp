@@ -79,12 +79,16 @@ const StructType& fields_of(const FragilityQuestion*) {
       asked(field<&Type::peak_tilts>(
                 "peak_tilts", "Also the probability that the peak of abs(theta)/psi exceeds A; several: 0.3,0.5,1",
                 tilt_rule),
-            {.names = "--peak-tilt", .letter = "A", .kind = FlagKind::commas}),
+            {.names = "--peak-tilt", .letter = "A,A", .kind = FlagKind::commas}),
       field<&Type::rare>("rare", "small probabilities of the same blocks",
                          list_of<RareOfCurve, rare_of_curve_fields>()),
       field<&Type::metadata>("metadata", "of the records of suites", list_of<RecordMetadata, metadata_fields>()),
-      asked(field<&Type::incremental>("incremental", "Also the peak tilt against intensity for each record"),
-            {.names = "--ida", .kind = FlagKind::on}),
+      asked(
+          field<&Type::incremental>(
+              "incremental",
+              "Incremental dynamic analysis: quantiles of the peak tilt at each intensity, of each record and of all, "
+              "and the number of resurrections"),
+          {.names = "--ida", .kind = FlagKind::on}),
   };
   return fields;
 }
@@ -133,20 +137,26 @@ const StructType& fields_of(const RunsQuestion*) {
                              "motion, or suite of motions: the annual rate takes its probabilities below the levels "
                              "with ten events"),
           {.names = "--rare", .letter = "DIR"}, "rare"),
-      asked(field<&Type::suggest>("suggest",
-                                  "Print only the intensities that would settle the rate of a suite, as a command"),
+      asked(field<&Type::suggest>(
+                "suggest",
+                "With --hazard: print only the intensities that would settle the rate of a suite, as a command "
+                "`rocking resume DIR --levels X,X`"),
             {.names = "--suggest", .kind = FlagKind::on}, no_keyword),
       asked(field<&Type::sheet>("sheet",
                                 "With --hazard: the answer about a suite as one page of A4; FILE ends with .pdf or "
                                 ".html"),
             {.names = "--sheet", .letter = "FILE", .kind = FlagKind::new_file}, no_keyword),
-      asked(field<&Type::per_record>("per_record", "List each record of a suite"),
+      asked(field<&Type::per_record>("per_record",
+                                     "List the curve of each record of a suite in the table; the JSON always has them"),
             {.names = "--per-record", .kind = FlagKind::on}, no_keyword),
   };
   return fields;
 }
 
 void expect_sensible(const Subject& subject, const RunsQuestion& question) {
+  if (!question.hazard && (question.years || question.imt)) {
+    throw UnfitQuestion("years and intensity measure say how a hazard curve is read, which is missing");
+  }
   if (!question.hazard && question.suggest) throw UnfitQuestion("--suggest: needs a rate; add --hazard FILE");
   if (!question.sheet) return;
   if (!question.hazard) throw UnfitQuestion("--sheet: needs a rate; add --hazard FILE");

@@ -42,7 +42,8 @@ const StructType& fields_of(const InferRequest*) {
           {.names = "--next-tests", .letter = "N"}),
       asked(field<&Type::seconds>(
                 "seconds",
-                "Add no points to the design after this time, e.g. 10min, and answer from those that are finished",
+                "Add no points to the design after this time, e.g. 10min, and answer from those that are finished, so "
+                "that the answer depends on the time",
                 rule::positive),
             {.names = "--max-time", .letter = "T", .kind = FlagKind::duration}),
       field<&Type::earlier>("earlier", "points of an earlier answer",
@@ -67,7 +68,8 @@ const StructType& fields_of(const InferQuestion*) {
       asked(field<&Type::tests>("tests_file", "Counted tests, CSV: a line for each condition"),
             {.names = "--tests", .letter = "FILE", .is_required = true}, "tests"),
       asked(field<&Type::candidates>(
-                "candidates_file", "Conditions that may be tested next, CSV without counts: how much each would tell"),
+                "candidates_file",
+                "Conditions that may be tested next, CSV without counts: how much each would narrow the region"),
             {.names = "--candidates", .letter = "FILE"}, "candidates"),
       inlined<&Type::request>(),
   };

@@ -21,14 +21,19 @@ const StructType& fields_of(const GroundMotionRequest*) {
       asked(field<&Type::format>("format", "Format of the files; auto: recognised by their first lines",
                                  Rule{.choices = record_format_choices}),
             {.names = "--format", .letter = "NAME"}),
-      asked(field<&Type::units>("units", "Unit of the accelerations; default: that of the file, or m/s2",
-                                Rule{.choices = record_unit_names}),
+      asked(field<&Type::units>(
+                "units",
+                "Unit of the accelerations; must agree with a file that states it; required with the format columns; "
+                "default: that of the file, or m/s2",
+                Rule{.choices = record_unit_names}),
             {.names = "--units", .letter = "UNIT"}),
       asked(field<&Type::time_step>("time_step", "Of columns without times [s]", rule::positive),
             {.names = "--time-step", .letter = "DT"}),
-      asked(field<&Type::columns>("columns",
-                                  "What the columns of a file of numbers are: time, horizontal, vertical, other",
-                                  Rule{.choices = record_column_names}),
+      asked(field<&Type::columns>(
+                "columns",
+                "What the columns of a file of numbers are, in its order, between blanks or commas: time, horizontal, "
+                "vertical, other (not used)",
+                Rule{.choices = record_column_names}),
             {.names = "--columns", .letter = "NAME...", .kind = FlagKind::words}),
       asked(field<&Type::vertical>("vertical", "File with the vertical component"),
             {.names = "--vertical", .letter = "FILE"}),
@@ -40,7 +45,8 @@ const StructType& fields_of(const GroundMotionRequest*) {
       asked(field<&Type::question, &Question::damping>("damping", "Damping ratio of the response spectrum",
                                                        Rule{.least = 0.0, .below = 1.0}),
             {.names = "--damping", .letter = "RATIO"}),
-      asked(field<&Type::series>("series", "Add to --json the motions sample by sample, for `rocking figure`"),
+      asked(field<&Type::series>("series",
+                                 "Add to --json the motions sample by sample, and fine spectra, for `rocking figure`"),
             {.names = "--series", .kind = FlagKind::on}),
   };
   return fields;
@@ -60,7 +66,7 @@ const StructType& fields_of(const FilesQuestion*) {
       "FilesQuestion",
       inlined<&FilesQuestion::request>(),
       asked(field<&FilesQuestion::block>("block",
-                                         "Width and height of a block [m], whose least scale of uplift is wanted"),
+                                         "Width and height of a block [m], whose least scale of uplift is printed"),
             {.names = "--block", .letter = "W H", .count = 2}),
   };
   return fields;

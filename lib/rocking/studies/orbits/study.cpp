@@ -17,24 +17,29 @@ const StructType& fields_of(const OrbitsRequest*) {
             {.names = "--periods", .letter = "N"}),
       asked(field<&Type::branches>("branches", "Follow the orbits over the swept parameter"),
             {.names = "--no-branches", .kind = FlagKind::off}),
-      asked(field<&Type::from>("from", "Smallest value of the swept parameter for branches; else of the sweep"),
-            {.names = "--from", .letter = "X"}, "branch_range[0]"),
-      asked(field<&Type::to>("to", "Largest value of it; else of the sweep"), {.names = "--to", .letter = "X"},
+      asked(
+          field<&Type::from>("from", "Smallest value of the swept parameter for branches; default: that of the sweep"),
+          {.names = "--from", .letter = "X"}, "branch_range[0]"),
+      asked(field<&Type::to>("to", "Largest value of it; default: that of the sweep"), {.names = "--to", .letter = "X"},
             "branch_range[1]"),
-      asked(field<&Type::most_points>("most_points", "Largest number of points of a branch",
+      asked(field<&Type::most_points>("most_points", "Largest number of points of a branch in each direction",
                                       Rule{.least = 2.0, .most = 1e6}),
             {.names = "--branch-points", .letter = "N"}),
-      asked(field<&Type::most_branches>("most_branches", "Largest number of branches", Rule{.least = 1.0, .most = 1e5}),
-            {.names = "--branches", .letter = "N"}),
+      asked(
+          field<&Type::most_branches>(
+              "most_branches", "Largest number of branches; if there are more, the table and the key `complete` say so",
+              Rule{.least = 1.0, .most = 1e5}),
+          {.names = "--branches", .letter = "N"}),
       asked(field<&Type::second>(
                 "second",
                 "JSON pointer of a second number, over which folds, doublings and losses of symmetry are followed; "
                 "of several pointers, the numbers at the others keep their ratio to the first"),
-            {.names = "--second-parameter", .letter = "POINTER"}, "second_parameter"),
-      asked(field<&Type::second_from>("second_from", "Smallest value of the second number"),
+            {.names = "--second-parameter", .letter = "POINTER..."}, "second_parameter"),
+      asked(field<&Type::second_from>("second_from",
+                                      "Smallest value of the second number; required with --second-parameter"),
             {.names = "--second-from", .letter = "X"}, "second_range[0]"),
-      asked(field<&Type::second_to>("second_to", "Largest value of it"), {.names = "--second-to", .letter = "X"},
-            "second_range[1]"),
+      asked(field<&Type::second_to>("second_to", "Largest value of it; required with --second-parameter"),
+            {.names = "--second-to", .letter = "X"}, "second_range[1]"),
       asked(field<&Type::most_curve_points>("most_curve_points",
                                             "Largest number of points of such a curve in each direction",
                                             Rule{.least = 1.0, .most = 1e6}),
@@ -45,18 +50,31 @@ const StructType& fields_of(const OrbitsRequest*) {
 
 namespace {
 
-void check(const Subject& subject, OrbitsRequest& request) {
+struct OrbitsQuestion {
+  OrbitsRequest request = {};
+  bool where_possible = false;  ///< branches are followed where there is something to follow
+};
+
+const StructType& fields_of(const OrbitsQuestion*) {
+  static const StructType fields{"OrbitsQuestion", inlined<&OrbitsQuestion::request>()};
+  return fields;
+}
+
+void check(const Subject& subject, OrbitsQuestion& question) {
+  OrbitsRequest& request = question.request;
   const bool has_range = request.from || request.to;
   if (has_range && !request.branches) throw UnfitQuestion("--from and --to limit branches; omit --no-branches");
-  if (!has_range) request.branches = request.branches && has_branches(subject.experiment);
+  if (question.where_possible && !has_range) request.branches = request.branches && has_branches(subject.experiment);
   if (request.second.empty() && (request.second_from || request.second_to)) {
     throw UnfitQuestion("--second-from and --second-to are the range of --second-parameter, which is missing");
   }
   check_request(subject.experiment, request);
 }
 
-Answer find(const Subject& subject, const OrbitsRequest& request, const Circumstances& circumstances) {
-  const OrbitStudy found = orbits(subject.experiment, request, circumstances.execution);
+std::string_view then(const OrbitsQuestion& question) { return question.request.branches ? "points of branches" : ""; }
+
+Answer find(const Subject& subject, const OrbitsQuestion& question, const Circumstances& circumstances) {
+  const OrbitStudy found = orbits(subject.experiment, question.request, circumstances.execution);
   return {.document = orbits_text(subject.experiment, found), .table = table_of(found, circumstances.extent)};
 }
 
@@ -68,18 +86,17 @@ std::vector<analysis::Figure> figures(const Json& document, std::span<const Json
   return drawn;
 }
 
-std::string_view then(const OrbitsRequest& request) { return request.branches ? "points of branches" : ""; }
-
-constexpr StudyFunctions<OrbitsRequest> functions{.of_command = [] { return OrbitsRequest{.branches = true}; },
-                                                  .check = check,
-                                                  .find = find,
-                                                  .then = then,
-                                                  .figures = figures};
+constexpr StudyFunctions<OrbitsQuestion> functions{
+    .of_command = [] { return OrbitsQuestion{.request = {.branches = true}, .where_possible = true}; },
+    .check = check,
+    .find = find,
+    .then = then,
+    .figures = figures};
 
 }  // namespace
 
 const Study& orbits_study() {
-  static const Study study = study_of<OrbitsRequest, functions>({
+  static const Study study = study_of<OrbitsQuestion, functions>({
       .name = "orbits",
       .sentence = "Find the periodic orbits, stable and unstable, and their multipliers",
       .example = "experiments/reference_block/no_sliding.json -o out",

@@ -45,7 +45,7 @@ const StructType& fields_of(const RareRequest*) {
             {.names = "--peak-tilt", .letter = "A"}),
       asked(field<&Type::seconds>("seconds",
                                   "Stop after this time for all conditions together, e.g. 10min; what is finished then "
-                                  "counts",
+                                  "counts, so that the result depends on the time",
                                   rule::positive),
             {.names = "--max-time,--at-most-work", .letter = "T", .kind = FlagKind::duration}),
       asked(

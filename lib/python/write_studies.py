@@ -4,6 +4,7 @@ usage: write_studies.py OUTPUT STUDIES
 """
 
 import json
+import os
 import re
 import sys
 import textwrap
@@ -137,6 +138,8 @@ def main(output, studies):
     text = HEAD + "__all__ = [\n" + "".join(f'    "{name}",\n' for name in names) + "]\n"
     for study in found:
         text += "\n\n" + function(study) + "\n"
+    if os.path.islink(output):  # of a build before the functions were made here
+        os.remove(output)
     with open(output, "w", encoding="utf-8") as file:
         file.write(text)
 

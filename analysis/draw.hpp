@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "analysis/look.hpp"
-#include "rocking/figures/figure.hpp"
 #include "rocking/base/stop_request.hpp"
+#include "rocking/figures/figure.hpp"
 
 namespace rocking::analysis {
 

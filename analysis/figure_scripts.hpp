@@ -3,8 +3,8 @@
 #include <string>
 #include <string_view>
 
-#include "rocking/figures/figure.hpp"
 #include "analysis/look.hpp"
+#include "rocking/figures/figure.hpp"
 
 namespace rocking::analysis {
 

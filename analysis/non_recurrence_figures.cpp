@@ -3,9 +3,9 @@
 #include <map>
 
 #include "analysis/data_file.hpp"
+#include "analysis/run_figures.hpp"
 #include "rocking/figures/palette.hpp"
 #include "rocking/figures/sweep_view.hpp"
-#include "analysis/run_figures.hpp"
 
 namespace rocking::analysis {
 namespace {

@@ -68,6 +68,9 @@ class Parameter:
             single = "Path" if self.is_path else "str"
             convert = "paths" if self.is_path else "words"
             return f"Union[{single}, Sequence[{single}]]", "()", f"{convert}({self.name})"
+        if self.is_list and default is None:
+            convert = f"None if {self.name} is None else [{simple}(each) for each in {self.name}]"
+            return f"Optional[Sequence[{simple}]]", "None", convert
         if self.is_list:
             values = tuple(default) if default else ()
             return f"Sequence[{simple}]", repr(values), f"[{simple}(each) for each in {self.name}]"

@@ -9,9 +9,9 @@
 #include <string_view>
 
 #include "rocking/base/number_text.hpp"
+#include "rocking/ensemble/law_in_force.hpp"
 #include "rocking/input/suite.hpp"
 #include "rocking/output/report.hpp"
-#include "rocking/ensemble/law_in_force.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking {

@@ -9,8 +9,8 @@
 #include "rocking/figures/trajectory_figures.hpp"
 #include "rocking/output/trajectory_report.hpp"
 #include "rocking/studies/studies.hpp"
-#include "rocking/text/locate.hpp"
 #include "rocking/text/json.hpp"
+#include "rocking/text/locate.hpp"
 
 namespace rocking::analysis {
 namespace {

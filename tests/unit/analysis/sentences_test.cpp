@@ -7,9 +7,9 @@
 
 #include <gmock/gmock.h>
 
-#include "analysis/page/sections.hpp"
 #include "analysis/page/html.hpp"
 #include "analysis/page/page.hpp"
+#include "analysis/page/sections.hpp"
 #include "rocking/figures/sweep_view.hpp"
 #include "rocking/output/report.hpp"
 #include "support/sample_report.hpp"

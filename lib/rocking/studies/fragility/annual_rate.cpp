@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "rocking/base/error.hpp"
+#include "rocking/stats/normal_law.hpp"
 #include "rocking/studies/fragility/counted_hazard.hpp"
 #include "rocking/studies/fragility/rare_tail.hpp"
-#include "rocking/stats/normal_law.hpp"
 
 namespace rocking {
 namespace {

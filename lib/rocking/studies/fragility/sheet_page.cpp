@@ -7,9 +7,9 @@
 
 #include <fmt/format.h>
 
-#include "analysis/page/sections.hpp"
 #include "analysis/page/assets.hpp"
 #include "analysis/page/html.hpp"
+#include "analysis/page/sections.hpp"
 #include "analysis/page/words.hpp"
 #include "analysis/quantity.hpp"
 #include "rocking/figures/sweep_view.hpp"

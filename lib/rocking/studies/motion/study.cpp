@@ -58,7 +58,7 @@ namespace {
 struct FilesQuestion {
   GroundMotionRequest request{.files = {},
                               .question = {.periods = {0.1, 0.2, 0.3, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0, 5.0}}};
-  std::vector<double> block = {};  ///< width and height [m]; empty: none
+  std::optional<std::vector<double>> block = {};  ///< width and height [m]
 };
 
 const StructType& fields_of(const FilesQuestion*) {
@@ -87,13 +87,14 @@ void part_columns_from_files(GroundMotionRequest& request) {
 }
 
 void take_block(FilesQuestion& question) {
-  if (question.block.empty()) return;
-  for (const double length : question.block) {
+  if (!question.block) return;
+  if (question.block->size() != 2) throw UnfitQuestion("--block: give two lengths, width and height");
+  for (const double length : *question.block) {
     if (rules::length.allows(length)) continue;
     throw UnfitQuestion("--block " + base::shortest(length) + ": " + std::string(rules::length.demand));
   }
   MotionQuestion& asked = question.request.question;
-  asked.block = dynamics::Block{question.block[0], question.block[1], asked.gravity};
+  asked.block = dynamics::Block{question.block->front(), question.block->back(), asked.gravity};
 }
 
 void check(const Subject&, FilesQuestion& question) {

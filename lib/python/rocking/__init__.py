@@ -19,7 +19,7 @@ True
 import json
 from typing import Any, Dict
 
-from . import _core, documents
+from . import _core, documents, studies
 from .checks import RunCheck, doctor, replay, verify
 from .errors import DifferentBits, InputError, Interrupted, Problem, StoreError
 from .experiments import Experiment, ExperimentLike, experiment, validate
@@ -28,7 +28,7 @@ from .intervals import clopper_pearson, colour, wilson
 from .pages import Written, draw, write_figures, write_page, write_sheet, write_tables, write_trajectory_page
 from .results import Result
 from .running import Plan, merge, open_run, plan, run
-from .studies import bifurcation, check_normal, compare, cost, fragility, infer, motion, orbits, rare
+from .studies import *  # noqa: F403
 from .trajectories import CONTACTS, EVENTS, TERMINATIONS, Trajectory, trajectory
 
 __version__ = _core.version()
@@ -52,24 +52,15 @@ __all__ = [
     "TERMINATIONS",
     "Trajectory",
     "Written",
-    "bifurcation",
-    "check_normal",
     "clopper_pearson",
     "colour",
-    "compare",
-    "cost",
     "doctor",
     "documents",
     "draw",
     "experiment",
-    "fragility",
-    "infer",
     "merge",
-    "motion",
     "open_run",
-    "orbits",
     "plan",
-    "rare",
     "replay",
     "run",
     "schema",
@@ -83,6 +74,7 @@ __all__ = [
     "write_tables",
     "write_trajectory_page",
 ]
+__all__ += studies.__all__
 
 
 def schema(name: str) -> Dict[str, Any]:

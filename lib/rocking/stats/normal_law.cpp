@@ -16,10 +16,10 @@ namespace {
 /// x times the density, 0 at infinity.
 double moment_density(double x) { return std::isfinite(x) ? x * normal_density(x) : 0.0; }
 
-constexpr double first = -16.0;
-constexpr double last = 9.0;
+constexpr double table_begin = -16.0;
+constexpr double table_end = 9.0;
 constexpr double per_unit = 32.0;
-constexpr auto intervals = static_cast<std::size_t>((last - first) * per_unit);
+constexpr auto intervals = static_cast<std::size_t>((table_end - table_begin) * per_unit);
 
 LogNormalProbability computed(double z) {
   const double value = log_normal_cdf(z);
@@ -66,8 +66,8 @@ struct Interpolation {
 std::array<Interpolation, intervals> interpolations() {
   std::array<Interpolation, intervals> table{};
   for (std::size_t i = 0; i < intervals; ++i) {
-    const auto begin = node(first + static_cast<double>(i) / per_unit);
-    const auto end = node(first + static_cast<double>(i + 1) / per_unit);
+    const auto begin = node(table_begin + static_cast<double>(i) / per_unit);
+    const auto end = node(table_begin + static_cast<double>(i + 1) / per_unit);
     table[i] = {between(begin[0], end[0]), between(begin[1], end[1])};
   }
   return table;
@@ -123,12 +123,12 @@ MeanAndSigma smaller_of_normals(const MeanAndSigma& first, const MeanAndSigma& s
 
 LogNormalProbability log_normal_probability(double z) {
   static const std::array<Interpolation, intervals> table = interpolations();
-  if (z >= last) {
+  if (z >= table_end) {
     const double y = 1.0 / (z * z);
     return {.value = -normal_density(z) * (1.0 - y * (1.0 - 3.0 * y)) / z, .slope = normal_density(z)};
   }
-  if (!(z >= first)) return computed(z);  // also if z is not a number
-  const double place = (z - first) * per_unit;
+  if (!(z >= table_begin)) return computed(z);  // also if z is not a number
+  const double place = (z - table_begin) * per_unit;
   const auto number = std::min(intervals - 1, static_cast<std::size_t>(place));  // the place may round up to the end
   const double t = place - static_cast<double>(number);
   return {.value = at(table[number].value, t), .slope = at(table[number].slope, t)};

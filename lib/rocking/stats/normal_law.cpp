@@ -135,7 +135,7 @@ LogNormalProbability log_normal_probability(double z) {
 }
 
 double mills_ratio(double z) {
-  if (z <= -first) return 1.0 / log_normal_probability(-z).slope;
+  if (z <= -table_begin) return 1.0 / log_normal_probability(-z).slope;
   if (z < 25.0) return normal_cdf(-z) / normal_density(z);
   // Laplace's series: the first omitted term, 10395/z^12, is 2e-13 at z = 25.
   const double y = 1.0 / (z * z);

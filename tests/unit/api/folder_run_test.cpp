@@ -75,7 +75,7 @@ TEST_F(FolderRuns, AreExtendedAndMergedToTheBitsOfOne) {
   run_some(begin_run(in("short"), experiment(), {}, means()));
   run_some(resume_run(in("short"), {.realisations = "20"}, means()));
   std::vector<fs::path> parts;
-  for (const std::uint64_t part : {2, 1}) {
+  for (const std::uint64_t part : {std::uint64_t{2}, std::uint64_t{1}}) {
     parts.push_back(in("part" + std::to_string(part)));
     run_some(begin_run(parts.back(), open_run(in("short")).experiment, {.shard = Shard{part, 2}}, means()));
   }

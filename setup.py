@@ -38,7 +38,8 @@ class CMakeBuild(build_ext):
         package = Path(folder) / "python/rocking"
         (built,) = package.glob("_core*.so")
         shutil.copyfile(built, target)
-        shutil.copyfile(package / "documents.py", target.parent / "documents.py")
+        for made in ("documents.py", "studies.py"):
+            shutil.copyfile(package / made, target.parent / made)
 
 
 (TOP / "build").mkdir(exist_ok=True)

@@ -17,9 +17,9 @@ import os
 from typing import Optional, Sequence, Tuple, Union
 
 from . import documents
-from .asking import Path, Progress, Source, answer, ends, paths, words
+from .asking import Path, Source, answer, ends, paths, words
 from .experiments import ExperimentLike
-from .results import Result
+from .running import Progress
 
 '''
 

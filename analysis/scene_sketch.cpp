@@ -115,11 +115,6 @@ void draw_angles(Sketch& sketch, const TiltedBlock& block, double size, double s
   sketch.word("θ", {0.54 * size * std::cos(0.5 * tilt), 0.54 * size * std::sin(0.5 * tilt)});
 }
 
-/// The mean of a law.
-double number_at(const Json& experiment, const char* pointer) {
-  return mean_of(experiment.at(Json::json_pointer(pointer)));
-}
-
 std::string short_number(double number) { return significant(number, 3); }
 
 std::string in_metres(const Json& length) {
@@ -127,7 +122,7 @@ std::string in_metres(const Json& length) {
 }
 
 /// `, A_h = 4.2`, if the experiment contains it.
-std::string in_words(const Json& experiment, const char* pointer, const std::string& words) {
+std::string in_words(const Json& experiment, const std::string& pointer, const std::string& words) {
   const Json::json_pointer place(pointer);
   if (!experiment.contains(place)) return "";
   const Json& value = experiment.at(place);
@@ -137,14 +132,11 @@ std::string in_words(const Json& experiment, const char* pointer, const std::str
 }  // namespace
 
 std::string scene_in_words(const Json& experiment, const std::optional<Shaking>& shaking) {
-  const double width = number_at(experiment, "/block/width_m");
-  const double height = number_at(experiment, "/block/height_m");
-  const double half_diagonal = 0.5 * std::hypot(width, height);
-  const double gravity = number_at(experiment, "/block/gravity_m_s2");
+  const dynamics::Geometry block = dynamics::geometry_of(mean_block_in(experiment.at("block")));
   std::string text = "B = " + in_metres(experiment.at("block").at("width_m")) +
                      ", H = " + in_metres(experiment.at("block").at("height_m")) +
-                     ", ψ = " + short_number(std::atan2(width, height)) + " rad, R = " + short_number(half_diagonal) +
-                     " m, p = " + short_number(std::sqrt(0.75 * gravity / half_diagonal)) + " rad/s";
+                     ", ψ = " + short_number(block.shape_angle) + " rad, R = " + short_number(block.half_diagonal) +
+                     " m, p = " + short_number(block.frequency_parameter) + " rad/s";
   if (shaking) {
     for (const std::string_view key : {shaking->given_amplitude, shaking->given_frequency}) {
       text += ", " + with_greek(in_both_forms(*shaking, key));
@@ -155,16 +147,24 @@ std::string scene_in_words(const Json& experiment, const std::optional<Shaking>&
   }
   text += in_words(experiment, "/friction/static", "μ_s =");
   text += in_words(experiment, "/friction/kinetic", "μ_k =");
-  text += in_words(experiment, "/fluctuation/friction/sigma", "friction fluctuates with σ =");
+  const Json fluctuation = experiment.value("fluctuation", Json::object());
+  for (const auto& [source, scatter] : fluctuation.items()) {
+    std::string name = source;
+    std::ranges::replace(name, '_', ' ');
+    const std::string place = "/fluctuation/" + source;
+    text += in_words(experiment, place + "/sigma", name + " fluctuates with σ =");
+    text += in_words(experiment, place + "/relative_sigma", name + " fluctuates with relative σ =");
+  }
   return text;
 }
 
 Figure scene_sketch(const Report& report) {
   const Json experiment = experiment_of(report, 0);
-  const double width = number_at(experiment, "/block/width_m");
-  const double height = number_at(experiment, "/block/height_m");
+  const dynamics::Block mean = mean_block_in(experiment.at("block"));
+  const double width = mean.width;
+  const double height = mean.height;
   const double size = std::max(width, height);
-  const double shape_angle = std::atan2(width, height);
+  const double shape_angle = dynamics::geometry_of(mean).shape_angle;
   const double tilt = std::min(0.14, 0.5 * shape_angle);
   Figure figure;
   figure.name = "scene";

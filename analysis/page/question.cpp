@@ -1,7 +1,6 @@
 #include "analysis/page/sections.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <set>
 #include <string_view>
@@ -31,25 +30,15 @@ std::string number(const Json& value) {
   return value.is_object() ? escaped(quantity_in_words(value)) : escaped(brief(value));
 }
 
-/// Geometry of the mean block, from which the other numbers are computed.
-struct Shape {
-  double width, height, gravity;
-  [[nodiscard]] double shape_angle() const { return std::atan2(width, height); }
-  [[nodiscard]] double half_diagonal() const { return 0.5 * std::hypot(width, height); }
-  [[nodiscard]] double frequency_parameter() const { return std::sqrt(0.75 * gravity / half_diagonal()); }
-};
-
-Shape shape_of(const Json& block) {
-  return {.width = mean_of(block.at("width_m")),
-          .height = mean_of(block.at("height_m")),
-          .gravity = block.at("gravity_m_s2")};
+dynamics::Geometry geometry_of_mean_block(const Report& report, const ReportedCondition& condition) {
+  return dynamics::geometry_of(mean_block_in(value_at(report, condition, "/block")));
 }
 
 /// A number of the mean block of each condition.
-Spread of_blocks(const Report& report, double (Shape::*number)() const) {
+Spread of_blocks(const Report& report, double dynamics::Geometry::*number) {
   std::vector<double> numbers;
   for (const ReportedCondition& condition : report.conditions) {
-    numbers.push_back((shape_of(value_at(report, condition, "/block")).*number)());
+    numbers.push_back(geometry_of_mean_block(report, condition).*number);
   }
   return spread_of(numbers);
 }
@@ -58,9 +47,8 @@ Spread of_blocks(const Report& report, double (Shape::*number)() const) {
 std::string impacts_in_brief(const Report& report) {
   std::vector<ReportedImpact> impacts;
   for (const ReportedCondition& condition : report.conditions) {
-    const Shape shape = shape_of(value_at(report, condition, "/block"));
-    impacts.push_back(
-        {.width_m = shape.width, .height_m = shape.height, .restitution = value_at(report, condition, "/restitution")});
+    impacts.push_back({.block = geometry_of_mean_block(report, condition),
+                       .restitution = value_at(report, condition, "/restitution")});
   }
   return escaped(impacts_text(impacts));
 }
@@ -326,11 +314,14 @@ std::string question_at_once(const Report& report) {
 std::string question_in_brief(const Report& report) { return question_at_once(report) + further_question(report); }
 
 std::string question_in_full(const Report& report) {
-  const auto in_words = [&](double (Shape::*number)() const) { return spread_in_words(of_blocks(report, number), 4); };
+  const auto in_words = [&](double dynamics::Geometry::*number) {
+    return spread_in_words(of_blocks(report, number), 4);
+  };
   std::string rows;
-  rows += row("shape angle", fmt::format("&psi; = {} rad", in_words(&Shape::shape_angle)));
-  rows += row("half diagonal", fmt::format("<i>R</i> = {} m", in_words(&Shape::half_diagonal)));
-  rows += row("frequency parameter", fmt::format("<i>p</i> = {} rad/s", in_words(&Shape::frequency_parameter)));
+  rows += row("shape angle", fmt::format("&psi; = {} rad", in_words(&dynamics::Geometry::shape_angle)));
+  rows += row("half diagonal", fmt::format("<i>R</i> = {} m", in_words(&dynamics::Geometry::half_diagonal)));
+  rows += row("frequency parameter",
+              fmt::format("<i>p</i> = {} rad/s", in_words(&dynamics::Geometry::frequency_parameter)));
   const std::string amplitude = both_forms_html(report, &Shaking::given_amplitude);
   const std::string frequency = both_forms_html(report, &Shaking::given_frequency);
   if (!amplitude.empty()) rows += row("amplitude of the base", amplitude);

@@ -2,6 +2,8 @@
 
 #include <limits>
 
+#include "rocking/scene/restitution.hpp"
+
 namespace rocking {
 
 std::optional<stats::MeanAndSigma> law_in_force(const FluctuatingNumber& number, std::string_view key) {
@@ -9,7 +11,7 @@ std::optional<stats::MeanAndSigma> law_in_force(const FluctuatingNumber& number,
     if (!number.limit) return std::nullopt;
     return stats::smaller_of_normals(number.law, *number.limit, number.correlation);
   }
-  if (key == "restitution") return stats::clamped_normal(number.law, -0.999, 1.0);
+  if (key == "restitution") return stats::clamped_normal(number.law, least_restitution, largest_restitution);
   if (key == "block_length_at_bound") return std::nullopt;
   return stats::clamped_normal(number.law, 0.0, std::numeric_limits<double>::infinity());
 }

@@ -98,24 +98,23 @@ class DescribingKeys final : public Keys {
     add(key, {{"type", "array"}, {"items", words_schema(names)}, {"minItems", 1}}, "list of " + in_code(names),
         Absent::omitted, "");
   }
-  void restitution(const Key& key, Restitution&, Absent absent) override {
-    const Json measured =
-        closed_object({{"rate_ratio", quantity_schema(rules::rate_ratio)}}, Json::array({"rate_ratio"}));
-    Json schema = quantity_schema(rules::restitution);
-    schema["oneOf"].push_back({{"const", "jy25"}});
-    schema["oneOf"].push_back(measured);
-    add(key, std::move(schema),
-        "*quantity* " + interval(rules::restitution.bounds) +
-            ", `jy25`, or `{\"rate_ratio\": r}` with *quantity* r in " + interval(rules::rate_ratio.bounds),
-        absent, "");
-  }
-  void kinetic_friction(const Key& key, Friction&) override {
-    Json schema = quantity_schema(rules::friction_coefficient);
-    schema["oneOf"].push_back(closed_object({{"ratio", number_schema(rules::kinetic_ratio)}}, Json::array({"ratio"})));
-    add(key, std::move(schema),
-        "*quantity* " + interval(rules::friction_coefficient.bounds) + ", or `{\"ratio\": r}` with r in " +
-            interval(rules::kinetic_ratio.bounds),
-        Absent::error, "");
+  void forms(const Key& key, Formed&, std::span<const Form> forms, std::string_view, Absent absent) override {
+    Json schema = quantity_schema(*forms.front().rule);
+    std::string allowed = "*quantity* " + interval(forms.front().rule->bounds);
+    for (const Form& form : forms.subspan(1)) {
+      const std::string name(form.name);
+      allowed += &form == &forms.back() ? ", or `" : ", `";
+      if (form.rule == nullptr) {
+        schema["oneOf"].push_back({{"const", name}});
+        allowed += name + '`';
+        continue;
+      }
+      const Json number = form.may_be_drawn ? quantity_schema(*form.rule) : number_schema(*form.rule);
+      schema["oneOf"].push_back(closed_object({{name, number}}, Json::array({name})));
+      allowed += "{\"" + name + "\": r}` with " + (form.may_be_drawn ? "*quantity* " : "") + "r in " +
+                 interval(form.rule->bounds);
+    }
+    add(key, std::move(schema), allowed, absent, "");
   }
   void mode(const Key& key, std::optional<section::ResponseMode>&) override {
     add(key, {{"type", "string"}, {"pattern", section::response_mode_pattern()}}, "name of a response mode",

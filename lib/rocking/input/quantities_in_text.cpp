@@ -70,6 +70,12 @@ Quantity quantity_in(const Json& value) {
   return quantity;
 }
 
+dynamics::Block mean_block_in(const Json& block) {
+  return mean_of(SceneBlock{.width = quantity_in(block.at("width_m")),
+                            .height = quantity_in(block.at("height_m")),
+                            .gravity = block.at("gravity_m_s2").get<double>()});
+}
+
 const std::vector<DrawnPlace>& places_of_quantities() {
   static const std::vector<DrawnPlace> places = collected_places();
   return places;

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "rocking/scene/quantity.hpp"
+#include "rocking/scene/experiment.hpp"
 #include "rocking/text/json.hpp"
 
 /// Quantities, and kinds of excitation, as they stand in the canonical text of an experiment.
@@ -15,6 +15,9 @@ namespace rocking {
 
 /// A number or a law. Throws base::InputError where it is neither.
 [[nodiscard]] Quantity quantity_in(const Json& value);
+
+/// The mean block of a `block`.
+[[nodiscard]] dynamics::Block mean_block_in(const Json& block);
 
 /// A number that each realisation draws once.
 struct DrawnPlace {

@@ -15,8 +15,6 @@
 namespace rocking {
 namespace {
 
-constexpr std::string_view jy25 = "jy25";
-
 /// `"a", "b" or "c"`.
 std::string in_words(std::span<const std::string_view> names) {
   std::string words;
@@ -126,15 +124,6 @@ void ReadingKeys::quantity(const Key& key, Quantity& value, const NumberRule& ru
   value = in_.number(key.name, absent == Absent::error ? rule : rule.with_default(mean_of(value)));
 }
 
-void ReadingKeys::kinetic_friction(const Key& key, Friction& value) {
-  const Json* found = in_.value(key.name);
-  if (found == nullptr || !found->is_object() || !found->contains("ratio")) {
-    return quantity(key, value.kinetic_coefficient, rules::friction_coefficient, Absent::error);
-  }
-  in_.object(key.name,
-             [&value](ObjectReader& keys) { value.kinetic_ratio = keys.number("ratio", rules::kinetic_ratio); });
-}
-
 void ReadingKeys::word(const Key& key, std::size_t& chosen, std::span<const std::string_view> names, Absent absent) {
   const Json* found = in_.value(key.name);
   if (found == nullptr) {
@@ -160,28 +149,35 @@ void ReadingKeys::words(const Key& key, std::vector<std::size_t>& chosen, std::s
   in_.write(key.name, *found);
 }
 
-void ReadingKeys::restitution(const Key& key, Restitution& value, Absent absent) {
+void ReadingKeys::forms(const Key& key, Formed& value, std::span<const Form> forms, std::string_view remedy,
+                        Absent absent) {
   const Json* found = in_.value(key.name);
   if (found == nullptr && absent == Absent::omitted) return;
-  if (found == nullptr ? std::holds_alternative<Jy25Restitution>(value) : *found == jy25) {
-    in_.write(key.name, jy25);
-    value = Jy25Restitution{};
-  } else if (found != nullptr && found->is_object() && !has_law(*found)) {
-    RateRatio ratio;
-    object(key, absent, [&ratio](Keys& keys) {
-      keys.quantity({"rate_ratio", ""}, ratio.value, rules::rate_ratio, Absent::error);
-    });
-    value = ratio;
-  } else if (found != nullptr && found->is_string()) {
-    in_.reject(key.name, std::string(rules::restitution.demand),
-               "write a number, \"jy25\" for 1 - 1.5 sin^2(psi), or {\"rate_ratio\": 0.93} for a measured ratio of the "
-               "tilt rates");
-    value = Scene{}.restitution;
-  } else {
-    Quantity given = 0.0;
-    quantity(key, given, rules::restitution, Absent::standard);
-    value = given;
+  const auto is_word = [](const Form& form) { return form.rule == nullptr; };
+  for (std::size_t i = 0; i < forms.size(); ++i) {
+    if (!is_word(forms[i]) || (found == nullptr ? i != value.form : *found != forms[i].name)) continue;
+    in_.write(key.name, forms[i].name);
+    value.form = i;
+    return;
   }
+  value.form = 0;
+  if (found != nullptr && found->is_string() && std::ranges::any_of(forms, is_word)) {
+    value.value = 0.0;
+    return in_.reject(key.name, std::string(forms.front().rule->demand), std::string(remedy));
+  }
+  const auto of_object =
+      std::ranges::find_if(forms, [](const Form& form) { return form.rule != nullptr && !form.name.empty(); });
+  if (found == nullptr || !found->is_object() || has_law(*found) || of_object == forms.end()) {
+    return quantity(key, value.value, *forms.front().rule, absent);
+  }
+  value.form = static_cast<std::size_t>(of_object - forms.begin());
+  object(key, absent, [&](Keys& keys) {
+    const Key inner{of_object->name, ""};
+    if (of_object->may_be_drawn) return keys.quantity(inner, value.value, *of_object->rule, Absent::error);
+    double number = 0.0;
+    keys.number(inner, number, *of_object->rule, Absent::error);
+    value.value = number;
+  });
 }
 
 void ReadingKeys::mode(const Key& key, std::optional<section::ResponseMode>& value) {

@@ -25,8 +25,8 @@ class ReadingKeys final : public Keys {
   void quantity(const Key& key, Quantity& value, const NumberRule& rule, Absent absent) override;
   void word(const Key& key, std::size_t& chosen, std::span<const std::string_view> names, Absent absent) override;
   void words(const Key& key, std::vector<std::size_t>& chosen, std::span<const std::string_view> names) override;
-  void restitution(const Key& key, Restitution& value, Absent absent) override;
-  void kinetic_friction(const Key& key, Friction& value) override;
+  void forms(const Key& key, Formed& value, std::span<const Form> forms, std::string_view remedy,
+             Absent absent) override;
   void mode(const Key& key, std::optional<section::ResponseMode>& value) override;
   void seed(const Key& key, std::uint64_t& value) override;
   void sweep(const Key& key) override;

@@ -35,15 +35,20 @@ enum class RecordFormat : std::uint8_t { columns, peer_at2, esm_asc };
 
 /// How a format is read: as read_ground_motion.
 struct RecordReader {
+  RecordFormat format;
   std::string_view name;                   ///< in experiments
   bool (*is_line)(std::string_view line);  ///< a line of the header by which the format is recognised; null: none
   std::optional<GroundMotion> (*read)(std::string_view text, const GroundMotionReading& how, Problems& problems);
 };
 
 /// In the order of RecordFormat; a file that is not recognised has the first.
-inline constexpr std::array record_readers{RecordReader{"columns", nullptr, read_columns},
-                                           RecordReader{"peer_at2", is_line_of_peer_header, read_peer_at2},
-                                           RecordReader{"esm_asc", is_line_of_esm_header, read_esm_asc}};
+inline constexpr std::array record_readers{
+    RecordReader{RecordFormat::columns, "columns", nullptr, read_columns},
+    RecordReader{RecordFormat::peer_at2, "peer_at2", is_line_of_peer_header, read_peer_at2},
+    RecordReader{RecordFormat::esm_asc, "esm_asc", is_line_of_esm_header, read_esm_asc}};
+static_assert(std::ranges::is_sorted(record_readers, {}, &RecordReader::format) &&
+                  record_readers.back().format == static_cast<RecordFormat>(record_readers.size() - 1),
+              "the order of RecordFormat");
 
 /// Their names, and `auto` after them: recognised by the first lines.
 inline constexpr auto record_format_choices = [] {

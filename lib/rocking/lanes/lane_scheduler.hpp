@@ -57,7 +57,7 @@ class LaneScheduler {
 
  private:
   template <class Use>
-  static void for_each_bit(std::uint32_t bits, Use&& use) {
+  static void for_each_bit(std::uint64_t bits, Use&& use) {
     for (; bits != 0; bits &= bits - 1) use(static_cast<std::size_t>(std::countr_zero(bits)));
   }
 
@@ -89,7 +89,7 @@ class LaneScheduler {
   void wait(Run& run, const StepKind& kind) {
     groups_[kind.index()].wait(run);
     ++sizes_[kind.index()];
-    used_ |= 1U << kind.index();
+    used_ |= std::uint64_t{1} << kind.index();
   }
 
   void advance(std::size_t index) {
@@ -134,8 +134,8 @@ class LaneScheduler {
   base::StopRequest stop_;
   std::array<LaneGroup<Run>, step_kind_count> groups_;
   std::array<std::uint32_t, step_kind_count> sizes_{};  ///< runs of each group
-  std::uint32_t used_ = 0;                              ///< groups that have had runs, as bits
-  static_assert(step_kind_count <= 32);
+  std::uint64_t used_ = 0;                              ///< groups that have had runs, as bits
+  static_assert(step_kind_count <= 64);
   std::vector<Run*> finished_;
   std::size_t size_ = 0;
 };

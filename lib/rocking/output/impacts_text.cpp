@@ -1,8 +1,8 @@
 #include "rocking/output/impacts_text.hpp"
 
 #include "rocking/input/quantities_in_text.hpp"
-#include "rocking/scene/experiment.hpp"
 #include "rocking/scene/rate_ratios.hpp"
+#include "rocking/scene/restitution.hpp"
 
 namespace rocking {
 namespace {
@@ -18,10 +18,7 @@ Restitution restitution_in(const Json& written) {
 std::string impacts_text(const std::vector<ReportedImpact>& impacts) {
   RateRatios ratios;
   for (const ReportedImpact& impact : impacts) {
-    const dynamics::Geometry block = dynamics::geometry_of({.width = impact.width_m, .height = impact.height_m});
-    Scene scene;
-    scene.restitution = restitution_in(impact.restitution);
-    ratios.add(block, restitution_of(scene, block));
+    ratios.add(impact.block, mean_restitution(restitution_in(impact.restitution), impact.block));
   }
   return ratios.text();
 }

@@ -3,15 +3,15 @@
 #include <string>
 #include <vector>
 
+#include "rocking/dynamics/block.hpp"
 #include "rocking/text/json.hpp"
 
 namespace rocking {
 
 /// A block and its restitution as a report has them.
 struct ReportedImpact {
-  double width_m;
-  double height_m;
-  Json restitution;  ///< as in a canonical experiment
+  dynamics::Geometry block;  ///< the mean one
+  Json restitution;          ///< as in a canonical experiment
 };
 
 /// What impacts leave of the tilt rate, in a sentence (RateRatios).

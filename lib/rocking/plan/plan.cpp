@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "rocking/scene/drawn_quantities.hpp"
 #include "rocking/scene/experiment.hpp"
 #include "rocking/scene/rate_ratios.hpp"
+#include "rocking/scene/restitution.hpp"
 
 namespace rocking {
 namespace {
@@ -19,33 +21,11 @@ namespace {
 /// in every window, and none in the transient periods.
 constexpr double most_cost_of_window = 2.0;
 
+/// An effect, and whether a scene has it.
 struct Effect {
-  const char* name;
-  bool (*is_on)(const Scene&);
+  std::string_view name;
+  bool is_on;
 };
-
-bool belongs_to_the_place(const Scene& s) { return s.fluctuation.refresh_slip_m.has_value(); }
-
-constexpr std::array<Effect, 8> effects{{
-    {"sliding", [](const Scene& s) { return s.friction.has_value(); }},
-    {"static friction drawn at each stop",
-     [](const Scene& s) { return s.friction && s.fluctuation.static_friction > 0.0 && !belongs_to_the_place(s); }},
-    {"static friction drawn for each cell of the slip",
-     [](const Scene& s) { return s.friction && s.fluctuation.static_friction > 0.0 && belongs_to_the_place(s); }},
-    {"kinetic friction drawn on a grid in time",
-     [](const Scene& s) { return s.friction && s.fluctuation.kinetic_friction > 0.0 && !belongs_to_the_place(s); }},
-    {"kinetic friction drawn for each cell of the slip",
-     [](const Scene& s) { return s.friction && s.fluctuation.kinetic_friction > 0.0 && belongs_to_the_place(s); }},
-    {"restitution drawn at each impact", [](const Scene& s) { return s.fluctuation.restitution > 0.0; }},
-    {"amplitude drawn each period",
-     [](const Scene& s) {
-       return s.fluctuation.amplitude > 0.0 && amplitude_draws(s.excitation) != AmplitudeDraws::once;
-     }},
-    {"amplitude drawn once",
-     [](const Scene& s) {
-       return s.fluctuation.amplitude > 0.0 && amplitude_draws(s.excitation) == AmplitudeDraws::once;
-     }},
-}};
 
 /// Whether a part of the scene is drawn once for each realisation.
 template <class... Quantities>
@@ -53,34 +33,59 @@ bool is_any_drawn(const Quantities&... quantities) {
   return (is_drawn(quantities) || ...);
 }
 
-bool has_vertical_motion(const Scene& scene) {
-  const auto* recorded = std::get_if<Recorded>(&scene.excitation);
+bool has_vertical_motion(const Excitation& excitation) {
+  const auto* recorded = std::get_if<Recorded>(&excitation);
   return recorded != nullptr && recorded->ground_motion && recorded->ground_motion->has_vertical;
 }
 
-/// Effects that an experiment may have, in the words of those who miss them.
-constexpr std::array<Effect, 6> optional_effects{{
-    {"sliding", [](const Scene& s) { return s.friction.has_value(); }},
-    {"scatter of friction",
-     [](const Scene& s) {  // without friction nothing is to scatter
-       return !s.friction || (s.fluctuation.static_friction > 0.0 || s.fluctuation.kinetic_friction > 0.0 ||
-                              is_any_drawn(s.friction->static_coefficient, s.friction->kinetic_coefficient));
-     }},
-    {"scatter of restitution",
-     [](const Scene& s) {
-       const auto* number = std::get_if<Quantity>(&s.restitution);
-       return s.fluctuation.restitution > 0.0 || (number != nullptr && is_drawn(*number));
-     }},
-    {"scatter of the amplitude", [](const Scene& s) { return s.fluctuation.amplitude > 0.0; }},
-    {"scatter of the block's size", [](const Scene& s) { return is_any_drawn(s.block.width, s.block.height); }},
-    {"vertical motion of the base", has_vertical_motion},
-}};
+// A member that these two functions do not name does not compile: each is an effect, or is none.
 
-std::vector<std::string> omitted_from(const Experiment& experiment) {
+/// What a scene may be simulated with beside its excitation, whatever is drawn once.
+std::array<Effect, 8> effects_of(const Scene& scene) {
+  const auto& [block, slide_inertia, impact_slip_rule, restitution, excitation, friction, fluctuation, initial] = scene;
+  const auto& [of_static, of_kinetic, refreshes, refresh_slip, of_restitution, of_amplitude, laws, correlation] =
+      fluctuation;
+  const bool of_place = refresh_slip.has_value();
+  const bool draws_static = friction && of_static > 0.0;
+  const bool draws_kinetic = friction && of_kinetic > 0.0;
+  const bool is_once = amplitude_draws(excitation) == AmplitudeDraws::once;
+  return {{{"sliding", friction.has_value()},
+           {"static friction drawn at each stop", draws_static && !of_place},
+           {"static friction drawn for each cell of the slip", draws_static && of_place},
+           {"kinetic friction drawn on a grid in time", draws_kinetic && !of_place},
+           {"kinetic friction drawn for each cell of the slip", draws_kinetic && of_place},
+           {"restitution drawn at each impact", of_restitution > 0.0},
+           {"amplitude drawn each period", of_amplitude > 0.0 && !is_once},
+           {"amplitude drawn once", of_amplitude > 0.0 && is_once}}};
+}
+
+/// Effects that a scene may have, in the words of those who miss them.
+std::array<Effect, 6> optional_effects_of(const Scene& scene) {
+  const auto& [block, slide_inertia, impact_slip_rule, restitution, excitation, friction, fluctuation, initial] = scene;
+  const Quantity* const rebound = number_of(restitution).value;
+  // Without friction nothing is to scatter.
+  const bool scatters_friction = !friction || fluctuation.static_friction > 0.0 || fluctuation.kinetic_friction > 0.0 ||
+                                 is_any_drawn(friction->static_coefficient, friction->kinetic_coefficient);
+  return {{{"sliding", friction.has_value()},
+           {"scatter of friction", scatters_friction},
+           {"scatter of restitution", fluctuation.restitution > 0.0 || (rebound != nullptr && is_drawn(*rebound))},
+           {"scatter of the amplitude", fluctuation.amplitude > 0.0},
+           {"scatter of the block's size", is_any_drawn(block.width, block.height)},
+           {"vertical motion of the base", has_vertical_motion(excitation)}}};
+}
+
+/// Names of the effects that some condition has, or that none has.
+template <std::size_t size>
+std::vector<std::string> names_of(const Experiment& experiment, std::array<Effect, size> (*effects)(const Scene&),
+                                  bool are_on) {
+  std::array<Effect, size> of_some = effects(experiment.conditions.front().scene);
+  for (const Condition& condition : experiment.conditions) {
+    const std::array<Effect, size> own = effects(condition.scene);
+    for (std::size_t i = 0; i < size; ++i) of_some[i].is_on = of_some[i].is_on || own[i].is_on;
+  }
   std::vector<std::string> names;
-  for (const Effect& effect : optional_effects) {
-    const auto is_on = [&effect](const Condition& condition) { return effect.is_on(condition.scene); };
-    if (std::ranges::none_of(experiment.conditions, is_on)) names.emplace_back(effect.name);
+  for (const Effect& effect : of_some) {
+    if (effect.is_on == are_on) names.emplace_back(effect.name);
   }
   return names;
 }
@@ -124,22 +129,16 @@ Plan plan_of(const Experiment& experiment, const Means& means) {
       if (std::ranges::find(plan.effects, name) == plan.effects.end()) plan.effects.emplace_back(name);
     }
   }
-  for (const Effect& effect : effects) {
-    for (const Condition& condition : experiment.conditions) {
-      if (!effect.is_on(condition.scene)) continue;
-      plan.effects.emplace_back(effect.name);
-      break;
-    }
-  }
+  for (std::string& name : names_of(experiment, effects_of, true)) plan.effects.push_back(std::move(name));
   add_drawn_quantities(experiment, plan.effects);
   RateRatios ratios;
   for (const Condition& condition : experiment.conditions) {
     const dynamics::Geometry block = dynamics::geometry_of(mean_block(condition.scene));
-    ratios.add(block, restitution_of(condition.scene, block));
+    ratios.add(block, mean_restitution(condition.scene.restitution, block));
   }
   plan.impacts = ratios.text();
   plan.thresholds = thresholds_text(experiment);
-  plan.omitted = omitted_from(experiment);
+  plan.omitted = names_of(experiment, optional_effects_of, false);
   return plan;
 }
 

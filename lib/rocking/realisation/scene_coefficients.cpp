@@ -31,8 +31,8 @@ CoefficientLaws laws_of(const Scene& scene, const dynamics::Geometry& own) {
     laws.correlation = f.friction_correlation;
     laws.own_share = std::sqrt(1.0 - laws.correlation * laws.correlation);
   }
-  laws.restitution =
-      law_along_the_way(f.laws.restitution, restitution_of(scene, own), f.restitution / restitution_unit(scene, own));
+  laws.restitution = law_along_the_way(f.laws.restitution, mean_restitution(scene.restitution, own),
+                                       f.restitution / unit_of(scene.restitution, own));
   laws.amplitude =
       law_along_the_way(f.laws.amplitude, amplitude_for(scene, own), f.amplitude / amplitude_unit(scene, own));
   return laws;

@@ -11,12 +11,9 @@
 #include "rocking/realisation/friction_cells.hpp"
 #include "rocking/realisation/measures.hpp"
 #include "rocking/scene/experiment.hpp"
+#include "rocking/scene/restitution.hpp"
 
 namespace rocking {
-
-/// Bounds of the restitution that may be drawn.
-inline constexpr double least_restitution = -0.999;
-inline constexpr double largest_restitution = 1.0;
 
 /// What the coefficients of a realisation are drawn from along the way; of one that is not, the number.
 struct CoefficientLaws {

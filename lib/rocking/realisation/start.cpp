@@ -40,12 +40,8 @@ void limit_drawn(Scene& scene, Source source, Quantity& drawn, Clamps& clamps) {
     case Source::mean_kinetic_friction: return limit(drawn, 0.0, infinity, clamps.kinetic_at_zero);
     case Source::excitation_size: return limit(drawn, 0.0, infinity, clamps.amplitude_at_zero);
     case Source::mean_restitution: {
-      if (std::holds_alternative<Quantity>(scene.restitution)) {
-        return limit(drawn, least_restitution, largest_restitution, clamps.restitution);
-      }
-      const dynamics::Geometry block = dynamics::geometry_of(mean_of(scene.block));
-      return limit(drawn, dynamics::inelastic_rate_ratio(block, largest_restitution),
-                   dynamics::inelastic_rate_ratio(block, least_restitution), clamps.restitution);
+      const Reach bounds = bounds_of(scene.restitution, dynamics::geometry_of(mean_of(scene.block)));
+      return limit(drawn, bounds.least, bounds.largest, clamps.restitution);
     }
     default: return;
   }

@@ -66,20 +66,11 @@ class CheckingKeys final : public Keys {
     }
   }
 
-  void restitution(const Key& key, Restitution& value, Absent) override {
-    if (auto* given = std::get_if<Quantity>(&value)) quantity(key, *given, rules::restitution, Absent::error);
-    if (auto* ratio = std::get_if<RateRatio>(&value)) {
-      object(key, Absent::error, [ratio](Keys& keys) {
-        keys.quantity({"rate_ratio", ""}, ratio->value, rules::rate_ratio, Absent::error);
-      });
-    }
-  }
-
-  void kinetic_friction(const Key& key, Friction& value) override {
-    if (!value.kinetic_ratio) {
-      return quantity(key, value.kinetic_coefficient, rules::friction_coefficient, Absent::error);
-    }
-    check(std::string(key.name) + "/ratio", *value.kinetic_ratio, rules::kinetic_ratio);
+  void forms(const Key& key, Formed& value, std::span<const Form> forms, std::string_view, Absent absent) override {
+    const Form& form = forms[value.form];
+    if (form.rule == nullptr) return;
+    if (form.name.empty()) return quantity(key, value.value, *form.rule, absent);
+    object(key, absent, [&](Keys& keys) { keys.quantity({form.name, ""}, value.value, *form.rule, Absent::error); });
   }
 
   void scatter(std::initializer_list<Scatter> of) override {

@@ -2,10 +2,12 @@
 
 #include <optional>
 #include <string_view>
+#include <type_traits>
 #include <variant>
 
 #include "rocking/random/source.hpp"
 #include "rocking/scene/experiment.hpp"
+#include "rocking/scene/restitution.hpp"
 
 namespace rocking {
 
@@ -52,25 +54,27 @@ void visit_excitation(Kind& kind, const Visit& visit) {
 template <class AScene, class Visit>
 void for_each_quantity(AScene& scene, const Visit& visit) {
   using random::Source;
-  visit({Source::block_width, "width of the block", "/block/width_m"}, scene.block.width);
-  visit({Source::block_height, "height of the block", "/block/height_m"}, scene.block.height);
-  if (auto* restitution = std::get_if<Quantity>(&scene.restitution)) {
-    visit({Source::mean_restitution, "restitution", "/restitution"}, *restitution);
+  // A member that is not named here does not compile: it may be drawn, or it may not.
+  auto& [block, slide_inertia, impact_slip_rule, restitution, excitation, friction, fluctuation, initial] = scene;
+  auto& [width, height, gravity] = block;
+  visit({Source::block_width, "width of the block", "/block/width_m"}, width);
+  visit({Source::block_height, "height of the block", "/block/height_m"}, height);
+  if (const RestitutionNumber number = number_of(restitution); number.value != nullptr) {
+    using Number = std::conditional_t<std::is_const_v<AScene>, const Quantity, Quantity>;
+    visit({Source::mean_restitution, number.name, number.place}, const_cast<Number&>(*number.value));
   }
-  if (auto* ratio = std::get_if<RateRatio>(&scene.restitution)) {
-    visit({Source::mean_restitution, "ratio of the tilt rates at impacts", "/restitution/rate_ratio"}, ratio->value);
-  }
-  std::visit([&](auto& kind) { quantities::visit_excitation(kind, visit); }, scene.excitation);
-  if (scene.friction) {
-    visit({Source::mean_static_friction, "static friction", "/friction/static"}, scene.friction->static_coefficient);
-    if (!scene.friction->kinetic_ratio) {
-      visit({Source::mean_kinetic_friction, "kinetic friction", "/friction/kinetic"},
-            scene.friction->kinetic_coefficient);
+  std::visit([&visit](auto& kind) { quantities::visit_excitation(kind, visit); }, excitation);
+  if (friction) {
+    auto& [static_coefficient, kinetic_coefficient, kinetic_ratio] = *friction;
+    visit({Source::mean_static_friction, "static friction", "/friction/static"}, static_coefficient);
+    if (!kinetic_ratio) {
+      visit({Source::mean_kinetic_friction, "kinetic friction", "/friction/kinetic"}, kinetic_coefficient);
     }
   }
-  visit({Source::tilt, "initial tilt", "/initial/tilt"}, scene.initial.tilt);
-  visit({Source::tilt_rate, "initial tilt rate", "/initial/tilt_rate"}, scene.initial.tilt_rate);
-  visit({Source::slip_rate, "initial slip rate", "/initial/slip_rate"}, scene.initial.slip_rate);
+  auto& [tilt, tilt_rate, slip_rate] = initial;
+  visit({Source::tilt, "initial tilt", "/initial/tilt"}, tilt);
+  visit({Source::tilt_rate, "initial tilt rate", "/initial/tilt_rate"}, tilt_rate);
+  visit({Source::slip_rate, "initial slip rate", "/initial/slip_rate"}, slip_rate);
 }
 
 }  // namespace rocking

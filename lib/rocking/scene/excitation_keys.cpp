@@ -12,8 +12,9 @@
 namespace rocking {
 namespace {
 
-constexpr std::array<std::string_view, std::variant_size_v<Excitation>> kind_names{Harmonic::name, Recorded::name,
-                                                                                   Pulse::name};
+constexpr auto kind_names = []<class... Kinds>(std::variant<Kinds...>*) {
+  return std::array{Kinds::name...};
+}(static_cast<Excitation*>(nullptr));
 /// In the order of dynamics::PulseShape.
 constexpr std::array<std::string_view, 3> pulse_shapes{"sine", "cosine", "ricker"};
 
@@ -221,14 +222,7 @@ void keys_of(Keys& in, Excitation& excitation, const dynamics::Block& block) {
             "file; pulse: "
             "from tau = 0 on one pulse a_h/g = A_h psi f(Omega_h tau), the base is still after it"},
            kind_names, excitation.index(), [&](Keys& keys, std::size_t kind) {
-             if (excitation.index() == kind) {
-             } else if (kind == 0) {
-               excitation = Harmonic{};
-             } else if (kind == 1) {
-               excitation = Recorded{};
-             } else {
-               excitation = Pulse{};
-             }
+             if (excitation.index() != kind) excitation = alternative_at<Excitation>(kind);
              std::visit([&](auto& asked) { keys_of(keys, asked, block); }, excitation);
            });
 }

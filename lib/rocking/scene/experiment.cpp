@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "rocking/dynamics/impact.hpp"
 #include "rocking/scene/drawn_quantities.hpp"
 
 namespace rocking {
@@ -23,17 +22,6 @@ double mean_static(const Friction& friction) { return mean_of(friction.static_co
 double mean_kinetic(const Friction& friction) {
   return friction.kinetic_ratio ? *friction.kinetic_ratio * mean_static(friction)
                                 : mean_of(friction.kinetic_coefficient);
-}
-
-double restitution_of(const Scene& scene, const dynamics::Geometry& block) {
-  if (const auto* ratio = std::get_if<RateRatio>(&scene.restitution))
-    return dynamics::restitution_of_rate_ratio(block, mean_of(ratio->value));
-  const auto* given = std::get_if<Quantity>(&scene.restitution);
-  return given != nullptr ? mean_of(*given) : dynamics::inelastic_rate_ratio(block);
-}
-
-double restitution_unit(const Scene& scene, const dynamics::Geometry& block) {
-  return std::holds_alternative<RateRatio>(scene.restitution) ? dynamics::impact_loss(0.0, block) : 1.0;
 }
 
 RedrawnQuantity law_along_the_way(FluctuationLaw law, double mean, double sigma) {

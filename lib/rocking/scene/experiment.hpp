@@ -58,7 +58,7 @@ struct RateRatio {
   friend bool operator==(const RateRatio&, const RateRatio&) = default;
 };
 
-/// The vertical restitution e of an impact [-], or what it follows from.
+/// The vertical restitution e of an impact [-], or what it follows from. What each law gives: scene/restitution.cpp.
 using Restitution = std::variant<Quantity, Jy25Restitution, RateRatio>;
 
 struct Friction {
@@ -201,12 +201,6 @@ struct Experiment {
 /// The block that stands for all blocks of a scene where only one can: in tables and sketches, in the horizon and the
 /// strobe under a ground motion.
 [[nodiscard]] inline dynamics::Block mean_block(const Scene& scene) { return mean_of(scene.block); }
-
-/// Mean of e for a block of this shape.
-[[nodiscard]] double restitution_of(const Scene& scene, const dynamics::Geometry& block);
-
-/// Change of the restitution, as it is given, for a change of e by 1: 1, or 1.5 sin^2(psi) of a rate ratio.
-[[nodiscard]] double restitution_unit(const Scene& scene, const dynamics::Geometry& block);
 
 /// Mean A_h for a block; under a ground motion the scale [-].
 [[nodiscard]] double amplitude_for(const Scene& scene, const dynamics::Geometry& block);

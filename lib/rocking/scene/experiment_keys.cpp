@@ -3,7 +3,9 @@
 #include <array>
 
 #include "rocking/scene/defaults.hpp"
+#include "rocking/scene/law_keys.hpp"
 #include "rocking/scene/relations.hpp"
+#include "rocking/scene/restitution.hpp"
 #include "rocking/scene/rules.hpp"
 
 namespace rocking {
@@ -33,21 +35,31 @@ void keys_of_formulation(Keys& in, Scene& scene) {
   }
   const Absent follows = in.follows_from({"/formulation"});
   in.choice({"slide_inertia", "inertia in the slip equations"}, scene.slide_inertia, slide_inertia_names, follows);
-  in.restitution({"restitution",
-                  "vertical restitution e of an impact; \"jy25\": 1 - 1.5 sin^2(psi); rate_ratio: the measured ratio "
-                  "abs(w2/w1) of the tilt rates across an impact without slip, from which e follows"},
-                 scene.restitution, follows);
+  key_of(in,
+         {"restitution",
+          "vertical restitution e of an impact; \"jy25\": 1 - 1.5 sin^2(psi); rate_ratio: the measured ratio "
+          "abs(w2/w1) of the tilt rates across an impact without slip, from which e follows"},
+         scene.restitution, follows);
   in.choice({"impact_slip_rule", "when an impact slips"}, scene.impact_slip_rule, impact_slip_rule_names, follows);
 }
 
 void keys_of(Keys& in, Friction& friction) {
   in.quantity({"static", "mu_s; its mean is at least that of mu_k"}, friction.static_coefficient,
               rules::friction_coefficient, Absent::error);
-  in.kinetic_friction({"kinetic",
-                       "mu_k, or its ratio to the mu_s that was drawn; its mean is below the limit of Painleve's "
-                       "paradox for every block "
-                       "that can be drawn"},
-                      friction);
+  Formed kinetic = friction.kinetic_ratio ? Formed{.form = 1, .value = *friction.kinetic_ratio}
+                                          : Formed{.form = 0, .value = friction.kinetic_coefficient};
+  constexpr std::array<Form, 2> forms{{{.name = "", .rule = &rules::friction_coefficient},
+                                       {.name = "ratio", .rule = &rules::kinetic_ratio, .may_be_drawn = false}}};
+  in.forms(
+      {"kinetic",
+       "mu_k, or its ratio to the mu_s that was drawn; its mean is below the limit of Painleve's paradox for every "
+       "block that can be drawn"},
+      kinetic, forms, "", Absent::error);
+  if (kinetic.form == 1) {
+    friction.kinetic_ratio = mean_of(kinetic.value);
+  } else {
+    friction.kinetic_coefficient = kinetic.value;
+  }
 }
 
 void key_of_law(Keys& in, FluctuationLaw& law) {
@@ -109,12 +121,11 @@ void keys_of_friction_fluctuation(Keys& in, Scene& scene) {
   }
 }
 
-/// Of the restitution as it is given; under `jy25` e of the mean block.
-double mean_restitution(const Scene& scene) {
-  if (const auto* ratio = std::get_if<RateRatio>(&scene.restitution)) return mean_of(ratio->value);
+/// Of the restitution as it is given, for the mean block.
+double mean_restitution_of(const Scene& scene) {
   const dynamics::Block block = mean_block(scene);
   const bool is_sound = block.width > 0.0 && block.height > 0.0;  // else it is already reported
-  return is_sound ? restitution_of(scene, dynamics::geometry_of(block)) : 0.0;
+  return is_sound ? mean_as_given(scene.restitution, dynamics::geometry_of(block)) : 0.0;
 }
 
 void keys_of_fluctuation(Keys& in, Scene& scene) {
@@ -122,7 +133,7 @@ void keys_of_fluctuation(Keys& in, Scene& scene) {
   if (in.stands("restitution", true)) {
     in.object({"restitution", "in the unit of the restitution: of e, or of the rate ratio"}, Absent::omitted,
               [&](Keys& keys) {
-                keys.scatter({{&scene.fluctuation.restitution, [&scene] { return mean_restitution(scene); }}});
+                keys.scatter({{&scene.fluctuation.restitution, [&scene] { return mean_restitution_of(scene); }}});
                 key_of_law(keys, scene.fluctuation.laws.restitution);
               });
   }

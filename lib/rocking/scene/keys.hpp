@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "rocking/scene/experiment.hpp"
@@ -49,6 +50,19 @@ struct Strength {
   std::vector<double> periods;  ///< of a spectral acceleration [s]: one, or the ends of a range
 };
 
+/// A form in which a value may stand in a file: a number or a law alone, a word, or an object with one key.
+struct Form {
+  std::string_view name;     ///< the word, or the key; empty: the number or law stands alone
+  const NumberRule* rule;    ///< of the number or the law; null: a word
+  bool may_be_drawn = true;  ///< whether a law may stand in place of the number
+};
+
+/// A value in one of several forms.
+struct Formed {
+  std::size_t form = 0;  ///< place among them
+  Quantity value = 0.0;  ///< not used of a word
+};
+
 /// How many numbers a list has.
 struct ListLength {
   std::size_t least;
@@ -85,9 +99,9 @@ class Keys {
   virtual void word(const Key& key, std::size_t& chosen, std::span<const std::string_view> names, Absent absent) = 0;
   /// A list of words, which may be absent; `chosen`: places among the names.
   virtual void words(const Key& key, std::vector<std::size_t>& chosen, std::span<const std::string_view> names) = 0;
-  virtual void restitution(const Key& key, Restitution& value, Absent absent) = 0;
-  /// A quantity, or its ratio to the static coefficient.
-  virtual void kinetic_friction(const Key& key, Friction& value) = 0;
+  /// The first form is a quantity alone. `remedy`: of a word that is none of theirs.
+  virtual void forms(const Key& key, Formed& value, std::span<const Form> forms, std::string_view remedy,
+                     Absent absent) = 0;
   virtual void mode(const Key& key, std::optional<section::ResponseMode>& value) = 0;
   virtual void seed(const Key& key, std::uint64_t& value) = 0;
   virtual void sweep(const Key& key) = 0;
@@ -102,8 +116,8 @@ class Keys {
   virtual void file(const Key& file, const Key& digest, std::string& name) = 0;
   /// Several files in place of one. Returns whether the file may be read.
   virtual bool suite(const Key& key) = 0;
-  /// The ground motion of a file, with its strength. Without a strength the block is not sound: the file is read for
-  /// what is wrong with it alone.
+  /// The ground motion of a file, with its strength. Absent: the block or the strength is wrong, and the file is read
+  /// only to find what is wrong with it.
   virtual void ground_motion(const GroundMotionReading& how, const std::optional<Strength>& strength,
                              Recorded& recorded) = 0;
 
@@ -155,5 +169,16 @@ class Keys {
     visit(*value);
   }
 };
+
+/// The alternative of a variant with this index, as it is by default.
+template <class Variant>
+[[nodiscard]] Variant alternative_at(std::size_t index) {
+  Variant value;
+  [&]<std::size_t... i>(std::index_sequence<i...>) {
+    static_cast<void>(((i == index && (value.template emplace<i>(), true)) || ...));
+  }
+  (std::make_index_sequence<std::variant_size_v<Variant>>{});
+  return value;
+}
 
 }  // namespace rocking

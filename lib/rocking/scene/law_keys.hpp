@@ -28,4 +28,7 @@ void keys_of_law(Keys& in, Quantity& quantity, const NumberRule& rule);
 /// Why the numbers of a law are none together.
 [[nodiscard]] std::optional<Refusal> refusal_of_law(const Quantity& quantity);
 
+/// The key that gives a restitution.
+void key_of(Keys& in, const Key& key, Restitution& law, Absent absent);
+
 }  // namespace rocking

@@ -348,10 +348,7 @@ Quantity divided(Quantity quantity, double divisor) {
 
 Quantity law_at(std::size_t place) {
   Quantity law;
-  const auto set = [&]<std::size_t... i>(std::index_sequence<i...>) {
-    static_cast<void>(((i == place ? (law.emplace<i + 1>(), true) : false) || ...));
-  };
-  set(std::make_index_sequence<law_names.size()>{});
+  static_cast<NumberOrLaw&>(law) = alternative_at<NumberOrLaw>(place + 1);
   return law;
 }
 

@@ -12,6 +12,7 @@
 #include "rocking/dynamics/impact.hpp"
 #include "rocking/dynamics/validity.hpp"
 #include "rocking/scene/check_condition.hpp"
+#include "rocking/scene/restitution.hpp"
 #include "rocking/scene/rules.hpp"
 
 namespace rocking {
@@ -101,9 +102,7 @@ std::optional<Refusal> lognormal_friction(const Condition& condition) {
 
 std::optional<Refusal> lognormal_restitution(const Condition& condition) {
   const Fluctuation& f = condition.scene.fluctuation;
-  const auto* given = std::get_if<Quantity>(&condition.scene.restitution);
-  return lognormal_without_mean(f.laws.restitution, f.restitution,
-                                given != nullptr ? std::optional(mean_of(*given)) : std::nullopt);
+  return lognormal_without_mean(f.laws.restitution, f.restitution, lognormal_mean(condition.scene.restitution));
 }
 
 std::optional<Refusal> lognormal_amplitude(const Condition& condition) {
@@ -177,16 +176,8 @@ std::optional<Refusal> frequency_beyond_bounds(const Condition& condition) {
                  "give from " + shown(in_hertz ? least : 1.0 / most) + " to " + shown(in_hertz ? most : 1.0 / least)};
 }
 
-std::optional<Refusal> rate_ratio_beyond_restitution(const Condition& condition) {
-  const Scene& scene = condition.scene;
-  if (!std::holds_alternative<RateRatio>(scene.restitution)) return std::nullopt;
-  const auto [slender, squat] = shapes_of(scene.block);
-  const double largest = restitution_of(scene, slender);
-  if (rules::restitution.allows(largest) && rules::restitution.allows(restitution_of(scene, squat)))
-    return std::nullopt;
-  const double least_ratio = std::max(0.0, dynamics::inelastic_rate_ratio(slender, 1.0));
-  return Refusal{"needs a restitution e = " + shown(largest) + " for this block, which must be above -1 and at most 1",
-                 "give at least 1 - 3 sin^2(psi) = " + shown(least_ratio) + " and less than 1"};
+std::optional<Refusal> restitution_beyond_bounds(const Condition& condition) {
+  return refusal_of(condition.scene.restitution, shapes_of(condition.scene.block));
 }
 
 std::optional<Refusal> until_classified_without_period(const Condition& condition) {
@@ -297,8 +288,8 @@ constexpr std::array<Relation, 24> all_relations{{
      no_value},
     {"/restitution/rate_ratio",
      {"/block", "/restitution"},
-     rate_ratio_beyond_restitution,
-     [](const Condition& c) { return text_of(std::get<RateRatio>(c.scene.restitution).value); }},
+     restitution_beyond_bounds,
+     [](const Condition& c) { return text_of(*number_of(c.scene.restitution).value); }},
 }};
 
 /// Whether a problem of what stands at `place`, or within it, is told.

@@ -118,6 +118,14 @@ TEST(TheSketch, IsThatOfTheFirstConditionWithItsOwnShaking) {
   EXPECT_THAT(scene_sketch(report_of(normalised)).caption, HasSubstr("A_h 4.5 = 1.1 g, Ω_h 10 = 3.01 Hz"));
 }
 
+TEST(TheSketch, SaysWhatFluctuates) {
+  Json document = support::least_experiment();
+  document["friction"] = Json::parse(R"({"static": 0.35, "kinetic": 0.3})");
+  document["fluctuation"] = Json::parse(R"({"static_friction": {"relative_sigma": 0.1}, "amplitude": {"sigma": 0.2}})");
+  EXPECT_THAT(scene_sketch(report_in(report_json(document))).caption,
+              HasSubstr("static friction fluctuates with relative σ = 0.1, amplitude fluctuates with σ = 0.2"));
+}
+
 TEST(TheAxis, HasTheOtherFormWhereTheConversionIsTheSame) {
   const auto label = [](const char* excitation, const char* sweep) {
     return label_of(view_of(report_of(excitation, sweep)).axis);

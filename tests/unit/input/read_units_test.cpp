@@ -11,6 +11,7 @@
 
 #include "rocking/dynamics/impact.hpp"
 #include "rocking/input/read_experiment.hpp"
+#include "rocking/scene/restitution.hpp"
 #include "rocking/text/json.hpp"
 #include "support/excitation.hpp"
 #include "support/experiment_text.hpp"
@@ -149,7 +150,7 @@ TEST(ARateRatioInFiles, IsThatOfAnImpactWithoutSlipOfEachBlock) {
   EXPECT_EQ(experiment_in(experiment.canonical_text).canonical_text, experiment.canonical_text);
   for (const Condition& condition : experiment.conditions) {
     const dynamics::Geometry block = geometry_of(condition.scene);
-    const double e = restitution_of(condition.scene, block);
+    const double e = mean_restitution(condition.scene.restitution, block);
     const auto impact =
         dynamics::sticking_impact({.tilt_rate = -0.2, .slip_rate = 0.0, .restitution = e, .static_friction = 100.0},
                                   block, dynamics::ImpactSlipRule::absolute);

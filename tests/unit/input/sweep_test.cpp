@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "rocking/input/read_experiment.hpp"
+#include "rocking/scene/restitution.hpp"
 #include "support/excitation.hpp"
 #include "support/experiment_text.hpp"
 
@@ -103,7 +104,7 @@ TEST(Sweep, ChangesWhatFollowsFromTheValue) {
   EXPECT_EQ(experiment.conditions[0].scene.slide_inertia, dynamics::SlideInertia::centroidal);
   EXPECT_EQ(experiment.conditions[2].scene.slide_inertia, dynamics::SlideInertia::edge);
   const Scene& as_printed = experiment.conditions[2].scene;
-  const double e = restitution_of(as_printed, dynamics::geometry_of(mean_block(as_printed)));
+  const double e = mean_restitution(as_printed.restitution, dynamics::geometry_of(mean_block(as_printed)));
   EXPECT_NEAR(e, 1.0 - 1.5 / 17.0, 1e-15);
   EXPECT_EQ(experiment.conditions[4].scene.restitution, Restitution(0.0));
   EXPECT_EQ(experiment.conditions[4].scene.impact_slip_rule, dynamics::ImpactSlipRule::signed_ratio);

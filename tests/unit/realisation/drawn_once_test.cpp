@@ -13,6 +13,7 @@
 #include "rocking/realisation/realisation_result.hpp"
 #include "rocking/realisation/start.hpp"
 #include "rocking/scene/drawn_quantities.hpp"
+#include "rocking/scene/restitution.hpp"
 #include "support/excitation.hpp"
 #include "support/experiment_text.hpp"
 
@@ -118,7 +119,7 @@ TEST(DrawnOnce, KeepsAMeasuredRatioWithinPossibleRestitutions) {
   std::uint64_t limited = 0;
   for (std::uint64_t realisation = 0; realisation < 200; ++realisation) {
     const Start start = start_of(scene, random::Draws(1, realisation));
-    const double e = restitution_of(start.scene, start.geometry);
+    const double e = mean_restitution(start.scene.restitution, start.geometry);
     EXPECT_TRUE(least_restitution - 1e-12 <= e && e <= largest_restitution + 1e-12) << e;
     limited += start.clamps.restitution;
   }

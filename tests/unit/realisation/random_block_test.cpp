@@ -17,6 +17,7 @@
 #include "rocking/realisation/realisation_scheduler.hpp"
 #include "rocking/realisation/start.hpp"
 #include "rocking/realisation/trajectory.hpp"
+#include "rocking/scene/restitution.hpp"
 #include "support/excitation.hpp"
 #include "support/false_alarms.hpp"
 
@@ -92,7 +93,7 @@ Condition of_fixed_size(Condition condition, std::uint64_t realisation) {
   const dynamics::Block block = block_of(scene, realisation);
   scene.block = {.width = block.width, .height = block.height, .gravity = block.gravity};
   if (std::holds_alternative<Jy25Restitution>(scene.restitution))
-    scene.restitution = restitution_of(scene, dynamics::geometry_of(block));
+    scene.restitution = mean_restitution(scene.restitution, dynamics::geometry_of(block));
   auto* recorded = std::get_if<Recorded>(&scene.excitation);
   if (recorded != nullptr) recorded->frequency_ratio *= mean_p / dynamics::geometry_of(block).frequency_parameter;
   return condition;

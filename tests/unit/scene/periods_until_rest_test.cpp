@@ -1,6 +1,7 @@
 // The default horizon under a base motion that ends.
 
 #include "rocking/scene/defaults.hpp"
+#include "rocking/scene/restitution.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -17,8 +18,9 @@ TEST(PeriodsUntilRest, CoverTheHopsOfASlenderBlockFromJustBelowItsBalance) {
     scene.block = {.width = width, .height = 4.0};
     scene.excitation = Pulse{.amplitude = 1.0, .frequency_ratio = 2.0 * std::numbers::pi};
     const double psi = std::atan(width / 4.0);
-    const double delta = 1.0 - 1.5 * (1.0 + restitution_of(scene, dynamics::geometry_of(mean_block(scene)))) *
-                                   std::sin(psi) * std::sin(psi);
+    const double delta =
+        1.0 - 1.5 * (1.0 + mean_restitution(scene.restitution, dynamics::geometry_of(mean_block(scene)))) *
+                  std::sin(psi) * std::sin(psi);
     double time = 0.0;
     for (double u = 0.999; u > 1e-12; u *= delta) time += 2.0 * std::atanh(u);
     const auto periods = static_cast<double>(periods_until_rest(scene));

@@ -49,4 +49,10 @@ TEST(RateRatios, OfASweepAreARange) {
   EXPECT_THAT(text, AllOf(HasSubstr("e = 0 to 0.5: 0.55 to 0.7 of the tilt rate"), HasSubstr("less than 0.85")));
 }
 
+TEST(Plans, CountADrawnRateRatioAsScatterOfRestitution) {
+  const std::string words = "scatter of restitution";
+  EXPECT_THAT(plan_of_block(R"({ "rate_ratio": 0.9 })"), HasSubstr(words)) << "among what is left out";
+  EXPECT_THAT(plan_of_block(R"({ "rate_ratio": {"uniform": [0.89, 0.91]} })"), Not(HasSubstr(words)));
+}
+
 }  // namespace

@@ -1,5 +1,6 @@
 #include "analysis/draw.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <system_error>
 #include <utility>
@@ -87,6 +88,26 @@ Drawing write_figure(const Figure& figure, const fs::path& folder, const std::ve
   Drawing drawing = run_gnuplot(folder, figure.name, {.formats = formats, .ending = unfinished}, stop);
   keep_or_remove(figure, folder, formats, drawing);
   return drawing;
+}
+
+void note_failure(const Drawing& drawing, std::vector<Drawing>& failures) {
+  const bool is_known = std::ranges::find(failures, drawing.reason, &Drawing::reason) != failures.end();
+  if (!drawing.is_drawn() && !is_known) failures.push_back(drawing);
+}
+
+WrittenFigures write_figures(const std::vector<Figure>& figures, const fs::path& folder, base::StopRequest stop,
+                             const FigureLook& look) {
+  ensure_writable(folder);
+  WrittenFigures written;
+  for (const Figure& figure : figures) {
+    const Drawing drawing = write_figure(figure, folder, picture_formats(), stop, look);
+    note_failure(drawing, written.failures);
+    for (const std::string& ending : text_formats()) written.files.push_back(picture(folder, figure, ending).string());
+    if (!drawing.is_drawn()) continue;
+    for (const std::string& format : picture_formats())
+      written.files.push_back(picture(folder, figure, format).string());
+  }
+  return written;
 }
 
 std::string picture_of(const Figure& figure, const std::string& format, Drawing& drawing, base::StopRequest stop,

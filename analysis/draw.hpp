@@ -40,6 +40,19 @@ struct Drawing {
                                    const std::vector<std::string>& formats = picture_formats(),
                                    base::StopRequest stop = {}, const FigureLook& look = screen_look());
 
+/// Figures in a folder.
+struct WrittenFigures {
+  std::vector<std::string> files;
+  std::vector<Drawing> failures;  ///< attempts to draw that failed, each reason once
+};
+
+/// Adds an attempt that failed, unless one with this reason is there.
+void note_failure(const Drawing& drawing, std::vector<Drawing>& failures);
+
+/// Writes figures as write_figure does, into a folder that is created if necessary.
+[[nodiscard]] WrittenFigures write_figures(const std::vector<Figure>& figures, const std::filesystem::path& folder,
+                                           base::StopRequest stop, const FigureLook& look);
+
 /// The bytes of the figure in a format, `svg`, `png` or `pdf`, drawn in a temporary folder. Empty if it cannot be drawn;
 /// `drawing` says why. Throws base::Stopped if it is asked to stop.
 [[nodiscard]] std::string picture_of(const Figure& figure, const std::string& format, Drawing& drawing,

@@ -2,13 +2,18 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
+
+#include "exit_code.hpp"
 
 namespace rocking::program {
 namespace {
@@ -36,6 +41,17 @@ std::optional<double> seconds_of_unit(const std::string& unit) {
   return std::nullopt;
 }
 
+/// The seconds of a time such as 90s, 15min, 2h, 1d; a number without a unit is in seconds. Absent if it is none.
+std::optional<double> seconds_in(std::string_view text) {
+  const std::string_view all = trimmed(text);
+  const std::size_t digits = std::min(all.find_first_not_of("0123456789."), all.size());
+  const auto number = read_whole<double>(all.substr(0, digits));
+  const auto unit = seconds_of_unit(CLI::detail::to_lower(std::string(trimmed(all.substr(digits)))));
+  if (!number || !unit) return std::nullopt;
+  const double seconds = *number * *unit;
+  return seconds > 0.0 && std::isfinite(seconds) ? std::optional<double>(seconds) : std::nullopt;
+}
+
 /// `2/5` as a shard.
 Shard shard_from(const std::string& text) {
   constexpr std::uint64_t most_parts = 999'999'999;
@@ -47,6 +63,25 @@ Shard shard_from(const std::string& text) {
   }
   throw CLI::ValidationError(
       "--shard", fmt::format("{} is not a part of a whole; give i/n with 1 <= i <= n, for example 2/5", text));
+}
+
+/// Name of the argument that means standard input.
+constexpr std::string_view standard_input = "-";
+
+// To its end, but not much more than an experiment may have.
+std::string text_on_standard_input() {
+  std::string text;
+  char buffer[65536];
+  while (text.size() <= most_experiment_bytes) {
+    const std::size_t count = std::fread(buffer, 1, sizeof buffer, stdin);
+    text.append(buffer, count);
+    if (count == sizeof buffer) continue;
+    if (std::ferror(stdin) != 0) {
+      throw std::system_error(errno, std::generic_category(), "standard input: cannot be read");
+    }
+    break;
+  }
+  return text;
 }
 
 }  // namespace
@@ -83,26 +118,61 @@ CLI::Validator duration() {
   return validator;
 }
 
-std::optional<double> seconds_in(std::string_view text) {
-  const std::string_view all = trimmed(text);
-  const std::size_t digits = std::min(all.find_first_not_of("0123456789."), all.size());
-  const auto number = read_whole<double>(all.substr(0, digits));
-  const auto unit = seconds_of_unit(CLI::detail::to_lower(std::string(trimmed(all.substr(digits)))));
-  if (!number || !unit) return std::nullopt;
-  const double seconds = *number * *unit;
-  return seconds > 0.0 && std::isfinite(seconds) ? std::optional<double>(seconds) : std::nullopt;
-}
-
 void add_shard(CLI::App& command, std::optional<Shard>& shard) {
   const auto set = [&shard](const std::string& text) { shard = shard_from(text); };
   command.add_option_function<std::string>("--shard", set, "Run only the i-th of n parts; `rocking merge` joins them")
       ->type_name("I/N");
 }
 
-base::InputError with_flags(const base::InputError& error, const std::map<std::string_view, std::string_view>& flags) {
-  base::Problem problem = error.problems().front();
-  if (const auto flag = flags.find(problem.place); flag != flags.end()) problem.place = flag->second;
-  return base::InputError(problem);
+void add_threads(CLI::App& command, ExecutionOptions& execution) {
+  command
+      .add_option("-j,--threads", execution.threads,
+                  "Number of threads; default: all that this process may use; changes the time, never the result")
+      ->check(whole_number(1, 4096))
+      ->type_name("N");
+}
+
+void add_max_time(CLI::App& command, ExecutionOptions& execution) {
+  command
+      .add_option("--max-time", execution.max_time,
+                  "Stop cleanly after this time, e.g. 90 (seconds), 15min, 2h, 1d, with exit code 75; can be resumed")
+      ->transform(duration())
+      ->type_name("T");
+}
+
+void add_page_choice(CLI::App& command, PageChoice& page) {
+  command.add_flag_callback(
+      "--no-page", [&page] { page = PageChoice::omitted; },
+      "Draw no page, and remove an earlier one; `rocking report DIR` draws it later");
+}
+
+void add_experiment(CLI::App& command, std::string& file) {
+  command.add_option("EXPERIMENT", file, "Experiment file (JSON); -: standard input")->required();
+}
+
+void add_skip_unreadable(CLI::App& command, Overrides& overrides) {
+  command.add_flag("--skip-unreadable", overrides.skips_unreadable,
+                   "Leave out records of a suite that cannot be read; the report names them");
+}
+
+void add_seed(CLI::App& command, Overrides& overrides) {
+  command.add_option("--seed", overrides.seed, "Seed, instead of the one in the file, for example 0x2012 or 8210")
+      ->type_name("S");
+}
+
+ExperimentText load_experiment_text(const std::string& path) {
+  return input_of([&]() -> ExperimentText {
+    if (path == standard_input) return {.text = text_on_standard_input(), .name = "standard input", .folder = "."};
+    return experiment_text_of(path);
+  });
+}
+
+Experiment load_experiment(const ExperimentText& source, const Overrides& overrides) {
+  return input_of([&] { return experiment_in(source, overrides); });
+}
+
+Experiment load_experiment(const std::string& path, const Overrides& overrides) {
+  return load_experiment(load_experiment_text(path), overrides);
 }
 
 }  // namespace rocking::program

@@ -1,14 +1,17 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <optional>
-#include <string_view>
+#include <string>
 
 #include <CLI/CLI.hpp>
 
+#include "output.hpp"
+#include "program.hpp"
 #include "rocking/base/error.hpp"
+#include "rocking/input/read_experiment.hpp"
 #include "rocking/store/realisation_key.hpp"
+#include "rocking/text/locate.hpp"
 
 namespace rocking::program {
 
@@ -21,14 +24,52 @@ namespace rocking::program {
 /// Accepts positive times such as 90s, 15min, 2h, 1d, and converts them to seconds.
 [[nodiscard]] CLI::Validator duration();
 
-/// The seconds of such a time; a number without a unit is in seconds. Absent if the text is not a time.
-[[nodiscard]] std::optional<double> seconds_in(std::string_view text);
-
 /// Adds `--shard i/n`.
 void add_shard(CLI::App& command, std::optional<Shard>& shard);
 
-/// The same error with flags in the places of the library's arguments, for example `--from` for `from`.
-[[nodiscard]] base::InputError with_flags(const base::InputError& error,
-                                          const std::map<std::string_view, std::string_view>& flags);
+/// Whether a run ends with a page, report.html.
+enum class PageChoice : std::uint8_t { drawn, omitted };
+
+/// Options that `run`, `resume`, `merge` and `verify` have in common.
+struct ExecutionOptions {
+  unsigned threads = 1;
+  std::optional<double> max_time;  ///< stop cleanly after this long [s]
+  Loudness loudness;
+  ProcessPool pool = {};
+  PageChoice page = PageChoice::drawn;
+  Extent extent = Extent::one_screen;
+};
+
+/// Adds `-j`, and `--max-time` for commands whose run can be resumed.
+void add_threads(CLI::App& command, ExecutionOptions& execution);
+void add_max_time(CLI::App& command, ExecutionOptions& execution);
+/// Adds `--no-page`.
+void add_page_choice(CLI::App& command, PageChoice& page);
+
+/// Adds the argument EXPERIMENT.
+void add_experiment(CLI::App& command, std::string& file);
+/// Adds `--skip-unreadable`.
+void add_skip_unreadable(CLI::App& command, Overrides& overrides);
+/// Adds `--seed`.
+void add_seed(CLI::App& command, Overrides& overrides);
+
+/// Reads a file or, if the path is `-`, standard input to its end; file names in the latter are relative to the current
+/// folder. Throws MissingInput where it cannot be read.
+[[nodiscard]] ExperimentText load_experiment_text(const std::string& path);
+
+/// Reads the experiment in it. Throws base::InputError, or MissingInput where it, or a file that it names, cannot be
+/// read.
+[[nodiscard]] Experiment load_experiment(const ExperimentText& source, const Overrides& overrides = {});
+[[nodiscard]] Experiment load_experiment(const std::string& path, const Overrides& overrides = {});
+
+/// Carries out a check of the experiment; its problems get the file and the line.
+template <class Check>
+void check_source(const ExperimentText& source, Check check) {
+  try {
+    check();
+  } catch (const base::InputError& error) {
+    throw located(error, source.text, source.name);
+  }
+}
 
 }  // namespace rocking::program

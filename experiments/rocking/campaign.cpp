@@ -5,23 +5,27 @@
 #include <exception>
 #include <filesystem>
 #include <functional>
+#include <map>
+#include <string>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
+#include "drawing.hpp"
 #include "interrupt.hpp"
 #include "machine.hpp"
 #include "output.hpp"
-#include "page.hpp"
 #include "progress.hpp"
 #include "rocking/base/build_info.hpp"
 #include "rocking/base/stop_request.hpp"
 #include "rocking/ensemble/run.hpp"
+#include "rocking/output/mode_table.hpp"
 #include "rocking/output/run_table.hpp"
+#include "rocking/stats/interval.hpp"
 #include "rocking/text/files.hpp"
 #include "rocking/text/number_text.hpp"
-#include "running_estimate.hpp"
 
 namespace rocking::program {
 namespace {
@@ -35,6 +39,38 @@ constexpr std::chrono::milliseconds between_commits(100);
 struct TimeSlice {
   RunEnd end;
   double duration_s = 0.0;
+};
+
+/// Estimate for the current condition of a run in progress, for display only: it counts the realisations of this
+/// session, in the order in which threads finish.
+class RunningEstimate {
+ public:
+  explicit RunningEstimate(const Experiment& experiment) : experiment_(&experiment) {}
+
+  void add(std::size_t condition, const std::vector<Summary>& summaries) {
+    condition_ = condition;
+    for (const Summary& summary : summaries) ++counts_[condition][summary.mode];
+  }
+
+  /// The condition of the last add(), its most frequent response and Wilson's 95 % interval: `amplitude 4.2: (1,3) 69 %
+  /// [60, 77] of 100`. Empty before the first add().
+  [[nodiscard]] std::string text() const {
+    const auto found = counts_.find(condition_);
+    if (found == counts_.end()) return "";
+    std::uint64_t number = 0;
+    for (const auto& [mode, count] : found->second) number += count;
+    const auto& [mode, count] =
+        *std::ranges::max_element(found->second, {}, [](const auto& entry) { return entry.second; });
+    const std::string name = values_of(experiment_->conditions[condition_].parameters);
+    const stats::Interval interval = stats::wilson({.successes = count, .trials = number}, 0.95);
+    return fmt::format("{}: {} {} of {}, {} % {}", name.empty() ? "so far" : name, to_string(mode), count, number,
+                       per_cent(static_cast<double>(count) / static_cast<double>(number), 0), per_cent(interval, 0));
+  }
+
+ private:
+  const Experiment* experiment_;
+  std::size_t condition_ = 0;  ///< of the last add()
+  std::map<std::size_t, std::map<section::ResponseMode, std::uint64_t>> counts_;
 };
 
 RunOptions options_of(const Store& store, const ExecutionOptions& execution) {
@@ -106,10 +142,10 @@ void write_unless_stopped(const std::filesystem::path& path, const std::function
 }
 
 /// Announces the page and the time that it took, because a user may wonder what a finished run still does.
-DrawingFailures draw_page(const RunFolder& folder, const Report& report, const Loudness& loudness) {
+std::vector<analysis::Drawing> draw_page(const RunFolder& folder, const Report& report, const Loudness& loudness) {
   if (!loudness.quiet) print_notice("drawing the page; --no-page omits it");
   const Clock::time_point start = Clock::now();
-  DrawingFailures failures = write_page(folder, report);
+  std::vector<analysis::Drawing> failures = write_page(folder, report);
   if (!loudness.quiet) {
     const std::chrono::duration<double> took = Clock::now() - start;
     print_notice(fmt::format("page drawn in {}", duration_in_words(took.count())));
@@ -135,7 +171,7 @@ ExitCode write_results(FolderRun& run, ExperimentResult result, const SystemFact
   const Report report = report_of(run.experiment, std::move(result), system);
   const auto write = [&](const TextSink& sink) { report_document().write(sink, report); };
   std::exception_ptr failure;
-  DrawingFailures failures;
+  std::vector<analysis::Drawing> failures;
   try {
     write_unless_stopped(folder.report_path(), write);
     failure = failure_of([&] {
@@ -163,29 +199,10 @@ ExitCode write_results(FolderRun& run, ExperimentResult result, const SystemFact
     print_result(base::printable(run_table(run.experiment, report, look) + where));
   }
   if (failure) std::rethrow_exception(failure);
-  return failures.tell(no_page_picture, PictureRole::addition);
+  return tell(failures, no_page_picture, PictureRole::addition);
 }
 
 }  // namespace
-
-void add_threads(CLI::App& command, ExecutionOptions& execution) {
-  command
-      .add_option("-j,--threads", execution.threads,
-                  "Number of threads; default: all that this process may use; changes the time, never the result")
-      ->check(whole_number(1, 4096))
-      ->type_name("N");
-}
-
-void add_max_time(CLI::App& command, ExecutionOptions& execution) {
-  add_duration(command, "--max-time", execution.max_time,
-               "Stop cleanly after this time, e.g. 90 (seconds), 15min, 2h, 1d, with exit code 75; can be resumed");
-}
-
-void add_page_choice(CLI::App& command, PageChoice& page) {
-  command.add_flag_callback(
-      "--no-page", [&page] { page = PageChoice::omitted; },
-      "Draw no page, and remove an earlier one; `rocking report DIR` draws it later");
-}
 
 SystemFacts system_facts(unsigned threads) {
   return {.build = base::build_info(), .machine = machine_description(), .start = utc_now(), .threads = threads};

@@ -2,33 +2,10 @@
 
 #include <optional>
 
-#include <CLI/CLI.hpp>
-
-#include "exit_code.hpp"
-#include "output.hpp"
-#include "process_pool.hpp"
+#include "arguments.hpp"
 #include "rocking/api/folder_run.hpp"
 
 namespace rocking::program {
-
-/// Whether a run ends with a page, report.html.
-enum class PageChoice : std::uint8_t { drawn, omitted };
-
-/// Options that `run`, `resume`, `merge` and `verify` have in common.
-struct ExecutionOptions {
-  unsigned threads = 1;
-  std::optional<double> max_time;  ///< stop cleanly after this long [s]
-  Loudness loudness;
-  ProcessPool pool = {};
-  PageChoice page = PageChoice::drawn;
-  Extent extent = Extent::one_screen;
-};
-
-/// Adds `-j`, and `--max-time` for commands whose run can be resumed.
-void add_threads(CLI::App& command, ExecutionOptions& execution);
-void add_max_time(CLI::App& command, ExecutionOptions& execution);
-/// Adds `--no-page`.
-void add_page_choice(CLI::App& command, PageChoice& page);
 
 /// What a run in a folder takes from this process.
 [[nodiscard]] FolderMeans means_of(const ExecutionOptions& execution);

@@ -7,7 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include "exit_code.hpp"
-#include "process_pool.hpp"
+#include "program.hpp"
 #include "rocking/study/study.hpp"
 
 namespace rocking::program {

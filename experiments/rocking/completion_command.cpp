@@ -2,7 +2,6 @@
 #include <string>
 
 #include "commands.hpp"
-#include "completion.hpp"
 #include "output.hpp"
 #include "usage.hpp"
 

@@ -2,16 +2,20 @@
 
 #include <exception>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "analysis/draw.hpp"
 #include "analysis/run_figures.hpp"
+#include "exit_code.hpp"
 #include "interrupt.hpp"
 #include "machine.hpp"
 #include "output.hpp"
+#include "pages/run_page.hpp"
 #include "rocking/base/error.hpp"
 #include "rocking/studies/studies.hpp"
 #include "rocking/text/files.hpp"
@@ -57,6 +61,21 @@ void add_study(const Study& study, const std::filesystem::path& path, const Repo
   }
 }
 
+/// The motions in the page of a run; none without its store and the files that its experiment names.
+analysis::ShownAnimations animations_of(const RunFolder& folder, const Report& report) {
+  if (!folder.has_store()) return pages::no_animations("realisations.sqlite was not beside the report");
+  const Store store = folder.open_store(sqlite::Access::read);
+  std::optional<Experiment> experiment;
+  try {
+    experiment = experiment_of(store.identity());
+  } catch (const base::InputError&) {
+    return pages::no_animations("a file that the experiment names has changed");
+  } catch (const base::FolderError&) {
+    return pages::no_animations("a file that the experiment names is missing");
+  }
+  return pages::animations_of(*experiment, store, report);
+}
+
 }  // namespace
 
 std::vector<analysis::Figure> figures_of(const RunFolder& folder, const Report& report,
@@ -76,38 +95,18 @@ std::vector<analysis::Figure> figures_of(const RunFolder& folder, const Report& 
   return figures;
 }
 
-void DrawingFailures::add(const analysis::Drawing& drawing) {
-  if (!drawing.is_drawn()) reasons_.emplace(drawing.reason, drawing.end);
-}
-
-ExitCode DrawingFailures::tell(std::string_view consequence, PictureRole role) const {
+ExitCode tell(const std::vector<analysis::Drawing>& failures, std::string_view consequence, PictureRole role) {
   ExitCode code = ExitCode::done;
-  for (const auto& [reason, end] : reasons_) {
-    print_notice(fmt::format("{}: {}", consequence, reason));
-    if (end == analysis::DrawingEnd::refused) {
+  for (const analysis::Drawing& failure : failures) {
+    print_notice(fmt::format("{}: {}", consequence, failure.reason));
+    if (failure.end == analysis::DrawingEnd::refused) {
       print_notice("this is a bug of this program; please report it with the output of `rocking doctor`");
       code = ExitCode::our_bug;
     }
-    const bool fails = end == analysis::DrawingEnd::broken_off && role == PictureRole::purpose;
+    const bool fails = failure.end == analysis::DrawingEnd::broken_off && role == PictureRole::purpose;
     if (fails && code == ExitCode::done) code = ExitCode::input_output;
   }
   return code;
-}
-
-WrittenFigures write_figures(const std::vector<analysis::Figure>& figures, const std::filesystem::path& folder,
-                             const analysis::FigureLook& look) {
-  ensure_writable(folder);
-  WrittenFigures written;
-  for (const analysis::Figure& figure : figures) {
-    const analysis::Drawing drawing =
-        analysis::write_figure(figure, folder, analysis::picture_formats(), stop_on_signal(), look);
-    written.failures.add(drawing);
-    const std::string stem = (folder / figure.name).string();
-    for (const std::string& ending : analysis::text_formats()) written.files.push_back(stem + '.' + ending);
-    if (!drawing.is_drawn()) continue;
-    for (const std::string& format : analysis::picture_formats()) written.files.push_back(stem + '.' + format);
-  }
-  return written;
 }
 
 void add_style(CLI::App& command, StyleRequest& request) {
@@ -132,6 +131,12 @@ analysis::FigureLook look_for(const StyleRequest& request) {
         fmt::format("--width {}: only figures for a journal have this width; add --style journal", request.width));
   }
   return analysis::screen_look();
+}
+
+std::vector<analysis::Drawing> write_page(const RunFolder& folder, const Report& report,
+                                          const std::optional<HazardCurve>& hazard) {
+  return pages::write_page(folder.page_path(), report, figures_of(folder, report, hazard),
+                           animations_of(folder, report), stop_on_signal());
 }
 
 }  // namespace rocking::program

@@ -1,8 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -31,34 +29,15 @@ namespace rocking::program {
 /// after a failure.
 enum class PictureRole : std::uint8_t { purpose, addition };
 
-/// Reasons why figures could not be drawn, each once.
-class DrawingFailures {
- public:
-  void add(const analysis::Drawing& drawing);
-
-  /// Prints every reason on standard error, also if the command is quiet. Returns the exit code: done if only gnuplot
-  /// is missing (data and scripts are written), or if the machine stopped gnuplot and pictures are an addition;
-  /// input_output if the machine stopped gnuplot and pictures are the purpose; our_bug if gnuplot rejected a script.
-  [[nodiscard]] ExitCode tell(std::string_view consequence, PictureRole role) const;
-
- private:
-  std::map<std::string, analysis::DrawingEnd> reasons_;
-};
+/// Prints why figures could not be drawn on standard error, also if the command is quiet. Returns the exit code: done if
+/// only gnuplot is missing (data and scripts are written), or if the machine stopped gnuplot and pictures are an addition;
+/// input_output if the machine stopped gnuplot and pictures are the purpose; our_bug if gnuplot rejected a script.
+[[nodiscard]] ExitCode tell(const std::vector<analysis::Drawing>& failures, std::string_view consequence,
+                            PictureRole role);
 
 /// What a failure means for a command that draws figures, and for a page.
 inline constexpr std::string_view no_figure = "a figure was not drawn";
 inline constexpr std::string_view no_page_picture = "report.html has no pictures for printing";
-
-struct WrittenFigures {
-  std::vector<std::string> files;
-  DrawingFailures failures;
-};
-
-/// Writes figures into a folder, which is created if necessary. If a picture cannot be drawn, its data and script are
-/// written. Throws std::system_error with the path.
-[[nodiscard]] WrittenFigures write_figures(const std::vector<analysis::Figure>& figures,
-                                           const std::filesystem::path& folder,
-                                           const analysis::FigureLook& look = analysis::screen_look());
 
 /// The flags `--style` and `--width`.
 struct StyleRequest {
@@ -70,5 +49,10 @@ void add_style(CLI::App& command, StyleRequest& request);
 
 /// Throws UsageError if a width is given that the style does not have.
 [[nodiscard]] analysis::FigureLook look_for(const StyleRequest& request);
+
+/// Writes the page of a report into its folder. Returns which pictures could not be drawn; the page omits them.
+/// Throws base::Stopped when a signal asks to stop, std::system_error where the page cannot be written.
+[[nodiscard]] std::vector<analysis::Drawing> write_page(const RunFolder& folder, const Report& report,
+                                                        const std::optional<HazardCurve>& hazard = std::nullopt);
 
 }  // namespace rocking::program

@@ -7,8 +7,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "arguments.hpp"
 #include "commands.hpp"
 #include "drawing.hpp"
+#include "interrupt.hpp"
 #include "output.hpp"
 #include "rocking/studies/output_figures.hpp"
 
@@ -41,10 +43,10 @@ ExitCode draw(const FigureRequest& request) {
   }
   const analysis::FigureLook look = look_for(request.style);
   const auto figures = analysis::output_figures(read_all(request.files), request.window);
-  const WrittenFigures written = write_figures(figures, request.folder, look);
+  const auto written = analysis::write_figures(figures, request.folder, stop_on_signal(), look);
   print_result(request.loudness.json ? facts_text(std::vector<Fact>{{"written", written.files}})
                                      : base::printable(fmt::format("{}\n", fmt::join(written.files, "\n"))));
-  return written.failures.tell(no_figure, PictureRole::purpose);
+  return tell(written.failures, no_figure, PictureRole::purpose);
 }
 
 }  // namespace

@@ -5,10 +5,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "progress.hpp"
 #include "rocking/api/run_folder.hpp"
 #include "rocking/studies/studies.hpp"
 #include "rocking/text/number_text.hpp"
-#include "watched.hpp"
 
 namespace rocking::program {
 namespace {

@@ -29,7 +29,4 @@ namespace rocking::program {
 /// How many threads this process may run at once; at least 1.
 [[nodiscard]] unsigned available_threads();
 
-/// Throws std::system_error if this process cannot have that much memory.
-void expect_memory(std::uint64_t bytes);
-
 }  // namespace rocking::program

@@ -67,13 +67,6 @@ void add_extent(CLI::App& command, Extent& extent) {
       "--all", [&extent] { extent = Extent::all; }, "Print every row, also if there are more than a screen shows");
 }
 
-void expect_free(std::span<const std::filesystem::path> files, bool overwrite) {
-  for (const std::filesystem::path& file : files) {
-    if (overwrite || !std::filesystem::exists(file)) continue;
-    throw InTheWay(file.string() + ": already exists; choose another folder, or add --overwrite to replace it");
-  }
-}
-
 void print_result(std::string_view text) {
   print_result([text](const TextSink& sink) { sink(text); });
 }

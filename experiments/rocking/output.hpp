@@ -2,17 +2,14 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <functional>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 
-#include "arguments.hpp"
 #include "rocking/base/error.hpp"
 #include "rocking/look/text_table.hpp"
 #include "rocking/output/mode_table.hpp"
@@ -36,13 +33,6 @@ void add_loudness(CLI::App& command, Loudness& loudness);
 /// Adds `--all`.
 void add_extent(CLI::App& command, Extent& extent);
 
-/// Adds an option that takes a time as 90s, 15min, 2h; `seconds` is a number or an optional one.
-template <class Seconds>
-CLI::Option* add_duration(CLI::App& command, const std::string& name, Seconds& seconds,
-                          const std::string& description) {
-  return command.add_option(name, seconds, description)->transform(duration())->type_name("T");
-}
-
 /// Writes to standard output and flushes it. Throws std::system_error.
 void print_result(std::string_view text);
 /// The same of a text that comes piece by piece.
@@ -56,10 +46,6 @@ void print_notice(std::string_view text);
 
 /// Writes to standard error. Errors of the write are ignored, so that a run continues.
 void print_aside(const std::string& text);
-
-/// Throws InTheWay if one of the files exists and may not be replaced.
-void expect_free(std::span<const std::filesystem::path> files, bool overwrite);
-inline void expect_free(const std::filesystem::path& file, bool overwrite) { expect_free({&file, 1}, overwrite); }
 
 /// `FILE: 2 problems` and a line for each.
 [[nodiscard]] std::string listed_problems(const base::InputError& error);

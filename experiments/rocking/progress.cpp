@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "output.hpp"
+#include "interrupt.hpp"
 #include "rocking/text/files.hpp"
 #include "rocking/text/number_text.hpp"
 
@@ -160,6 +160,14 @@ Pace Progress::pace() const {
   const std::uint64_t since = done_ - std::min(done_, *done_at_first_);
   if (time > 0.0 && since > 0) pace.rate = static_cast<double>(since) / time;
   return pace;
+}
+
+Execution watched(const ExecutionOptions& options, Progress& progress) {
+  const auto show = [&progress](std::uint64_t done, std::uint64_t all) {
+    progress.show(done, all);
+    return Decision::proceed;
+  };
+  return {.threads = options.threads, .on_progress = show, .stop = &stop_on_interrupt()};
 }
 
 ProgressFile::ProgressFile(std::filesystem::path path) : path_(std::move(path)), start_(Clock::now()), next_(start_) {}

@@ -11,7 +11,8 @@
 #include <string_view>
 #include <thread>
 
-#include "output.hpp"
+#include "arguments.hpp"
+#include "rocking/api/run.hpp"
 #include "rocking/output/progress_note.hpp"
 
 namespace rocking::program {
@@ -83,6 +84,9 @@ class Progress {
   std::condition_variable ended_;
   std::thread printer_;  ///< none without a style
 };
+
+/// How a study of the library is carried out: on the threads that are asked for, with a line of progress, until Ctrl-C.
+[[nodiscard]] Execution watched(const ExecutionOptions& options, Progress& progress);
 
 /// Keeps a file with the progress of a run for `rocking status`, rewritten every few seconds and removed by the
 /// destructor. If it cannot be written, the run continues without it.

@@ -7,13 +7,17 @@
 #include <set>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "analysis/tables.hpp"
+#include "drawing.hpp"
+#include "interrupt.hpp"
 #include "output.hpp"
-#include "page.hpp"
 #include "rocking/api/folder_run.hpp"
 #include "rocking/output/mode_table.hpp"
 #include "rocking/output/run_table.hpp"
 #include "rocking/output/settling_table.hpp"
+#include "rocking/rocking.hpp"
 #include "rocking/text/files.hpp"
 #include "usage.hpp"
 
@@ -31,6 +35,29 @@ std::string table_again(const Report& report) {
 
 }  // namespace
 
+void HazardFile::add_to(CLI::App& command, const std::string& effect) {
+  CLI::Option* file =
+      command
+          .add_option("--hazard", file_,
+                      "Hazard curve (CSV: intensity, annual_rate or poe; its header names measure and kind): " + effect)
+          ->type_name("FILE");
+  command
+      .add_option("--years", reading_.years,
+                  "With --hazard: the years of its probabilities of exceedance, where the file does not state them")
+      ->type_name("T")
+      ->needs(file);
+  command
+      .add_option("--imt", reading_.measure,
+                  "With --hazard: the intensity measure of the file, where it does not name it, such as PGA or SA(0.5)")
+      ->type_name("MEASURE")
+      ->needs(file);
+}
+
+std::optional<HazardCurve> HazardFile::read() const {
+  if (!is_given()) return std::nullopt;
+  return input_of([this] { return hazard_curve(file_, reading_); });
+}
+
 ExitCode report_again(const ReportRequest& request) {
   const analysis::FigureLook look = look_for(request.style);
   const RunFolder folder(request.folder);
@@ -41,16 +68,16 @@ ExitCode report_again(const ReportRequest& request) {
   const std::optional<HazardCurve> hazard = request.hazard.read();
   const std::set<std::string> formats(request.formats.begin(), request.formats.end());
   std::vector<std::string> written;
-  DrawingFailures of_the_page;
-  DrawingFailures of_figures;
+  std::vector<analysis::Drawing> of_the_page;
+  std::vector<analysis::Drawing> of_figures;
   if (formats.contains("html")) {
     ensure_writable(request.folder);
     of_the_page = write_page(folder, report, hazard);
     written.push_back(folder.page_path().string());
   }
   if (formats.contains("gnuplot")) {
-    WrittenFigures figures =
-        write_figures(figures_of(folder, report, hazard), fs::path(request.folder) / "figures", look);
+    analysis::WrittenFigures figures = analysis::write_figures(
+        figures_of(folder, report, hazard), fs::path(request.folder) / "figures", stop_on_signal(), look);
     of_figures = std::move(figures.failures);
     std::move(figures.files.begin(), figures.files.end(), std::back_inserter(written));
   }
@@ -61,8 +88,8 @@ ExitCode report_again(const ReportRequest& request) {
     written.push_back((tables / name).string());
   }
   print_written(request.loudness, written, formats.contains("text") ? table_again(report) : "");
-  const ExitCode page_code = of_the_page.tell(no_page_picture, PictureRole::purpose);
-  const ExitCode figure_code = of_figures.tell(no_figure, PictureRole::purpose);
+  const ExitCode page_code = tell(of_the_page, no_page_picture, PictureRole::purpose);
+  const ExitCode figure_code = tell(of_figures, no_figure, PictureRole::purpose);
   return figure_code == ExitCode::done ? page_code : figure_code;
 }
 

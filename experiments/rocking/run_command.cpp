@@ -4,11 +4,10 @@
 
 #include <fmt/format.h>
 
+#include "arguments.hpp"
+#include "before_run.hpp"
 #include "campaign.hpp"
 #include "commands.hpp"
-#include "dry_run.hpp"
-#include "experiment_argument.hpp"
-#include "ground_motion_notes.hpp"
 #include "machine.hpp"
 #include "output.hpp"
 #include "rocking/base/build_info.hpp"

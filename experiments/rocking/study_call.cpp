@@ -6,11 +6,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "experiment_argument.hpp"
+#include "arguments.hpp"
 #include "interrupt.hpp"
+#include "progress.hpp"
 #include "rocking/text/files.hpp"
 #include "study_flags.hpp"
-#include "watched.hpp"
 
 namespace rocking::program {
 namespace {
@@ -79,7 +79,7 @@ std::string lines_on(const std::vector<TextFile>& files, const StudyCommand& com
 
 /// What became of the pictures and pages beside an answer.
 struct Extras {
-  WrittenFigures figures;
+  analysis::WrittenFigures figures;
   More more;
 };
 
@@ -90,10 +90,10 @@ std::string write(const StudyCommand& command, const Subject& subject, const Ans
   for (const TextFile& file : answer.files) write_atomically(command.file.folder() / file.name, file.text);
   std::string where = command.file.write(answer.document) + lines_on(answer.files, command);
   if (!command.figures.empty()) {
-    extras.figures = write_figures(answer.figures, command.figures, look);
+    extras.figures = analysis::write_figures(answer.figures, command.figures, stop_on_signal(), look);
     where += fmt::format("{}\n", fmt::join(extras.figures.files, "\n"));
   }
-  if (answer.write_more) extras.more = answer.write_more(&stop_on_interrupt());
+  if (answer.write_more) extras.more = answer.write_more({.stop = &stop_on_interrupt()});
   return answer.is_alone ? "" : where + extras.more.lines;
 }
 
@@ -129,7 +129,7 @@ ExitCode end_of(const StudyCommand& command, const Answer& answer, const Extras&
                              command.study.kept, command.file.path().string()));
     return ExitCode::interrupted;
   }
-  const ExitCode drawn = extras.figures.failures.tell(no_figure, PictureRole::purpose);
+  const ExitCode drawn = tell(extras.figures.failures, no_figure, PictureRole::purpose);
   return extras.more.is_complete ? drawn : ExitCode::input_output;
 }
 

@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "arguments.hpp"
 #include "commands.hpp"
-#include "experiment_argument.hpp"
 #include "study_call.hpp"
 #include "study_flags.hpp"
 

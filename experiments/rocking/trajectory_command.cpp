@@ -3,7 +3,6 @@
 
 #include "arguments.hpp"
 #include "commands.hpp"
-#include "experiment_argument.hpp"
 #include "output.hpp"
 #include "rocking/pages.hpp"
 #include "rocking/rocking.hpp"
@@ -34,10 +33,12 @@ ExitCode print_trajectory(const TrajectoryCommand& command) {
     }
     return ExitCode::done;
   } catch (const base::InputError& error) {
-    if (error.problems().front().place == "samples_per_period") {
+    base::Problem problem = error.problems().front();
+    if (problem.place == "samples_per_period") {
       throw UsageError("--html: the block overturns before two samples were taken; give more --samples");
     }
-    throw with_flags(error, {{"condition", "--condition"}});
+    if (problem.place == "condition") problem.place = "--condition";
+    throw base::InputError(problem);
   }
 }
 

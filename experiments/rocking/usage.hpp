@@ -27,4 +27,7 @@ class HelpFormatter : public CLI::Formatter {
 /// The words that an option accepts; empty if it accepts any.
 [[nodiscard]] std::vector<std::string> choices_of(const CLI::Option& option);
 
+/// A script for bash that completes the commands, flags, choices and files of the program.
+[[nodiscard]] std::string bash_completion(const CLI::App& app);
+
 }  // namespace rocking::program

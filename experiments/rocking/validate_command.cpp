@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "arguments.hpp"
+#include "before_run.hpp"
 #include "commands.hpp"
-#include "experiment_argument.hpp"
-#include "ground_motion_notes.hpp"
 #include "machine.hpp"
 #include "output.hpp"
 #include "rocking/rocking.hpp"

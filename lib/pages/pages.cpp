@@ -1,23 +1,18 @@
 #include "rocking/pages.hpp"
 
-#include <algorithm>
 #include <string>
 #include <utility>
 
 #include "analysis/draw.hpp"
 #include "analysis/look.hpp"
-#include "analysis/page/page.hpp"
 #include "analysis/run_figures.hpp"
 #include "analysis/tables.hpp"
-#include "pages/animation.hpp"
+#include "pages/run_page.hpp"
 #include "rocking/api/refuse.hpp"
 #include "rocking/api/run_store.hpp"
 #include "rocking/api/system_facts.hpp"
 #include "rocking/api/trajectory_extent.hpp"
-#include "rocking/base/stop_request.hpp"
 #include "rocking/output/report.hpp"
-#include "rocking/store/store.hpp"
-#include "rocking/studies/fragility/sheet.hpp"
 #include "rocking/studies/output_figures.hpp"
 #include "rocking/studies/studies.hpp"
 #include "rocking/text/files.hpp"
@@ -43,9 +38,10 @@ std::vector<analysis::Figure> figures_of(const StoredRun& stored, const Report& 
   return figures;
 }
 
-void note(const analysis::Drawing& drawing, Written& written) {
-  if (drawing.is_drawn() || std::ranges::find(written.not_drawn, drawing.reason) != written.not_drawn.end()) return;
-  written.not_drawn.push_back(drawing.reason);
+Written written_of(std::vector<fs::path> files, const std::vector<analysis::Drawing>& failures) {
+  Written written{.files = std::move(files), .not_drawn = {}};
+  for (const analysis::Drawing& failure : failures) written.not_drawn.push_back(failure.reason);
+  return written;
 }
 
 analysis::FigureLook look_for(Column column) {
@@ -59,20 +55,8 @@ analysis::FigureLook look_for(Column column) {
 
 Written write_all(const std::vector<analysis::Figure>& figures, const fs::path& folder, Column column,
                   const Execution& execution) {
-  ensure_writable(folder);
-  Written written;
-  for (const analysis::Figure& figure : figures) {
-    const analysis::Drawing drawing =
-        analysis::write_figure(figure, folder, analysis::picture_formats(), execution.stop, look_for(column));
-    note(drawing, written);
-    for (const std::string& ending : analysis::text_formats())
-      written.files.push_back(folder / (figure.name + '.' + ending));
-    if (!drawing.is_drawn()) continue;
-    for (const std::string& format : analysis::picture_formats()) {
-      written.files.push_back(folder / (figure.name + '.' + format));
-    }
-  }
-  return written;
+  const analysis::WrittenFigures all = analysis::write_figures(figures, folder, execution.stop, look_for(column));
+  return written_of({all.files.begin(), all.files.end()}, all.failures);
 }
 
 }  // namespace
@@ -80,18 +64,8 @@ Written write_all(const std::vector<analysis::Figure>& figures, const fs::path& 
 Written write_page(const StoredRun& stored, const fs::path& file, const Provenance& provenance,
                    const Execution& execution) {
   const Report report = report_of(stored, provenance);
-  Written written;
-  std::vector<analysis::DrawnFigure> drawn;
-  for (analysis::Figure& figure : figures_of(stored, report)) {
-    analysis::Drawing drawing;
-    std::string svg = analysis::picture_of(figure, "svg", drawing, execution.stop);
-    note(drawing, written);
-    drawn.push_back({.figure = std::move(figure), .svg = std::move(svg)});
-  }
-  write_atomically(
-      file, analysis::page_text(report, drawn, pages::animations_of(stored.experiment, store_of(stored.run), report)));
-  written.files.push_back(file);
-  return written;
+  const auto motions = pages::animations_of(stored.experiment, store_of(stored.run), report);
+  return written_of({file}, pages::write_page(file, report, figures_of(stored, report), motions, execution.stop));
 }
 
 Written write_figures(const StoredRun& stored, const fs::path& folder, Column column, const Execution& execution) {
@@ -110,14 +84,6 @@ Written write_tables(const StoredRun& stored, const fs::path& folder) {
   write("non_recurrence.csv", analysis::non_recurrence_csv(report));
   write("quantiles.csv", analysis::quantiles_csv(report));
   write("modes.tex", analysis::modes_latex(report));
-  return written;
-}
-
-Written write_sheet(const StoredRun& stored, const RunFragility& found, const HazardCurve& hazard, const fs::path& file,
-                    const std::string& command, const Execution& execution) {
-  Sheet sheet = write_fragility_sheet(stored, found, hazard, file, command, execution.stop);
-  Written written{.files = {}, .not_drawn = std::move(sheet.not_drawn)};
-  if (sheet.is_written) written.files.push_back(file);
   return written;
 }
 

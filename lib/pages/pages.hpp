@@ -5,9 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "rocking/api/experiment.hpp"
-#include "rocking/api/trajectory.hpp"
-#include "rocking/studies/fragility/question.hpp"
+#include "rocking/rocking.hpp"
 
 /// \file
 /// Pages, figures and tables of runs. A library that was built without fmt does not have them.
@@ -18,13 +16,6 @@ enum class Column : std::uint8_t {
   screen,          ///< pages and slides
   journal_single,  ///< the column of a journal: 84 mm, 8 points, no titles
   journal_double,  ///< 174 mm
-};
-
-/// What was written.
-struct Written {
-  std::vector<std::filesystem::path> files;
-  /// Reasons why pictures are missing, each once: gnuplot is not installed, or failed. Empty: all are there.
-  std::vector<std::string> not_drawn;
 };
 
 /// Writes the page of a complete run, one HTML file without external resources, as the program's `report.html`. Runs
@@ -50,22 +41,13 @@ struct Written {
 ROCKING_API void write_trajectory_page(const Experiment& experiment, const TrajectoryRequest& request,
                                        const std::filesystem::path& file, const Execution& execution = {});
 
-/// Writes the answer about a suite of ground motions as one page of A4: HTML, or PDF if the name of the file ends with
-/// `.pdf`, which WeasyPrint makes. `found`: with annual rates, by this hazard curve. `command`: what makes the sheet
-/// again, which it states. If WeasyPrint is missing, no file is written. Otherwise as write_page; throws base::InputError if
-/// there is no suite with a rate.
-[[nodiscard]] ROCKING_API Written write_sheet(const StoredRun& stored, const RunFragility& found,
-                                              const HazardCurve& hazard, const std::filesystem::path& file,
-                                              const std::string& command = "", const Execution& execution = {});
-
 /// A text that a study returned or the program printed, such as `rocking.fragility/1`, and its name in errors.
 struct StudyText {
   std::string name;
   std::string text;
 };
 
-/// Draws trajectories, bifurcations, branches of orbits, cost, fragility, ground motions with their series and checks of random numbers, from their JSON
-/// text, in a folder. Throws base::InputError with the name of a text that is none of these, and otherwise as write_page.
+/// Draws trajectories, and what studies found that has figures, from their JSON text, in a folder. Throws base::InputError with the name of a text that is none of these, and otherwise as write_page.
 [[nodiscard]] ROCKING_API Written draw(const std::vector<StudyText>& texts, const std::filesystem::path& folder,
                                        Column column = Column::screen, const Execution& execution = {});
 

@@ -122,6 +122,11 @@ Offences forbidden_in_analysis(const std::string& source) {
   return found;
 }
 
+/// Includes of the folder of a study. Who treats studies as values names none.
+Offences named_studies(const std::string& source) {
+  return matches(source, R"(#\s*include\s*["<]rocking/studies/\w+/[^">]*)");
+}
+
 /// Includes of the library that are not its public headers.
 Offences private_includes(const std::string& source) {
   return matches(source, R"(#\s*include\s*["<]rocking/(?!(rocking|pages)\.hpp)[^">]*)");
@@ -284,6 +289,17 @@ TEST(TheHouse, DrawsWithoutSimulating) {
   EXPECT_GT(sources, 10U);
 }
 
+TEST(TheHouse, NamesNoStudyInPagesAndProgram) {
+  std::size_t sources = 0;
+  for (const File& file : files_of_tree()) {
+    const std::string path = file.path.lexically_relative(ROCKING_SOURCE_DIR).generic_string();
+    if (!path.starts_with("lib/pages/") && !path.starts_with("experiments/rocking/")) continue;
+    ++sources;
+    EXPECT_THAT(named_studies(file.text), IsEmpty()) << file.path;
+  }
+  EXPECT_GT(sources, 40U);
+}
+
 TEST(TheHouse, ShowsAtMostFiftyHeadersThatComputeNothing) {
   const std::set<std::string> headers = included_by("rocking/rocking.hpp");
   EXPECT_GT(headers.size(), 20U);
@@ -369,6 +385,12 @@ TEST(TheHouseRules, FindAnArrowThatGoesUpOrSideways) {
               ElementsAre("studies/rare -> studies/orbits"));
   EXPECT_THAT(forbidden_uses("section", "#include \"rocking/base/lane.hpp\"\n#include \"rocking/section/a.hpp\"\n"),
               IsEmpty());
+}
+
+TEST(TheHouseRules, FindTheNameOfAStudy) {
+  EXPECT_THAT(
+      named_studies("#include \"rocking/studies/rare/question.hpp\"\n#include \"rocking/studies/studies.hpp\"\n"),
+      ElementsAre("#include \"rocking/studies/rare/question.hpp"));
 }
 
 TEST(TheHouseRules, FindAPrivateHeader) {

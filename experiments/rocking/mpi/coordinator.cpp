@@ -12,7 +12,6 @@
 
 #include <fmt/format.h>
 
-#include "assignment.hpp"
 #include "exit_code.hpp"
 #include "rocking/ensemble/pair_workers.hpp"
 

@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "assignment.hpp"
 #include "exit_code.hpp"
 #include "interrupt.hpp"
 #include "rocking/api/run_folder.hpp"

@@ -4,8 +4,9 @@
 #include <optional>
 #include <span>
 
-#include "process_pool.hpp"
+#include "program.hpp"
 #include "rocking/ensemble/summary_bytes.hpp"
+#include "rocking/store/store_identity.hpp"
 
 /// Communication between the processes that `mpirun` started. Two-sided messages only, from one thread per process.
 namespace rocking::program::mpi {
@@ -58,5 +59,18 @@ class Session {
 
 /// The loop of every process but the first: runs the blocks that it receives until it is told to quit.
 void help(const Session& session);
+
+/// The data that a process needs to run pairs of an experiment.
+struct Assignment {
+  unsigned threads = 1;
+  Identity identity;
+};
+
+[[nodiscard]] Bytes to_bytes(const Assignment& assignment);
+[[nodiscard]] Assignment assignment_from(std::span<const std::byte> bytes);
+
+/// A text as the bytes of a message, and back.
+[[nodiscard]] Bytes text_bytes(std::string_view text);
+[[nodiscard]] std::string text_from(std::span<const std::byte> bytes);
 
 }  // namespace rocking::program::mpi

@@ -146,4 +146,11 @@ struct Provenance {
 /// The same as JSON text, as with `--json`.
 [[nodiscard]] ROCKING_API std::string describe_as_json(const Plan& plan);
 
+/// Files that were written.
+struct Written {
+  std::vector<std::filesystem::path> files;
+  /// Reasons why pictures are missing, each once: gnuplot is not installed, or failed. Empty: all are there.
+  std::vector<std::string> not_drawn;
+};
+
 }  // namespace rocking

@@ -14,7 +14,6 @@
 #include "rocking/api/checks.hpp"
 #include "rocking/api/run.hpp"
 #include "rocking/base/error.hpp"
-#include "rocking/base/stop_request.hpp"
 #include "rocking/fields/document.hpp"
 #include "rocking/figures/figure.hpp"
 #include "rocking/look/text_table.hpp"
@@ -101,7 +100,7 @@ struct Answer {
   std::vector<std::string> warnings = {};  ///< that a quiet command omits
   bool is_alone = false;                   ///< whether nothing is printed beside the table
   /// Writes more files, with programs outside. Null: there are none.
-  std::function<More(base::StopRequest stop)> write_more = {};
+  std::function<More(const Execution& execution)> write_more = {};
   AnswerEnd end = AnswerEnd::complete;
 };
 

@@ -1,4 +1,3 @@
-#include "rocking/studies/fragility/sheet.hpp"
 #include <cerrno>
 #include <string>
 #include <string_view>
@@ -13,6 +12,7 @@
 #include "rocking/output/report.hpp"
 #include "rocking/studies/fragility/annual_rate_table.hpp"
 #include "rocking/studies/fragility/figure.hpp"
+#include "rocking/studies/fragility/question.hpp"
 #include "rocking/studies/fragility/sheet_page.hpp"
 #include "rocking/text/files.hpp"
 
@@ -76,13 +76,14 @@ analysis::Figure curves_of(const std::vector<ReportedSuite>& suites) {
 
 }  // namespace
 
-Sheet write_fragility_sheet(const StoredRun& stored, const RunFragility& found, const HazardCurve& hazard,
-                            const std::filesystem::path& file, const std::string& command, base::StopRequest stop) {
+Written write_sheet(const StoredRun& stored, const RunFragility& found, const HazardCurve& hazard,
+                    const std::filesystem::path& file, const std::string& command, const Execution& execution) {
+  const base::StopRequest stop = execution.stop;
   const FragilityReport report = fragility_report({found});
   std::vector<ReportedSuite> suites = suites_with_rate(report);
   if (suites.empty()) refuse("sheet", "", "needs a suite of ground motions and a hazard curve");
   const Report run = report_of(stored.experiment, complete_result(stored.experiment, stored.run), {});
-  Sheet written;
+  Written written;
   const auto note = [&written](const analysis::Drawing& drawing) {
     if (!drawing.is_drawn()) written.not_drawn.push_back(drawing.reason);
   };
@@ -106,7 +107,7 @@ Sheet write_fragility_sheet(const StoredRun& stored, const RunFragility& found, 
     if (!drawing.is_drawn()) return written;
   }
   write_atomically(file, text);
-  written.is_written = true;
+  written.files.push_back(file);
   return written;
 }
 

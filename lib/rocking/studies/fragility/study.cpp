@@ -15,7 +15,6 @@
 #include "rocking/studies/fragility/incremental_figure.hpp"
 #include "rocking/studies/fragility/result.hpp"
 #include "rocking/studies/fragility/run_fragility.hpp"
-#include "rocking/studies/fragility/sheet.hpp"
 #include "rocking/studies/fragility/table.hpp"
 #include "rocking/text/files.hpp"
 
@@ -237,14 +236,16 @@ std::vector<analysis::Figure> figures_of(const FragilityReport& report) {
 }
 
 /// Writes the sheet of the only run.
-More write_sheet(const NamedRun& run, const RunsQuestion& question, const RunFragility& found, base::StopRequest stop) {
+More sheet_of(const NamedRun& run, const RunsQuestion& question, const RunFragility& found,
+              const Execution& execution) {
   std::string again = "rocking fragility " + shell_word(run.folder) + " --hazard " + shell_word(*question.hazard);
   if (question.years) again += " --years " + base::shortest(*question.years);
   if (question.imt) again += " --imt " + shell_word(*question.imt);
   again += " --sheet " + shell_word(*question.sheet);
-  Sheet sheet = write_fragility_sheet(run.stored, found, *question.question.hazard, *question.sheet, again, stop);
-  return {.lines = sheet.is_written ? "sheet: " + *question.sheet + '\n' : "",
-          .is_complete = sheet.is_written,
+  Written sheet = write_sheet(run.stored, found, *question.question.hazard, *question.sheet, again, execution);
+  const bool is_written = !sheet.files.empty();
+  return {.lines = is_written ? "sheet: " + *question.sheet + '\n' : "",
+          .is_complete = is_written,
           .notices = std::move(sheet.not_drawn)};
 }
 
@@ -262,8 +263,8 @@ Answer find(const Subject& subject, const RunsQuestion& question, const Circumst
   }
   if (circumstances.draws) answer.figures = figures_of(report);
   if (question.sheet) {
-    answer.write_more = [&run = subject.runs.front(), question, of_run = found.front()](base::StopRequest stop) {
-      return write_sheet(run, question, of_run, stop);
+    answer.write_more = [&run = subject.runs.front(), question, of_run = found.front()](const Execution& execution) {
+      return sheet_of(run, question, of_run, execution);
     };
   }
   return answer;

@@ -1,9 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "analysis/draw.hpp"
 #include "analysis/page/page.hpp"
 #include "rocking/base/stop_request.hpp"
 #include "rocking/realisation/trajectory.hpp"
@@ -39,5 +42,12 @@ struct AnimationExtent {
 /// store, there are none, and the explanation says why.
 [[nodiscard]] analysis::ShownAnimations animations_of(const Experiment& experiment, const Store& store,
                                                       const Report& report);
+
+/// Writes the page of a run, with these figures and motions. Returns why pictures are missing. Throws base::Stopped if it
+/// is asked to stop, std::system_error with the path where the page cannot be written.
+[[nodiscard]] std::vector<analysis::Drawing> write_page(const std::filesystem::path& file, const Report& report,
+                                                        std::vector<analysis::Figure> figures,
+                                                        const analysis::ShownAnimations& motions,
+                                                        base::StopRequest stop);
 
 }  // namespace rocking::pages

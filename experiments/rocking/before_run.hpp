@@ -3,7 +3,9 @@
 #include <string>
 #include <vector>
 
+#include "campaign.hpp"
 #include "rocking/output/ground_motion_facts.hpp"
+#include "rocking/plan/plan.hpp"
 #include "rocking/scene/experiment.hpp"
 
 namespace rocking::program {
@@ -14,5 +16,9 @@ namespace rocking::program {
 
 /// Prints the notes on standard error.
 void tell_ground_motion_notes(const Experiment& experiment);
+
+/// Prints what a run would do, with its time.
+[[nodiscard]] ExitCode show_plan(const Experiment& experiment, const std::optional<Shard>& shard,
+                                 const ExecutionOptions& execution);
 
 }  // namespace rocking::program

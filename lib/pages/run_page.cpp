@@ -1,15 +1,14 @@
-#include "pages/animation.hpp"
+#include "pages/run_page.hpp"
 
 #include <algorithm>
 #include <utility>
-#include <vector>
 
 #include <fmt/format.h>
 
 #include "analysis/overview.hpp"
 #include "analysis/page/words.hpp"
 #include "rocking/dynamics/block.hpp"
-#include "rocking/realisation/trajectory.hpp"
+#include "rocking/text/files.hpp"
 
 namespace rocking::pages {
 namespace {
@@ -201,6 +200,21 @@ analysis::ShownAnimations animations_of(const Experiment& experiment, const Stor
                                     analysis::condition_name(report, *least), what)
                               : "One realisation of each response mode, " + what;
   return shown;
+}
+
+std::vector<analysis::Drawing> write_page(const std::filesystem::path& file, const Report& report,
+                                          std::vector<analysis::Figure> figures,
+                                          const analysis::ShownAnimations& motions, base::StopRequest stop) {
+  std::vector<analysis::DrawnFigure> drawn;
+  std::vector<analysis::Drawing> failures;
+  for (analysis::Figure& figure : figures) {
+    analysis::Drawing drawing;
+    std::string svg = analysis::picture_of(figure, "svg", drawing, stop);
+    analysis::note_failure(drawing, failures);
+    drawn.push_back({.figure = std::move(figure), .svg = std::move(svg)});
+  }
+  write_atomically(file, analysis::page_text(report, drawn, motions));
+  return failures;
 }
 
 }  // namespace rocking::pages

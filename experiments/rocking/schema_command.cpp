@@ -5,7 +5,7 @@
 #include "commands.hpp"
 #include "output.hpp"
 #include "rocking/rocking.hpp"
-#include "rocking/studies/documents.hpp"
+#include "rocking/studies/studies.hpp"
 #include "usage.hpp"
 
 namespace rocking::program {

@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 
 #include "cli/program.hpp"
-#include "rocking/studies/rare/result.hpp"
+#include "rocking/studies/rare/study.hpp"
 #include "support/json_schema.hpp"
 
 namespace {

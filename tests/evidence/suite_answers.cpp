@@ -13,8 +13,7 @@
 #include <vector>
 
 #include "rocking/base/many_parts.hpp"
-#include "rocking/studies/fragility/run_fragility.hpp"
-#include "rocking/studies/fragility/suite_fragility.hpp"
+#include "rocking/studies/fragility/fragility.hpp"
 #include "support/split_mix.hpp"
 
 namespace {

@@ -5,7 +5,6 @@
 #include <utility>
 #include <vector>
 
-#include "rocking/studies/orbits/branches.hpp"
 #include "rocking/studies/orbits/orbits.hpp"
 #include "support/excitation.hpp"
 

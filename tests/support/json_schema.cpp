@@ -7,7 +7,7 @@
 #include <valijson/validation_results.hpp>
 #include <valijson/validator.hpp>
 
-#include "rocking/studies/documents.hpp"
+#include "rocking/studies/studies.hpp"
 
 namespace rocking::support {
 

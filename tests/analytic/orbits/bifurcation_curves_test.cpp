@@ -1,6 +1,6 @@
 // Curves of bifurcations over two parameters: branches that are followed elsewhere cross them where they are.
 
-#include "rocking/studies/orbits/bifurcation_curves.hpp"
+#include "rocking/studies/orbits/orbits.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,8 +10,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "rocking/studies/orbits/branches.hpp"
-#include "rocking/studies/orbits/orbits.hpp"
 #include "support/excitation.hpp"
 
 namespace rocking {

@@ -8,7 +8,6 @@
 
 #include <gtest/gtest.h>
 
-#include "rocking/studies/orbits/branches.hpp"
 #include "rocking/studies/orbits/orbits.hpp"
 #include "support/excitation.hpp"
 

@@ -1,6 +1,6 @@
 // Branches of periodic orbits whose tests follow long runs: folds, broken symmetry, branches of several conditions.
 
-#include "rocking/studies/orbits/branches.hpp"
+#include "rocking/studies/orbits/orbits.hpp"
 
 #include <algorithm>
 #include <vector>

@@ -15,8 +15,6 @@
 #include "rocking/realisation/realisation_result.hpp"
 #include "rocking/realisation/start.hpp"
 #include "rocking/realisation/tangent_motion.hpp"
-#include "rocking/studies/orbits/bifurcation_curves.hpp"
-#include "rocking/studies/orbits/branches.hpp"
 #include "rocking/studies/orbits/fixed_point.hpp"
 #include "rocking/studies/orbits/orbit.hpp"
 #include "rocking/studies/orbits/orbits.hpp"

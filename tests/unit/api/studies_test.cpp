@@ -12,7 +12,7 @@
 
 #include "rocking/pages.hpp"
 #include "rocking/rocking.hpp"
-#include "rocking/studies/orbits/result.hpp"
+#include "rocking/studies/orbits/study.hpp"
 #include "rocking/text/files.hpp"
 #include "rocking/text/json.hpp"
 #include "support/temporary_folder.hpp"

@@ -13,7 +13,7 @@
 #include "rocking/base/digest.hpp"
 #include "rocking/input/read_experiment.hpp"
 #include "rocking/input/suite.hpp"
-#include "rocking/studies/motion/motion.hpp"
+#include "rocking/studies/motion/study.hpp"
 #include "rocking/text/json.hpp"
 #include "support/record_text.hpp"
 

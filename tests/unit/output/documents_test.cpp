@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "rocking/studies/documents.hpp"
+#include "rocking/studies/studies.hpp"
 
 namespace {
 

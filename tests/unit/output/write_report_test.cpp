@@ -7,8 +7,7 @@
 #include "rocking/input/read_experiment.hpp"
 #include "rocking/output/report.hpp"
 #include "rocking/output/trajectory_report.hpp"
-#include "rocking/studies/check_normal/result.hpp"
-#include "rocking/studies/check_normal/table.hpp"
+#include "rocking/studies/check_normal/study.hpp"
 #include "support/experiment_text.hpp"
 #include "support/json_schema.hpp"
 

@@ -11,7 +11,7 @@
 #include "rocking/realisation/realisation_result.hpp"
 #include "rocking/realisation/trajectory.hpp"
 #include "rocking/store/store.hpp"
-#include "rocking/studies/bifurcation/bifurcation.hpp"
+#include "rocking/studies/bifurcation/study.hpp"
 #include "rocking/studies/cost/cost.hpp"
 #include "rocking/studies/cost/measurement.hpp"
 #include "rocking/studies/orbits/orbits.hpp"

@@ -1,4 +1,4 @@
-#include "rocking/studies/bifurcation/figure.hpp"
+#include "rocking/studies/bifurcation/study.hpp"
 
 #include <algorithm>
 #include <array>

@@ -7,7 +7,7 @@
 #include "rocking/output/provenance_fields.hpp"
 #include "rocking/output/shaking_text.hpp"
 #include "rocking/output/validity_fields.hpp"
-#include "rocking/studies/bifurcation/result.hpp"
+#include "rocking/studies/bifurcation/study.hpp"
 
 namespace rocking {
 

@@ -1,4 +1,4 @@
-#include "rocking/studies/bifurcation/table.hpp"
+#include "rocking/studies/bifurcation/study.hpp"
 
 #include <algorithm>
 #include <optional>

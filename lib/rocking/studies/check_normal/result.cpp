@@ -1,4 +1,4 @@
-#include "rocking/studies/check_normal/result.hpp"
+#include "rocking/studies/check_normal/study.hpp"
 
 #include <array>
 #include <utility>

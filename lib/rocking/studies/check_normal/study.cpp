@@ -1,16 +1,85 @@
 #include "rocking/studies/check_normal/study.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <functional>
+#include <optional>
 #include <string_view>
+#include <utility>
 
+#include <boost/math/distributions/normal.hpp>
+
+#include "rocking/api/question_check.hpp"
+#include "rocking/api/refuse.hpp"
+#include "rocking/base/number_text.hpp"
 #include "rocking/fields/named_type.hpp"
 #include "rocking/output/provenance_fields.hpp"
+#include "rocking/random/draws.hpp"
 #include "rocking/random/sampler.hpp"
-#include "rocking/studies/check_normal/figure.hpp"
-#include "rocking/studies/check_normal/result.hpp"
-#include "rocking/studies/check_normal/table.hpp"
+#include "rocking/stats/law_check.hpp"
 
 namespace rocking {
+namespace {
+
+/// The normal number from which a number follows, by other formulas than those that gave it.
+std::function<double(double)> score_under(const SamplerQuestion& question) {
+  const double mean = question.law.mean;
+  const double sigma = question.law.sigma;
+  if (question.distribution == FluctuationLaw::uniform) {
+    const double half_width = std::sqrt(3.0) * sigma;
+    return [mean, half_width](double x) {
+      const double share = std::clamp(0.5 + 0.5 * (x - mean) / half_width, 0x1p-60, 1.0 - 0x1p-53);
+      return -boost::math::quantile(boost::math::complement(boost::math::normal(), share));
+    };
+  }
+  const double variance = std::log1p(sigma * sigma / (mean * mean));
+  return [centre = std::log(mean) - 0.5 * variance, deviation = std::sqrt(variance)](double x) {
+    return x > 0.0 ? (std::log(x) - centre) / deviation : -40.0;
+  };
+}
+
+/// The numbers that a simulation would draw, scaled to the law, and their neighbours. Absent if sigma is too small to give
+/// two different numbers. Precondition: a sampler of this name, n >= 20, and a positive mean of a lognormal distribution.
+std::optional<stats::NormalCheck> check_sampler(const SamplerQuestion& question) {
+  const random::SamplerKind kind = random::sampler_from_string(question.sampler).value();
+  const RedrawnQuantity law = law_along_the_way(question.distribution, question.law.mean, question.law.sigma);
+  const auto drawn = [&](std::uint64_t realisation, random::Source source) {
+    auto numbers = random::standard_sample(kind, {question.seed, realisation}, source, question.n);
+    for (double& number : numbers) number = value_at_normal(law, number);
+    return numbers;
+  };
+  const auto sample = drawn(0, random::Source::check_normal);
+  const auto of_next_realisation = drawn(1, random::Source::check_normal);
+  const auto of_next_source = drawn(0, random::Source::slip_rate);
+  const stats::NormalSamples samples{sample, of_next_realisation, of_next_source};
+  if (question.distribution == FluctuationLaw::normal) return stats::check_normal(samples, question.law);
+  return stats::check_law(samples, {.mean = question.law.mean,
+                                    .sigma = question.law.sigma,
+                                    .at = [&law](double z) { return value_at_normal(law, z); },
+                                    .score = score_under(question)});
+}
+
+}  // namespace
+
+stats::NormalCheck check_normal(const SamplerQuestion& question) {
+  check_fields(question);
+  if (question.distribution == FluctuationLaw::lognormal &&
+      !(question.law.mean >= 1e-12 && question.law.sigma <= 100.0 * question.law.mean)) {
+    refuse("mean", base::shortest(question.law.mean),
+           "must be at least 1e-12 for a lognormal law, and at least a hundredth of sigma");
+  }
+  auto found = check_sampler(question);
+  if (!found) {
+    refuse("sigma", base::shortest(question.law.sigma),
+           "is too small compared with the mean to give two different numbers");
+  }
+  return std::move(*found);
+}
+
+std::string check_normal_text(const SamplerQuestion& question, const stats::NormalCheck& found) {
+  return check_normal_document().text(sampler_check(question, found));
+}
 
 const StructType& fields_of(const SamplerQuestion*) {
   using Type = SamplerQuestion;

@@ -1,4 +1,4 @@
-#include "rocking/studies/comparison/result.hpp"
+#include "rocking/studies/comparison/study.hpp"
 
 #include <utility>
 

@@ -1,9 +1,45 @@
 #pragma once
 
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "rocking/fields/document.hpp"
+#include "rocking/look/text_table.hpp"
+#include "rocking/scene/experiment.hpp"
 #include "rocking/studies/comparison/question.hpp"
 #include "rocking/study/study.hpp"
 
 namespace rocking {
+
+class Store;
+
+/// The first condition that has another record of a suite in the second experiment; the two have as many conditions.
+[[nodiscard]] std::optional<std::size_t> condition_with_other_record(const Experiment& first, const Experiment& second);
+
+/// Compares realisations of equal key. One entry for each condition; `confidences` has one number for each. The caller
+/// makes sure that the two runs have the same seed and records: only then do equal keys mean common random numbers.
+[[nodiscard]] std::vector<ConditionComparison> compare(const Store& first, const Store& second,
+                                                       std::span<const double> confidences);
+
+/// McNemar tests in a comparison: one for each mode of each condition.
+[[nodiscard]] std::size_t number_of_tests(std::span<const ConditionComparison> conditions);
+
+[[nodiscard]] const StructType& fields_of(const Comparison*);
+
+/// The output of `rocking compare --json`.
+[[nodiscard]] const DocumentOf<Comparison>& comparison_document();
+
+/// The comparison of two runs with their experiments, which have the same number of conditions.
+[[nodiscard]] Comparison comparison_of(const Experiment& first, const Experiment& second,
+                                       std::vector<ConditionComparison> conditions);
+
+/// The comparison as text: differences between the experiments, how many realisations changed their response mode, and a row
+/// for each condition and mode; on one screen the rows of smallest p. `first`: the experiment of the first run.
+[[nodiscard]] std::string comparison_table(const Comparison& found, const Experiment& first,
+                                           Extent extent = Extent::all);
 
 [[nodiscard]] const Study& comparison_study();
 

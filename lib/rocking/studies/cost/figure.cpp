@@ -1,4 +1,4 @@
-#include "rocking/studies/cost/figure.hpp"
+#include "rocking/studies/cost/study.hpp"
 
 #include <optional>
 #include <string>

@@ -1,14 +1,18 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
+#include "rocking/ensemble/mode_family.hpp"
 #include "rocking/ensemble/run.hpp"
 #include "rocking/realisation/realisation_result.hpp"
 #include "rocking/scene/experiment.hpp"
 #include "rocking/store/summary.hpp"
+#include "rocking/studies/cost/cost.hpp"
 
 namespace rocking {
 
@@ -45,5 +49,62 @@ struct MeasuredRealisation {
 /// threads. Empty if it is asked to stop.
 [[nodiscard]] std::vector<MeasuredRealisation> measure_cost(const Experiment& experiment, const CostPlan& plan,
                                                             const RunOptions& options);
+
+/// Realisations with which the cost of an experiment is measured, in an order whose every initial part covers the
+/// conditions evenly: rounds of all conditions, each in the order of their reversed bits (0, 1/2, 1/4, 3/4, ... of the
+/// way along the grid).
+///
+/// Each has a different number, so that they use independent random numbers and are independent trials. A condition in
+/// which nothing is random takes part in the first round only, because all its realisations are equal.
+class CostSample {
+ public:
+  explicit CostSample(const Experiment& experiment);
+
+  /// Number of realisations; absent: infinite.
+  [[nodiscard]] std::optional<std::uint64_t> size() const;
+
+  /// `index` below size().
+  [[nodiscard]] RealisationKey at(std::uint64_t index) const;
+
+ private:
+  std::vector<std::size_t> all_;     ///< conditions in the order of a round
+  std::vector<std::size_t> random_;  ///< those of them in which something is random
+};
+
+struct MeasuredRealisation;
+
+/// Forecast of the widths of an experiment's intervals, from the response modes of a sample at the reference tolerance.
+/// Each condition has its own confidence. Conditions in which nothing is random do not count, nor do those that the
+/// sample did not reach.
+class HalfWidthForecast {
+ public:
+  /// The experiment must outlive it.
+  HalfWidthForecast(const Experiment& experiment, std::span<const MeasuredRealisation> measured);
+  HalfWidthForecast(Experiment&&, std::span<const MeasuredRealisation>) = delete;
+
+  /// Whether there is anything to forecast.
+  [[nodiscard]] bool is_empty() const { return tallies_.empty(); }
+
+  /// With `factor` times the requested realisations in every condition; not empty.
+  [[nodiscard]] HalfWidths at(std::uint64_t factor) const;
+
+  /// Mean over the conditions of the intended half-width: that of `until`, otherwise that at the requested number of
+  /// realisations. Absent if empty.
+  [[nodiscard]] std::optional<double> aim() const;
+
+  /// Of simultaneous intervals, each at the confidence of its condition; `at_most` at the highest of these. Not empty.
+  /// At most `most_needed`.
+  [[nodiscard]] RealisationsNeeded needed(double half_width) const;
+  static constexpr std::uint64_t most_needed = 1'000'000'000;
+
+ private:
+  struct SampledCondition {
+    const Condition* condition;
+    ModeTally modes;
+    std::uint64_t trials = 0;
+  };
+
+  std::vector<SampledCondition> tallies_;
+};
 
 }  // namespace rocking

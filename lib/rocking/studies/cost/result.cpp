@@ -7,8 +7,7 @@
 #include "rocking/fields/named_type.hpp"
 #include "rocking/output/provenance_fields.hpp"
 #include "rocking/output/stats_fields.hpp"
-#include "rocking/studies/cost/result.hpp"
-#include "rocking/studies/cost/table.hpp"
+#include "rocking/studies/cost/study.hpp"
 
 namespace rocking {
 
@@ -116,17 +115,18 @@ static const StructType& fields_of(const ToleranceCost*) {
 }
 
 static const StructType& fields_of(const PlannedRealisations*) {
-  using Plan = PlannedRealisations;
+  using Planned = PlannedRealisations;
   static const StructType fields{
       "PlannedRealisations",
-      field<&Plan::factor>("factor", "on the requested realisations", Rule{.least = 1.0}),
-      field<&Plan::half_widths, &HalfWidths::mean>(
+      field<&Planned::factor>("factor", "on the requested realisations", Rule{.least = 1.0}),
+      field<&Planned::half_widths, &HalfWidths::mean>(
           "half_width_mean", "half-width of a condition's widest simultaneous interval, mean over the conditions",
           rule::share),
-      field<&Plan::half_widths, &HalfWidths::widest>("half_width_widest", "the largest of all conditions", rule::share),
-      field<&Plan::half_widths, &HalfWidths::widest_wilson>("wilson_widest", "the same of Wilson's intervals",
-                                                            rule::share),
-      field<&Plan::periods>("periods", "of the whole run"),
+      field<&Planned::half_widths, &HalfWidths::widest>("half_width_widest", "the largest of all conditions",
+                                                        rule::share),
+      field<&Planned::half_widths, &HalfWidths::widest_wilson>("wilson_widest", "the same of Wilson's intervals",
+                                                               rule::share),
+      field<&Planned::periods>("periods", "of the whole run"),
   };
   return fields;
 }

@@ -1,13 +1,96 @@
 #pragma once
 
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "rocking/fields/document.hpp"
 #include "rocking/fields/struct_type.hpp"
+#include "rocking/figures/figure.hpp"
+#include "rocking/output/provenance.hpp"
+#include "rocking/scene/experiment.hpp"
+#include "rocking/studies/cost/cost.hpp"
 #include "rocking/studies/cost/question.hpp"
 #include "rocking/study/study.hpp"
 
 namespace rocking {
+
+struct RunOptions;
+
+/// Realisations that a measurement of cost keeps at most: some hundred bytes each per tolerance until all are measured.
+inline constexpr std::uint64_t largest_cost_sample = 100'000;
+
+/// How much is measured.
+struct CostBudget {
+  /// Wall-clock time to spend [s]. With `sample`, for measuring the speed alone, which takes at most a few seconds or a
+  /// third of the time of the sample.
+  double seconds = 60.0;
+  /// Realisations to measure, at most `largest_cost_sample`: gives the same numbers again, except times. Absent: as many
+  /// as the time allows.
+  std::optional<std::uint64_t> sample = {};
+};
+
+/// The clocks of whoever asks for a measurement: the library reads none itself.
+struct CostClocks {
+  std::function<double()> elapsed_seconds;  ///< wall-clock time since the measurement began [s]; called on all threads
+  std::function<double()> processor_seconds;  ///< processor time of the calling thread [s]
+};
+
+/// `asked` and those of all conditions, falling; the usual ones (tolerance_ladder) if none are asked for. A measurement
+/// needs at least three: the last is the reference, the one before it the floor.
+[[nodiscard]] std::vector<double> cost_tolerances(const Experiment& experiment, std::span<const double> asked);
+
+/// Measures the cost of accuracy at the given tolerances (see cost_tolerances), first on a sample, then the speed.
+/// Absent if it was asked to stop. `options.on_progress` counts the realisations of the sample and those that
+/// it will reach in its time.
+[[nodiscard]] std::optional<Cost> cost_within(const Experiment& experiment, std::span<const double> tolerances,
+                                              const CostBudget& budget, const CostClocks& clocks,
+                                              const RunOptions& options);
+
+/// The cost of accuracy in an experiment, and the system on which it was measured.
+struct MeasuredCost {
+  const Experiment* experiment;
+  Cost cost;
+  SystemFacts system;
+};
+
+/// The same as a file has it.
+struct CostReport {
+  InputFacts input;
+  Cost cost;  ///< of one that was read, without `own`, steps and recommendation
+  SystemFacts system;
+  std::vector<double> planned_seconds;  ///< processor time of each of `cost.planned`
+  std::string recommendation;           ///< in words
+};
+
+[[nodiscard]] CostReport cost_report(const MeasuredCost& measured);
+
+[[nodiscard]] const StructType& fields_of(const CostReport*);
+
+/// `cost.json`, and the output of `rocking cost --json`. All but `system` has the same bytes for equal experiment,
+/// tolerances and sample.
+[[nodiscard]] const DocumentOf<CostReport>& cost_document();
+
+/// The results as text: a row for each tolerance, one for each number of realisations, and the recommendation.
+[[nodiscard]] std::string cost_table(const MeasuredCost& measured);
+
+/// The recommendation and its reason: one paragraph.
+[[nodiscard]] std::string cost_recommendation(const MeasuredCost& measured);
 
 [[nodiscard]] const StructType& fields_of(const CostRequest*);
 
 [[nodiscard]] const Study& cost_study();
 
 }  // namespace rocking
+
+namespace rocking::analysis {
+
+/// Figures of the output of `rocking cost`: `cost_tolerance`, error, changed response modes and time against the
+/// tolerance; `work_precision`, error against time; `cost_realisations`, half-widths against time, if anything is
+/// random.
+[[nodiscard]] std::vector<Figure> cost_figures(const CostReport& report);
+
+}  // namespace rocking::analysis

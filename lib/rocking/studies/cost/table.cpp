@@ -1,4 +1,4 @@
-#include "rocking/studies/cost/table.hpp"
+#include "rocking/studies/cost/study.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -12,7 +12,7 @@
 #include "rocking/realisation/realisation_scheduler.hpp"
 #include "rocking/scene/check_condition.hpp"
 #include "rocking/stats/quantile.hpp"
-#include "rocking/studies/cost/sample.hpp"
+#include "rocking/studies/cost/measurement.hpp"
 
 namespace rocking {
 namespace {

@@ -1,4 +1,4 @@
-#include "rocking/studies/fragility/run_fragility.hpp"
+#include "rocking/studies/fragility/fragility.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,10 @@
-#include "rocking/studies/fragility/annual_rate_table.hpp"
+#include "rocking/studies/fragility/words.hpp"
 
 #include <algorithm>
 #include <functional>
 #include <vector>
 
 #include "rocking/look/table.hpp"
-#include "rocking/studies/fragility/words.hpp"
 #include "rocking/text/json.hpp"
 #include "rocking/text/number_text.hpp"
 

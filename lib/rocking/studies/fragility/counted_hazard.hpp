@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "rocking/studies/fragility/fragility.hpp"
 #include "rocking/studies/fragility/hazard_integral.hpp"
-#include "rocking/studies/fragility/run_fragility.hpp"
 
 namespace rocking {
 

@@ -3,7 +3,7 @@
 #include <string_view>
 
 #include "rocking/fields/struct_type.hpp"
-#include "rocking/studies/fragility/result.hpp"
+#include "rocking/studies/fragility/study.hpp"
 
 /// How the parts of a fragility report stand in documents.
 namespace rocking {

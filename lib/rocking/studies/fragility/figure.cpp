@@ -10,8 +10,6 @@
 
 #include "rocking/figures/palette.hpp"
 #include "rocking/figures/sweep_view.hpp"
-#include "rocking/studies/fragility/annual_rate_table.hpp"
-#include "rocking/studies/fragility/suite_layers.hpp"
 #include "rocking/studies/fragility/words.hpp"
 #include "rocking/text/number_text.hpp"
 

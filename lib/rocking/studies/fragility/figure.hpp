@@ -1,7 +1,12 @@
 #pragma once
 
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "rocking/figures/figure.hpp"
-#include "rocking/studies/fragility/result.hpp"
+#include "rocking/studies/fragility/study.hpp"
 
 namespace rocking::analysis {
 
@@ -9,5 +14,26 @@ namespace rocking::analysis {
 /// exact interval for each level, and the fitted laws with their bands, or, where a law was rejected, the isotonic
 /// estimates as steps with their bands.
 [[nodiscard]] Figure fragility_figure(const FragilityReport& report);
+
+/// The figure `incremental`: for each incremental dynamic analysis a panel with the peak tilt against the intensity. Thin
+/// lines are the medians of the records, thick ones the 16, 50 and 84 % quantiles of all; an overturned block is drawn at
+/// a flat line above all tilts. Absent if the report has no such analysis.
+[[nodiscard]] std::optional<Figure> incremental_figure(const FragilityReport& report);
+
+/// Points at which a law is drawn, less one.
+inline constexpr int points_of_a_law = 120;
+
+/// `overturned`, or `peak tilt > 0.5`.
+[[nodiscard]] std::string event_in_words(const FragilityEvent& event);
+/// Of what a probability is: `overturning`, or `peak tilt > 0.5`.
+[[nodiscard]] std::string probability_of(const FragilityEvent& event);
+
+/// Adds to the last panel the rare estimates of curve `number`, if it has any, with their intervals; `legend` is what the
+/// other marks of the curve are called.
+void add_rare(const std::vector<RareLevel>& levels, std::size_t number, const std::string& legend, Figure& figure);
+
+/// Adds to the last panel curve `number` of its run: a thin line through the shares of each record of a suite, the means
+/// of these shares as markers, and the law of the suite with its band.
+void add_suite(const SuiteCurve& curve, std::size_t number, Figure& figure);
 
 }  // namespace rocking::analysis

@@ -1,10 +1,18 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "rocking/base/many_parts.hpp"
+#include "rocking/ensemble/run.hpp"
+#include "rocking/scene/experiment.hpp"
+#include "rocking/scene/hazard.hpp"
+#include "rocking/stats/fit_suite.hpp"
 #include "rocking/studies/fragility/fragility_curve.hpp"
+#include "rocking/studies/fragility/question.hpp"
+#include "rocking/studies/fragility/suite_curve.hpp"
 
 namespace rocking {
 
@@ -23,5 +31,54 @@ inline constexpr double fragility_significance = 0.05;
 /// The curve of a group that is no suite. The experiment must fix the number of realisations (no `until`).
 [[nodiscard]] FragilityCurve fragility(const StripeGroup& group, const FragilityEvent& event, std::uint64_t seed,
                                        const base::ManyParts& how = {});
+
+/// Bootstrap samples of the records of a suite, and of the test of its law.
+inline constexpr std::uint64_t suite_samples = 499;
+
+/// The curve of a group that is a suite. `seed`: of the bootstraps. `metadata`: of its records, in any order; empty: none.
+[[nodiscard]] SuiteCurve suite_curve(const StripeGroup& group, const FragilityEvent& event, std::uint64_t seed,
+                                     const std::vector<RecordMetadata>& metadata = {}, const base::ManyParts& how = {});
+
+/// Its parts, at most: bootstrap samples, parameters, records and measures of intensity.
+[[nodiscard]] std::uint64_t parts_of_suite_curve(const StripeGroup& group);
+
+/// Compares the rates of two suites of the same records, sample by sample of their bootstraps, which draw the same records:
+/// with common random numbers the difference is known better than either rate. By the law only where both have one.
+[[nodiscard]] RateComparison compared_rates(const SuiteCurve& base, const SuiteCurve& option, const HazardCurve& hazard,
+                                            RateBasis basis = RateBasis::law_if_fitted);
+
+/// The curves of a run from its stripes: for each group, for each event. Throws base::InputError if the hazard curve is one
+/// of another intensity, or if metadata are given without a suite or not for each of its records, and base::Stopped if it is asked to stop. Uses `threads`, `stop_requested` and `on_progress` of
+/// the options; progress counts parts of about equal work, most of them bootstrap samples.
+[[nodiscard]] RunFragility run_fragility(const Experiment& experiment, const std::vector<StripeGroup>& groups,
+                                         const FragilityQuestion& question, const RunOptions& options);
+
+/// The least intensity at which the excitation of a scene lifts a block that is at rest: abs(alpha) reaches
+/// tan(psi) (1 + alpha_v) at some instant, for the most slender block that the scene may draw. `intensity`: that of the
+/// scene, > 0, a multiple of its accelerations.
+///
+/// Friction does not lower it: a block that slides because the static coefficient is below tan(psi) does not tip, since
+/// kinetic friction is limited to the static friction in force. Infinite where no intensity lifts the block. Absent where
+/// none is known: the block does not start at rest, or the amplitude is random.
+[[nodiscard]] std::optional<double> least_uplift(const Scene& scene, double intensity);
+
+/// Levels of each record. `measure`: in place of the swept intensity.
+[[nodiscard]] stats::SuiteLevels levels_of_records(const std::vector<Stripe>& stripes, const FragilityEvent& event,
+                                                   std::optional<IntensityMeasure> measure = std::nullopt);
+
+/// The measures by growing dispersion of the law of the suite; of equal ones the one with the smaller deviance first.
+/// Without measures: empty. `metadata`: of every record of the stripes, or empty. A measure is a part.
+[[nodiscard]] std::vector<RankedMeasure> ranked_measures(const std::vector<Stripe>& stripes,
+                                                         const FragilityEvent& event,
+                                                         const std::vector<RecordMetadata>& metadata = {},
+                                                         const base::ManyParts& how = {});
+
+/// The metadata of the records of a suite, in their order. Throws base::InputError where a record has none or several.
+[[nodiscard]] std::vector<RecordMetadata> metadata_of(const std::vector<std::string>& records,
+                                                      const std::vector<RecordMetadata>& metadata);
+
+/// The place of an estimate of a probability that one before it has estimated too: a curve would join them. Absent if there
+/// is none.
+[[nodiscard]] std::optional<std::size_t> second_estimate(const std::vector<RareOfCurve>& rare);
 
 }  // namespace rocking

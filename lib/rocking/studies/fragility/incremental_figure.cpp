@@ -1,4 +1,4 @@
-#include "rocking/studies/fragility/incremental_figure.hpp"
+#include "rocking/studies/fragility/figure.hpp"
 
 #include <algorithm>
 #include <array>
@@ -13,7 +13,6 @@
 
 #include "rocking/figures/palette.hpp"
 #include "rocking/figures/sweep_view.hpp"
-#include "rocking/studies/fragility/suite_layers.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking::analysis {

@@ -1,4 +1,4 @@
-#include "rocking/studies/fragility/ranked_measures.hpp"
+#include "rocking/studies/fragility/fragility.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -12,10 +12,10 @@
 #include "rocking/base/error.hpp"
 #include "rocking/base/number_text.hpp"
 #include "rocking/stats/repetitions.hpp"
+#include "rocking/studies/fragility/fragility.hpp"
 #include "rocking/studies/fragility/question.hpp"
-#include "rocking/studies/fragility/rare_of_curves.hpp"
 #include "rocking/studies/fragility/stripes.hpp"
-#include "rocking/studies/rare/result.hpp"
+#include "rocking/studies/rare/study.hpp"
 #include "rocking/text/files.hpp"
 #include "rocking/text/json.hpp"
 #include "rocking/text/locate.hpp"
@@ -69,7 +69,7 @@ bool are_equal(const std::vector<Parameter>& a, const std::vector<Parameter>& b)
 }
 
 /// A block under a motion of the run.
-struct Subject {
+struct BlockAndMotion {
   std::vector<Parameter> others;  ///< CurveSubject::others
   std::string record;             ///< name of the ground motion; empty: the run has one motion
   Json block_and_motion;
@@ -80,18 +80,18 @@ std::string name_of_motion(const Scene& scene) {
   return recorded != nullptr && recorded->ground_motion ? recorded->ground_motion->name : "";
 }
 
-std::vector<Subject> subjects_of(const Experiment& experiment, const std::string& intensity) {
+std::vector<BlockAndMotion> subjects_of(const Experiment& experiment, const std::string& intensity) {
   const Json text = Json::parse(experiment.canonical_text);
-  std::vector<Subject> subjects;
+  std::vector<BlockAndMotion> subjects;
   for (const Condition& condition : experiment.conditions) {
     std::vector<Parameter> others = condition.parameters;
     std::erase_if(others, [&](const Parameter& each) { return each.pointer == intensity; });
-    Subject subject{
+    BlockAndMotion subject{
         .others = others, .record = {}, .block_and_motion = block_and_motion(applied(text, others), intensity)};
     const bool is_of_suite =
         std::erase_if(subject.others, [](const Parameter& each) { return each.pointer == record_pointer; }) > 0;
     if (is_of_suite) subject.record = name_of_motion(condition.scene);
-    const bool is_known = std::ranges::any_of(subjects, [&](const Subject& known) {
+    const bool is_known = std::ranges::any_of(subjects, [&](const BlockAndMotion& known) {
       return known.record == subject.record && are_equal(known.others, subject.others);
     });
     if (!is_known) subjects.push_back(std::move(subject));
@@ -102,19 +102,19 @@ std::vector<Subject> subjects_of(const Experiment& experiment, const std::string
 /// Estimates at one intensity, of one motion or of records of a suite.
 struct Estimates {
   struct OfSubject {
-    const Subject* subject;
+    const BlockAndMotion* subject;
     const RareEstimate* found;
   };
   double intensity = 0.0;
   std::vector<Parameter> parameters;  ///< of rare.json, without the ground motion
   std::vector<OfSubject> all;
 
-  [[nodiscard]] const Subject& subject() const { return *all.front().subject; }
+  [[nodiscard]] const BlockAndMotion& subject() const { return *all.front().subject; }
   [[nodiscard]] bool is_of_suite() const { return !subject().record.empty(); }
 };
 
 /// The estimates whose block and motion are those of a subject.
-std::vector<Estimates> estimates_of(const RareReport& report, const std::vector<Subject>& subjects,
+std::vector<Estimates> estimates_of(const RareReport& report, const std::vector<BlockAndMotion>& subjects,
                                     const std::string& intensity) {
   std::vector<Estimates> groups;
   for (const ReportedRare& condition : report.conditions) {
@@ -122,7 +122,8 @@ std::vector<Estimates> estimates_of(const RareReport& report, const std::vector<
     const Json::json_pointer place(intensity);
     if (!whole.contains(place) || !whole.at(place).is_number()) continue;
     const auto strength = whole.at(place).get<double>();
-    const auto subject = std::ranges::find(subjects, block_and_motion(whole, intensity), &Subject::block_and_motion);
+    const auto subject =
+        std::ranges::find(subjects, block_and_motion(whole, intensity), &BlockAndMotion::block_and_motion);
     if (subject == subjects.end() || !(strength > 0.0)) continue;
     std::vector<Parameter> parameters = condition.parameters;
     std::erase_if(parameters, [](const Parameter& each) { return each.pointer == record_pointer; });
@@ -158,9 +159,9 @@ RareLevel level_of(double intensity, const RareEstimate& found) {
 
 /// The mean over all records of the run, by which the sampling is stratified; absent if the error of one is not known.
 std::optional<RareOfCurve> mean_over_records(const Estimates& estimates, const RareReport& report,
-                                             const std::vector<Subject>& subjects, const std::string& file) {
+                                             const std::vector<BlockAndMotion>& subjects, const std::string& file) {
   const auto wanted = std::ranges::count_if(
-      subjects, [&](const Subject& each) { return are_equal(each.others, estimates.subject().others); });
+      subjects, [&](const BlockAndMotion& each) { return are_equal(each.others, estimates.subject().others); });
   if (std::ssize(estimates.all) != wanted) {
     refuse("rare", file,
            "has estimates under " + std::to_string(estimates.all.size()) + " of the " + std::to_string(wanted) +
@@ -205,7 +206,7 @@ std::vector<RareOfCurve> rare_levels(const std::filesystem::path& file, const Ex
   const RareReport report = report_in(file);
   const std::string intensity(intensity_of(experiment));
   if (intensity.empty()) refuse("rare", file.string(), "needs a run that sweeps the intensity of its excitation");
-  const std::vector<Subject> subjects = subjects_of(experiment, intensity);
+  const std::vector<BlockAndMotion> subjects = subjects_of(experiment, intensity);
   std::vector<RareOfCurve> levels;
   for (const Estimates& estimates : estimates_of(report, subjects, intensity)) {
     if (estimates.is_of_suite()) {

@@ -10,10 +10,10 @@
 #include "rocking/api/run_store.hpp"
 #include "rocking/base/build_info.hpp"
 #include "rocking/output/report.hpp"
-#include "rocking/studies/fragility/annual_rate_table.hpp"
 #include "rocking/studies/fragility/figure.hpp"
 #include "rocking/studies/fragility/question.hpp"
-#include "rocking/studies/fragility/sheet_page.hpp"
+#include "rocking/studies/fragility/sheet.hpp"
+#include "rocking/studies/fragility/words.hpp"
 #include "rocking/text/files.hpp"
 
 namespace rocking {

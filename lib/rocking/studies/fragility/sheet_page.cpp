@@ -1,4 +1,4 @@
-#include "rocking/studies/fragility/sheet_page.hpp"
+#include "rocking/studies/fragility/sheet.hpp"
 
 #include <algorithm>
 #include <array>
@@ -15,7 +15,6 @@
 #include "rocking/figures/sweep_view.hpp"
 #include "rocking/output/alarms.hpp"
 #include "rocking/output/shaking_text.hpp"
-#include "rocking/studies/fragility/annual_rate_table.hpp"
 #include "rocking/studies/fragility/words.hpp"
 #include "rocking/text/number_text.hpp"
 

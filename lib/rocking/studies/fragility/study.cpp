@@ -10,12 +10,10 @@
 #include "rocking/base/error.hpp"
 #include "rocking/base/number_text.hpp"
 #include "rocking/output/ground_motion_facts.hpp"
-#include "rocking/studies/fragility/annual_rate_table.hpp"
 #include "rocking/studies/fragility/figure.hpp"
-#include "rocking/studies/fragility/incremental_figure.hpp"
-#include "rocking/studies/fragility/result.hpp"
-#include "rocking/studies/fragility/run_fragility.hpp"
-#include "rocking/studies/fragility/table.hpp"
+#include "rocking/studies/fragility/fragility.hpp"
+#include "rocking/studies/fragility/question.hpp"
+#include "rocking/studies/fragility/words.hpp"
 #include "rocking/text/files.hpp"
 
 namespace rocking {

@@ -1,10 +1,71 @@
 #pragma once
 
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "rocking/base/digest.hpp"
+#include "rocking/fields/document.hpp"
 #include "rocking/fields/struct_type.hpp"
+#include "rocking/look/text_table.hpp"
+#include "rocking/studies/fragility/fragility.hpp"
 #include "rocking/studies/fragility/question.hpp"
+#include "rocking/studies/fragility/words.hpp"
 #include "rocking/study/study.hpp"
 
 namespace rocking {
+
+/// The run to which a curve belongs.
+struct CurveRun {
+  std::string title;
+  base::Sha256 experiment = {};            ///< digest of its canonical text
+  std::vector<std::string> left_out = {};  ///< names of records of its suite that could not be read
+};
+
+/// The curve of one motion.
+struct ReportedCurve {
+  CurveRun run;
+  FragilityCurve curve;
+  std::optional<AnnualRate> rate;  ///< absent without a hazard curve
+};
+
+/// The curve of a suite of ground motions.
+struct ReportedSuite {
+  CurveRun run;
+  SuiteCurve curve;
+  std::optional<SuiteRate> rate;  ///< absent without a hazard curve
+};
+
+/// The incremental dynamic analysis of a run.
+struct ReportedAnalysis {
+  CurveRun run;
+  IncrementalAnalysis analysis;
+};
+
+/// A comparison of rates of a run.
+struct ReportedComparison {
+  CurveRun run;
+  RateComparison comparison;
+};
+
+/// Probabilities of overturning against the intensity, of several runs.
+struct FragilityReport {
+  std::vector<std::variant<ReportedCurve, ReportedSuite>> curves;
+  std::vector<ReportedAnalysis> incremental;
+  std::vector<ReportedComparison> comparisons;
+};
+
+[[nodiscard]] FragilityReport fragility_report(const std::vector<RunFragility>& runs);
+
+[[nodiscard]] const StructType& fields_of(const FragilityReport*);
+
+/// `fragility.json`, and the output of `rocking fragility --json`.
+[[nodiscard]] const DocumentOf<FragilityReport>& fragility_document();
+
+/// The curves as text: of each the rate, the fitted function, and its tables. On one screen of many curves a row for each.
+[[nodiscard]] std::string fragility_table(const FragilityReport& report, RecordTable records = RecordTable::omitted,
+                                          Extent extent = Extent::all);
 
 [[nodiscard]] const StructType& fields_of(const FragilityQuestion*);
 

@@ -1,4 +1,4 @@
-#include "rocking/studies/fragility/suite_fragility.hpp"
+#include "rocking/studies/fragility/fragility.hpp"
 
 #include <algorithm>
 #include <array>
@@ -12,8 +12,6 @@
 #include "rocking/stats/lack_of_fit.hpp"
 #include "rocking/stats/mean_share.hpp"
 #include "rocking/stats/record_shares.hpp"
-#include "rocking/studies/fragility/fragility.hpp"
-#include "rocking/studies/fragility/ranked_measures.hpp"
 
 namespace rocking {
 namespace {

@@ -1,4 +1,4 @@
-#include "rocking/studies/fragility/suite_layers.hpp"
+#include "rocking/studies/fragility/figure.hpp"
 
 #include <algorithm>
 #include <map>

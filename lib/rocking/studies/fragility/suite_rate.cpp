@@ -1,4 +1,4 @@
-#include "rocking/studies/fragility/suite_rate.hpp"
+#include "rocking/studies/fragility/fragility.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,8 +13,6 @@
 #include "rocking/studies/fragility/counted_hazard.hpp"
 #include "rocking/studies/fragility/rare_tail.hpp"
 #include "rocking/studies/fragility/shares_and_hazard.hpp"
-#include "rocking/studies/fragility/suite_tail.hpp"
-#include "rocking/studies/fragility/undecided.hpp"
 
 namespace rocking {
 namespace {

@@ -1,10 +1,9 @@
-#include "rocking/studies/fragility/suite_table.hpp"
+#include "rocking/studies/fragility/words.hpp"
 
 #include <utility>
 #include <vector>
 
 #include "rocking/look/table.hpp"
-#include "rocking/studies/fragility/words.hpp"
 #include "rocking/text/json.hpp"
 #include "rocking/text/number_text.hpp"
 

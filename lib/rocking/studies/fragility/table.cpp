@@ -1,4 +1,4 @@
-#include "rocking/studies/fragility/table.hpp"
+#include "rocking/studies/fragility/study.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -10,7 +10,6 @@
 #include "rocking/output/alarms.hpp"
 #include "rocking/output/parameter_text.hpp"
 #include "rocking/output/shaking_text.hpp"
-#include "rocking/studies/fragility/annual_rate_table.hpp"
 #include "rocking/studies/fragility/words.hpp"
 #include "rocking/text/json.hpp"
 #include "rocking/text/number_text.hpp"

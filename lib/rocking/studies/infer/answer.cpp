@@ -1,4 +1,4 @@
-#include "rocking/studies/infer/answer.hpp"
+#include "rocking/studies/infer/survey.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,6 @@
 #include <numeric>
 #include <span>
 
-#include "rocking/studies/infer/candidates.hpp"
 #include "rocking/studies/infer/made_up_tests.hpp"
 #include "rocking/studies/infer/posterior.hpp"
 #include "rocking/studies/infer/profile.hpp"

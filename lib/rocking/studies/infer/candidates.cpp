@@ -1,4 +1,4 @@
-#include "rocking/studies/infer/candidates.hpp"
+#include "rocking/studies/infer/posterior.hpp"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "rocking/studies/infer/counted_tests_figures.hpp"
+#include "rocking/studies/infer/study.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -10,7 +10,6 @@
 #include "rocking/figures/palette.hpp"
 #include "rocking/figures/sweep_view.hpp"
 #include "rocking/output/mode_table.hpp"
-#include "rocking/studies/infer/words.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking::analysis {

@@ -4,8 +4,7 @@
 #include "rocking/fields/named_type.hpp"
 #include "rocking/output/provenance_fields.hpp"
 #include "rocking/output/stats_fields.hpp"
-#include "rocking/studies/infer/check_result.hpp"
-#include "rocking/studies/infer/result.hpp"
+#include "rocking/studies/infer/study.hpp"
 
 namespace rocking {
 

@@ -13,8 +13,6 @@
 #include "rocking/input/suite.hpp"
 #include "rocking/scene/check_condition.hpp"
 #include "rocking/studies/infer/infer.hpp"
-#include "rocking/studies/infer/result.hpp"
-#include "rocking/studies/infer/simulation.hpp"
 #include "rocking/studies/infer/study.hpp"
 #include "rocking/text/files.hpp"
 #include "rocking/text/json.hpp"

@@ -8,8 +8,7 @@
 #include <boost/math/distributions/chi_squared.hpp>
 
 #include "rocking/base/many_parts.hpp"
-#include "rocking/studies/infer/answer.hpp"
-#include "rocking/studies/infer/design.hpp"
+#include "rocking/studies/infer/lattice.hpp"
 #include "rocking/studies/infer/posterior.hpp"
 #include "rocking/studies/infer/profile.hpp"
 #include "rocking/studies/infer/survey.hpp"

@@ -1,5 +1,3 @@
-#include "rocking/studies/infer/likelihood_figures.hpp"
-
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -8,7 +6,7 @@
 
 #include "rocking/figures/shaded_map.hpp"
 #include "rocking/figures/sweep_view.hpp"
-#include "rocking/studies/infer/words.hpp"
+#include "rocking/studies/infer/study.hpp"
 #include "rocking/text/json.hpp"
 #include "rocking/text/number_text.hpp"
 
@@ -193,6 +191,16 @@ Figure region_figure(const InferReport& report) {
   if (report.unknowns.size() > 2) figure.caption += "; of a pair the largest over the third unknown";
   figure.caption += ". Point: estimate.";
   return figure;
+}
+
+std::vector<Figure> infer_figures(const InferReport& report) {
+  std::vector<Figure> figures;
+  if (!report.fit) return figures;
+  figures.push_back(profile_figure(report));
+  if (report.unknowns.size() > 1) figures.push_back(region_figure(report));
+  figures.push_back(fit_figure(report));
+  if (auto candidates = candidates_figure(report)) figures.push_back(std::move(*candidates));
+  return figures;
 }
 
 }  // namespace rocking::analysis

@@ -1,4 +1,4 @@
-#include "rocking/studies/infer/simulation.hpp"
+#include "rocking/studies/infer/infer.hpp"
 
 #include <optional>
 

@@ -2,8 +2,6 @@
 
 #include "rocking/api/questions.hpp"
 #include "rocking/scene/counted_tests.hpp"
-#include "rocking/studies/infer/figure.hpp"
-#include "rocking/studies/infer/result.hpp"
 
 namespace rocking {
 namespace {

@@ -2,10 +2,12 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include <Eigen/Core>
 
+#include "rocking/base/many_parts.hpp"
 #include "rocking/studies/infer/infer.hpp"
 #include "rocking/studies/infer/likelihood.hpp"
 #include "rocking/studies/infer/question.hpp"
@@ -43,5 +45,13 @@ struct Survey {
 
 /// Whether a smaller window is worth another lattice.
 [[nodiscard]] bool is_much_smaller(const Window& window, const Window& present);
+
+/// The answer from the models of all conditions, candidates last. A made-up data set is a part of `how`. Throws
+/// base::Stopped if it is asked to stop.
+[[nodiscard]] InferenceAnswer answer_of(const InferenceQuestion& question, const std::vector<ShareModel>& models,
+                                        const Survey& found, const base::ManyParts& how);
+
+/// Data sets that answer_of makes up.
+[[nodiscard]] std::uint64_t sets_of_answer(const InferenceQuestion& question);
 
 }  // namespace rocking::infer

@@ -1,4 +1,4 @@
-#include "rocking/studies/motion/figure.hpp"
+#include "rocking/studies/motion/study.hpp"
 
 #include <array>
 #include <string>

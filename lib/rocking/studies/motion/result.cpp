@@ -1,4 +1,4 @@
-#include "rocking/studies/motion/result.hpp"
+#include "rocking/studies/motion/study.hpp"
 
 #include "rocking/fields/container_types.hpp"
 

@@ -3,7 +3,7 @@
 
 #include "rocking/look/table.hpp"
 #include "rocking/look/text_table.hpp"
-#include "rocking/studies/motion/result.hpp"
+#include "rocking/studies/motion/study.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking {

@@ -1,4 +1,4 @@
-#include "rocking/studies/orbits/bifurcation_curves.hpp"
+#include "rocking/studies/orbits/orbits.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,9 +6,9 @@
 #include <optional>
 #include <utility>
 
-#include "rocking/studies/orbits/critical_orbit.hpp"
 #include "rocking/studies/orbits/fixed_point.hpp"
-#include "rocking/studies/orbits/passage.hpp"
+#include "rocking/studies/orbits/fold_and_flip.hpp"
+#include "rocking/studies/orbits/trace.hpp"
 
 namespace rocking {
 namespace {

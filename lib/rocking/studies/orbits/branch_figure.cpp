@@ -1,4 +1,4 @@
-#include "rocking/studies/orbits/branch_figure.hpp"
+#include "rocking/studies/orbits/study.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "rocking/studies/orbits/branches.hpp"
+#include "rocking/studies/orbits/orbits.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,9 +9,8 @@
 #include <utility>
 
 #include "rocking/section/classification.hpp"
-#include "rocking/studies/orbits/critical_orbit.hpp"
 #include "rocking/studies/orbits/fixed_point.hpp"
-#include "rocking/studies/orbits/orbits.hpp"
+#include "rocking/studies/orbits/fold_and_flip.hpp"
 #include "rocking/studies/orbits/trace.hpp"
 
 namespace rocking {

@@ -1,4 +1,4 @@
-#include "rocking/studies/orbits/check_result.hpp"
+#include "rocking/studies/orbits/study.hpp"
 
 #include <cstddef>
 #include <string>

@@ -1,4 +1,4 @@
-#include "rocking/studies/orbits/curve_figure.hpp"
+#include "rocking/studies/orbits/study.hpp"
 
 #include <array>
 #include <cstddef>

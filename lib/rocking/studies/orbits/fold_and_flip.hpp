@@ -3,8 +3,10 @@
 #include <array>
 #include <functional>
 #include <optional>
+#include <vector>
 
 #include "rocking/base/stop_request.hpp"
+#include "rocking/studies/orbits/branch.hpp"
 #include "rocking/studies/orbits/map_family.hpp"
 
 /// Orbits at a fold, a period doubling or a loss of symmetry, over two parameters.
@@ -77,5 +79,21 @@ struct PlaneSection {
 /// of M (if above 1) or the test above `largest_test`. Throws base::Stopped if it is asked to stop.
 [[nodiscard]] std::optional<CriticalPoint> correct(const CriticalFamily& family, const CriticalBorder& border,
                                                    const PlaneSection& section, base::StopRequest stop);
+
+/// Orbits, and the multiplier that they have at a bifurcation.
+struct CriticalOrbits {
+  OrbitFamily orbits;
+  CriticalMultiplier multiplier = CriticalMultiplier::plus_one;
+};
+
+/// What a bifurcation on a branch may be one of. A doubling that was located on the doubled orbits is one of orbits of
+/// half their period, a loss of symmetry on orbits that are not symmetric is one of symmetric orbits. None for grazings
+/// and changes of contact.
+[[nodiscard]] std::vector<CriticalOrbits> critical_orbits(BifurcationKind kind, const OrbitFamily& of_branch);
+
+/// The orbit with the critical multiplier next to `at`, with the second parameter held: within 1e-3 of the range of the
+/// first one and 1e-2 in all unknowns. Throws base::Stopped if it is asked to stop.
+[[nodiscard]] std::optional<CriticalPoint> critical_near(const CriticalFamily& family, const PlaneUnknowns& at,
+                                                         base::StopRequest stop);
 
 }  // namespace rocking

@@ -1,4 +1,4 @@
-#include "rocking/studies/orbits/grazing.hpp"
+#include "rocking/studies/orbits/trace.hpp"
 
 #include <algorithm>
 #include <array>

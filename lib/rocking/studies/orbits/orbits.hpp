@@ -1,12 +1,18 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "rocking/ensemble/run.hpp"
 #include "rocking/scene/experiment.hpp"
+#include "rocking/studies/orbits/branch.hpp"
+#include "rocking/studies/orbits/fold_and_flip.hpp"
+#include "rocking/studies/orbits/map_family.hpp"
 #include "rocking/studies/orbits/orbit.hpp"
 #include "rocking/studies/orbits/question.hpp"
 
@@ -33,5 +39,59 @@ void check_orbits(const Experiment& experiment);
 /// Progress is counted in conditions. Throws as check_orbits. The result depends on the experiment and `longest` alone.
 [[nodiscard]] std::optional<std::vector<OrbitsOfCondition>> orbits(const Experiment& experiment, int longest,
                                                                    const RunOptions& options);
+
+}  // namespace rocking
+
+/// Branches of periodic orbits over a parameter.
+namespace rocking {
+
+/// What a study of branches is asked for.
+struct BranchQuestion {
+  ConditionFamily conditions;
+  std::vector<double> values;  ///< of the parameter at the conditions whose orbits are known
+  ParameterRange range;
+  std::size_t most_points = 0;          ///< of a branch
+  std::size_t most_branches = 0;        ///< in all
+  std::function<void()> on_point = {};  ///< called at each point that is found; empty: nothing
+};
+
+inline constexpr std::size_t default_branch_points = 1000;
+inline constexpr std::size_t default_branches = 50;
+
+/// Whether an experiment's parameter is a real number on which the motion depends continuously: lengths and gravity of
+/// the block, amplitude and frequency, friction coefficients, restitution.
+[[nodiscard]] bool can_be_continued(std::string_view pointer);
+
+/// Follows the orbits of the conditions over the parameter, in the order of conditions and orbits, each that is not on a
+/// branch already, in both directions; then the branches that begin at the period doublings and symmetry breakings
+/// found, up to section::longest_period. A branch has a point at each value of a condition that it passes. The orbits
+/// there are added to `found` if they are new. Throws base::Stopped if it is asked to stop.
+[[nodiscard]] BranchStudy branches_of(const BranchQuestion& question, std::vector<OrbitsOfCondition>& found,
+                                      base::StopRequest stop);
+
+}  // namespace rocking
+
+/// Curves of folds, period doublings and losses of symmetry over two parameters.
+namespace rocking {
+
+/// What a study of curves is asked for. The first parameter is that of the branches.
+struct CurveQuestion {
+  ConditionPlane conditions;
+  std::array<ParameterRange, 2> ranges{};
+  double second = 0.0;                  ///< value of the second parameter at which the branches were followed
+  std::size_t most_points = 0;          ///< of a curve in each direction
+  std::function<void()> on_point = {};  ///< called at each point that is found; empty: nothing
+};
+
+inline constexpr std::size_t default_curve_points = 400;
+
+/// Follows each fold, period doubling and loss of symmetry of a study of branches over both parameters, in both
+/// directions, unless it is on a curve already.
+///
+/// The next point is sought along the tangent of the curve of (Theta, Theta', V, p1, p2), and found by Newton's method
+/// in the plane normal to it (fold_and_flip.hpp). It is accepted as on a branch (trace.hpp). Where the changes of contact
+/// become others, the curve ends. Throws base::Stopped if it is asked to stop.
+[[nodiscard]] std::vector<BifurcationCurve> bifurcation_curves(const CurveQuestion& question, const BranchStudy& study,
+                                                               base::StopRequest stop);
 
 }  // namespace rocking

@@ -1,4 +1,4 @@
-#include "rocking/studies/orbits/passage.hpp"
+#include "rocking/studies/orbits/trace.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "rocking/studies/orbits/bracket.hpp"
-#include "rocking/studies/orbits/grazing.hpp"
 
 namespace rocking {
 namespace {

@@ -11,8 +11,7 @@
 #include "rocking/fields/converted_type.hpp"
 #include "rocking/fields/named_type.hpp"
 #include "rocking/output/provenance_fields.hpp"
-#include "rocking/studies/orbits/check_result.hpp"
-#include "rocking/studies/orbits/result.hpp"
+#include "rocking/studies/orbits/study.hpp"
 
 namespace rocking {
 namespace {

@@ -1,4 +1,4 @@
-#include "rocking/studies/orbits/table.hpp"
+#include "rocking/studies/orbits/study.hpp"
 
 #include <algorithm>
 #include <complex>

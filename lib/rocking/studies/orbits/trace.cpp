@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "rocking/studies/orbits/fixed_point.hpp"
-#include "rocking/studies/orbits/grazing.hpp"
 
 namespace rocking {
 namespace {

@@ -11,8 +11,6 @@
 #include "rocking/realisation/start.hpp"
 #include "rocking/scene/experiment.hpp"
 #include "rocking/studies/rare/committor.hpp"
-#include "rocking/studies/rare/drawn_numbers.hpp"
-#include "rocking/studies/rare/halt.hpp"
 #include "rocking/studies/rare/proposal.hpp"
 #include "rocking/studies/rare/question.hpp"
 #include "rocking/studies/rare/stream.hpp"

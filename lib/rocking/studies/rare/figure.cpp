@@ -1,4 +1,4 @@
-#include "rocking/studies/rare/figure.hpp"
+#include "rocking/studies/rare/study.hpp"
 
 #include <algorithm>
 #include <array>

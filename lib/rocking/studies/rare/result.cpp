@@ -7,7 +7,7 @@
 #include "rocking/fields/named_type.hpp"
 #include "rocking/output/provenance_fields.hpp"
 #include "rocking/output/stats_fields.hpp"
-#include "rocking/studies/rare/result.hpp"
+#include "rocking/studies/rare/study.hpp"
 #include "rocking/studies/rare/summarise.hpp"
 #include "rocking/text/number_text.hpp"
 

@@ -3,8 +3,6 @@
 #include <algorithm>
 
 #include "rocking/api/questions.hpp"
-#include "rocking/studies/rare/figure.hpp"
-#include "rocking/studies/rare/result.hpp"
 
 namespace rocking {
 namespace {

@@ -1,13 +1,75 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "rocking/base/digest.hpp"
+#include "rocking/fields/document.hpp"
 #include "rocking/fields/struct_type.hpp"
+#include "rocking/figures/figure.hpp"
+#include "rocking/output/provenance.hpp"
+#include "rocking/scene/experiment.hpp"
 #include "rocking/studies/rare/question.hpp"
+#include "rocking/studies/rare/rare.hpp"
+#include "rocking/studies/rare/summarise.hpp"
 #include "rocking/study/study.hpp"
 
 namespace rocking {
+
+/// The probability of a rare event for a condition.
+struct ReportedRare {
+  std::vector<Parameter> parameters;
+  double confidence = 0.95;  ///< of the interval
+  RareEstimate estimate;
+};
+
+/// The probabilities of a rare event for the conditions of an experiment.
+struct RareReport {
+  InputFacts input;
+  RareQuestion question;
+  std::uint64_t seed = 0;
+  std::uint64_t particles = 0;  ///< of a repetition
+  std::vector<ReportedRare> conditions;
+  std::vector<RareSuite> suites;
+
+  /// Over the bits of the levels and of every repetition's estimate and work, in order.
+  [[nodiscard]] base::Sha256 digest() const;
+};
+
+/// How the probabilities were estimated, beside the experiment.
+struct RareMeans {
+  RareQuestion question;
+  std::size_t particles;  ///< of a repetition
+};
+
+[[nodiscard]] RareReport rare_report(const Experiment& experiment, const RareMeans& means,
+                                     const std::vector<RareEstimate>& found);
+
+/// The estimates of an earlier report by condition, of whose repetitions `asked` wants more. Throws base::InputError if it
+/// is not of the same experiment, event or number of particles.
+[[nodiscard]] std::vector<RareEstimate> estimates_for(const RareReport& asked, const RareReport& earlier);
+
+[[nodiscard]] const StructType& fields_of(const RareReport*);
+
+/// `rare.json`, and the output of `rocking rare --json`.
+[[nodiscard]] const DocumentOf<RareReport>& rare_document();
+
+/// The probabilities as text: a row for each condition, and what is to be known about them.
+[[nodiscard]] std::string rare_table(const RareReport& report);
 
 [[nodiscard]] const StructType& fields_of(const RareRequest*);
 
 [[nodiscard]] const Study& rare_study();
 
 }  // namespace rocking
+
+namespace rocking::analysis {
+
+/// How a rare event happens when it does: the committor, the probability of the event from each point of the Poincare
+/// plane, with the strobe points of a few paths; and the tilt of these paths against time. A panel for each condition,
+/// at most six. Empty where there is nothing to draw.
+[[nodiscard]] std::vector<Figure> rare_figures(const RareReport& report);
+
+}  // namespace rocking::analysis

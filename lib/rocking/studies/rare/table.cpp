@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "rocking/output/parameter_text.hpp"
-#include "rocking/studies/rare/result.hpp"
+#include "rocking/studies/rare/study.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking {

@@ -1,6 +1,6 @@
 // A continuation passes on everything on which a motion depends; diagrams show coexisting responses.
 
-#include "rocking/studies/bifurcation/bifurcation.hpp"
+#include "rocking/studies/bifurcation/study.hpp"
 
 #include <bit>
 #include <cmath>
@@ -12,8 +12,6 @@
 #include "rocking/input/read_experiment.hpp"
 #include "rocking/realisation/continuation.hpp"
 #include "rocking/realisation/strobe_recorder.hpp"
-#include "rocking/studies/bifurcation/result.hpp"
-#include "rocking/studies/bifurcation/table.hpp"
 #include "support/excitation.hpp"
 #include "support/experiment_text.hpp"
 

@@ -1,6 +1,6 @@
 // Comparison of two runs: which realisations changed, and how.
 
-#include "rocking/studies/comparison/comparison.hpp"
+#include "rocking/studies/comparison/study.hpp"
 
 #include <array>
 

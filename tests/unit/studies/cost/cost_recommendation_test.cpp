@@ -8,9 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "rocking/ensemble/mode_family.hpp"
-#include "rocking/studies/cost/half_width_forecast.hpp"
-#include "rocking/studies/cost/result.hpp"
-#include "rocking/studies/cost/table.hpp"
+#include "rocking/studies/cost/measurement.hpp"
+#include "rocking/studies/cost/study.hpp"
 #include "rocking/text/json.hpp"
 #include "support/json_schema.hpp"
 #include "support/made_up_cost.hpp"

@@ -13,7 +13,7 @@
 
 #include "rocking/base/error.hpp"
 #include "rocking/realisation/realisation_result.hpp"
-#include "rocking/studies/cost/sample.hpp"
+#include "rocking/studies/cost/measurement.hpp"
 #include "support/made_up_cost.hpp"
 
 namespace rocking {

@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include "rocking/studies/fragility/fragility.hpp"
-#include "rocking/studies/fragility/run_fragility.hpp"
 
 namespace rocking {
 namespace {

@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 
 #include "rocking/base/error.hpp"
-#include "rocking/studies/fragility/incremental_figure.hpp"
+#include "rocking/studies/fragility/figure.hpp"
 
 namespace {
 

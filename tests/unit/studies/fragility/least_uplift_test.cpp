@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "rocking/studies/fragility/least_uplift.hpp"
+#include "rocking/studies/fragility/fragility.hpp"
 #include "rocking/studies/fragility/stripes.hpp"
 
 namespace rocking {

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "rocking/stats/normal_law.hpp"
-#include "rocking/studies/fragility/run_fragility.hpp"
+#include "rocking/studies/fragility/fragility.hpp"
 
 namespace {
 

@@ -9,10 +9,8 @@
 
 #include "rocking/stats/fit_suite.hpp"
 #include "rocking/stats/normal_law.hpp"
-#include "rocking/studies/fragility/run_fragility.hpp"
-#include "rocking/studies/fragility/suite_fragility.hpp"
-#include "rocking/studies/fragility/suite_rate.hpp"
-#include "rocking/studies/fragility/undecided.hpp"
+#include "rocking/studies/fragility/fragility.hpp"
+#include "rocking/studies/fragility/shares_and_hazard.hpp"
 
 namespace rocking {
 namespace {

@@ -1,6 +1,6 @@
 // What counted tests say of unknown numbers as figures: their numbers are those of infer.json.
 
-#include "rocking/studies/infer/figure.hpp"
+#include "rocking/studies/infer/study.hpp"
 
 #include <algorithm>
 #include <string>

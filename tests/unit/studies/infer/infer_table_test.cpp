@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "rocking/studies/infer/result.hpp"
+#include "rocking/studies/infer/study.hpp"
 
 namespace {
 

@@ -6,7 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include "rocking/studies/infer/design.hpp"
 #include "rocking/studies/infer/survey.hpp"
 
 namespace infer_lattice {

@@ -9,8 +9,6 @@
 #include <gtest/gtest.h>
 
 #include "rocking/base/error.hpp"
-#include "rocking/studies/infer/candidates.hpp"
-#include "rocking/studies/infer/prior.hpp"
 
 namespace infer_posterior {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "rocking/plan/thresholds.hpp"
 #include "rocking/scene/intensity_measures.hpp"
-#include "rocking/studies/motion/motion.hpp"
+#include "rocking/studies/motion/study.hpp"
 #include "support/split_mix.hpp"
 
 namespace {

@@ -7,7 +7,7 @@
 
 #include <gmock/gmock.h>
 
-#include "rocking/studies/orbits/branch_figure.hpp"
+#include "rocking/studies/orbits/study.hpp"
 
 namespace {
 

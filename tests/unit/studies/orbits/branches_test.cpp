@@ -1,7 +1,7 @@
 // Branches of periodic orbits: folds, doublings, broken symmetry, and changes of contact at the parameter where other
 // computations find them.
 
-#include "rocking/studies/orbits/branches.hpp"
+#include "rocking/studies/orbits/orbits.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,6 @@
 #include "rocking/realisation/realisation_result.hpp"
 #include "rocking/studies/orbits/bracket.hpp"
 #include "rocking/studies/orbits/fixed_point.hpp"
-#include "rocking/studies/orbits/orbits.hpp"
 #include "support/branches.hpp"
 
 namespace rocking {

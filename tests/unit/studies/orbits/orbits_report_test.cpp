@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 
 #include "rocking/base/error.hpp"
-#include "rocking/studies/orbits/result.hpp"
+#include "rocking/studies/orbits/study.hpp"
 
 namespace {
 

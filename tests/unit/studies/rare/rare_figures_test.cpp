@@ -1,6 +1,6 @@
 // The committor and the paths of a rare event as figures.
 
-#include "rocking/studies/rare/figure.hpp"
+#include "rocking/studies/rare/study.hpp"
 
 #include <algorithm>
 #include <string>

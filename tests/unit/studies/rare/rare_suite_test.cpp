@@ -1,6 +1,6 @@
 // The probability over the records of a suite, from that of each: cases with known answers.
 
-#include "rocking/studies/rare/suite_probability.hpp"
+#include "rocking/studies/rare/summarise.hpp"
 
 #include <cmath>
 #include <string>

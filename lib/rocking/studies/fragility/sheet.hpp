@@ -1,11 +1,10 @@
 #pragma once
 
-#include <cstddef>
 #include <string>
 #include <vector>
 
 #include "rocking/output/report.hpp"
-#include "rocking/studies/fragility/result.hpp"
+#include "rocking/studies/fragility/study.hpp"
 
 namespace rocking::analysis {
 

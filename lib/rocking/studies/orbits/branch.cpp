@@ -1,3 +1,0 @@
-#include "rocking/studies/orbits/branch.hpp"
-
-namespace rocking {}  // namespace rocking

@@ -46,8 +46,8 @@ std::map<std::string, Entry> entries() {
            [](const auto& e) { static_cast<void>(Continuation(random::Draws(0, 0)).run(e.conditions[0])); }},
           {"run", [](const auto& e) { static_cast<void>(run(e, RunOptions{})); }},
           {"verify", [](const auto& e) { static_cast<void>(verify(e, empty_store(), std::nullopt, {})); }},
-          {"bifurcation", [](const auto& e) { static_cast<void>(bifurcation(e, 0, RunOptions{})); }},
-          {"orbits", [](const auto& e) { static_cast<void>(orbits(e, 1, RunOptions{})); }},
+          {"bifurcation", [](const auto& e) { static_cast<void>(bifurcation(e, 0)); }},
+          {"orbits", [](const auto& e) { static_cast<void>(orbits(e, {.longest = 1})); }},
           {"measure_cost",
            [=](const auto& e) { static_cast<void>(measure_cost(e, {.tolerances = tolerances, .sample = 1}, {})); }},
           {"time_cost", [=](const auto& e) {

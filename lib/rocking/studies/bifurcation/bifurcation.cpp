@@ -1,14 +1,17 @@
 #include "rocking/studies/bifurcation/study.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <charconv>
 #include <mutex>
+#include <optional>
 #include <string>
 
+#include "rocking/api/refuse.hpp"
+#include "rocking/api/run_options.hpp"
 #include "rocking/base/error.hpp"
 #include "rocking/base/many_parts.hpp"
 #include "rocking/realisation/continuation.hpp"
+#include "rocking/scene/check_condition.hpp"
 
 namespace rocking {
 namespace {
@@ -48,57 +51,14 @@ DiagramStep step_of(const RealisationResult& result, bool continued, const Horiz
   return step;
 }
 
-class DiagramWorkers {
- public:
-  DiagramWorkers(const Experiment& experiment, std::uint64_t realisation, const RunOptions& options)
-      : experiment_(&experiment), draws_(experiment.seed, realisation), options_(&options) {}
-
-  /// Whether all steps were run.
-  [[nodiscard]] bool run(std::vector<Diagram>& diagrams) {
-    chains_ = chains_of(diagrams);
-    for (const Chain& chain : chains_) all_ += chain.count;
-    base::on_threads(
-        options_->threads, [this](unsigned) { work(); }, [this] { has_failed_ = true; });
-    return done_ == all_;
-  }
-
- private:
-  void work() {
-    try {
-      for (std::size_t i = next_++; i < chains_.size() && !is_to_stop(); i = next_++) follow(chains_[i]);
-    } catch (const base::Stopped&) {
-      // run() notices that steps are missing.
-    }
-  }
-
-  void follow(const Chain& chain) {
-    Continuation continuation(draws_, options_->stop_requested);
-    for (std::size_t i = 0; i < chain.count && !is_to_stop(); ++i) {
-      const std::size_t place = chain.branch == Branch::downwards ? chain.count - 1 - i : chain.first + i;
-      const std::size_t index = chain.diagram->conditions[place];
-      const Condition& condition = experiment_->conditions[index];
-      const bool continued = continuation.can_go_on();
-      DiagramStep step = step_of(continuation.run(condition), continued, condition.horizon);
-      step.condition = index;
-      steps_of(chain)[place] = std::move(step);
-      const std::lock_guard lock(mutex_);
-      ++done_;
-      if (options_->on_progress) options_->on_progress(done_, all_);
-    }
-  }
-
-  [[nodiscard]] bool is_to_stop() const { return has_failed_ || options_->stop_requested.is_made(); }
-
-  const Experiment* experiment_;
-  random::Draws draws_;
-  const RunOptions* options_;
-  std::vector<Chain> chains_;
-  std::atomic<std::size_t> next_ = 0;
-  std::mutex mutex_;
-  std::uint64_t done_ = 0;
-  std::uint64_t all_ = 0;
-  std::atomic<bool> has_failed_ = false;
-};
+/// The value of the first swept parameter; absent if it is not a number.
+std::optional<double> diagram_value(const Condition& condition) {
+  const std::string& text = condition.parameters.front().value;
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
 
 void check_diagrams(const Experiment& experiment) {
   if (experiment.sweep_sizes.empty()) {
@@ -121,14 +81,6 @@ void check_diagrams(const Experiment& experiment) {
 
 }  // namespace
 
-std::optional<double> diagram_value(const Condition& condition) {
-  const std::string& text = condition.parameters.front().value;
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return value;
-}
-
 std::vector<Diagram> diagrams_of(const Experiment& experiment) {
   check_diagrams(experiment);
   const std::size_t stride = experiment.conditions.size() / experiment.sweep_sizes.front();
@@ -139,10 +91,32 @@ std::vector<Diagram> diagrams_of(const Experiment& experiment) {
   return diagrams;
 }
 
-std::optional<std::vector<Diagram>> bifurcation(const Experiment& experiment, std::uint64_t realisation,
-                                                const RunOptions& options) {
+std::vector<Diagram> bifurcation(const Experiment& experiment, std::uint64_t realisation, const Execution& execution) {
+  expect("realisation", realisation, std::uint64_t{0}, std::uint64_t{999'999'999});
+  check_has_conditions(experiment);
   std::vector<Diagram> diagrams = diagrams_of(experiment);
-  if (!DiagramWorkers(experiment, realisation, options).run(diagrams)) return std::nullopt;
+  const OptionsOfExecution asked(execution);
+  const std::vector<Chain> chains = chains_of(diagrams);
+  const std::uint64_t all = all_branches.size() * experiment.conditions.size();
+  std::uint64_t done = 0;
+  std::mutex mutex;
+  base::for_each_part({.threads = asked.options().threads, .stop = asked.stop()}, chains.size(), [&](std::size_t c) {
+    const Chain& chain = chains[c];
+    Continuation continuation(random::Draws(experiment.seed, realisation), asked.stop());
+    for (std::size_t i = 0; i < chain.count; ++i) {
+      asked.stop().check();
+      const std::size_t place = chain.branch == Branch::downwards ? chain.count - 1 - i : chain.first + i;
+      const std::size_t index = chain.diagram->conditions[place];
+      const Condition& condition = experiment.conditions[index];
+      const bool continued = continuation.can_go_on();
+      DiagramStep step = step_of(continuation.run(condition), continued, condition.horizon);
+      step.condition = index;
+      steps_of(chain)[place] = std::move(step);
+      const std::lock_guard lock(mutex);
+      ++done;
+      if (asked.options().on_progress) asked.options().on_progress(done, all);
+    }
+  });
   return diagrams;
 }
 

@@ -186,7 +186,7 @@ std::string others_in_words(const std::vector<Parameter>& others) {
   return words;
 }
 
-/// Names of the figures, as of the tables of points (output/bifurcation_table.hpp).
+/// Names of the figures, by the parameters that are fixed in each diagram: `bifurcation_static_0.35`.
 std::vector<std::string> names_of(const std::vector<ReportedDiagram>& diagrams) {
   if (diagrams.size() < 2) return std::vector<std::string>(diagrams.size(), "bifurcation");
   std::vector<std::vector<Parameter>> others;

@@ -46,7 +46,13 @@ struct Diagram {
 /// responses along the first, from the initial state and from the end of the step before, upwards and downwards. Strobe
 /// points are dimensionless. Throws base::InputError if there is no sweep, if its first entry takes values that are not
 /// numbers, or if an excitation is not periodic, and base::Stopped if it is asked to stop. Uses `threads`,
-/// `on_progress` and `stop` of the execution; progress counts steps.
+/// `on_progress` and `stop` of the execution; progress counts steps. The result depends on the experiment and the
+/// realisation alone.
+///
+/// A continuation keeps the state of the block (theta, its rate, V, the contact state), the instant within the period,
+/// the count of periods, and the counts of stops and impacts that select draws: at a constant parameter it is one long
+/// run, with an end of a Taylor step between two steps of the diagram. After a run that did not reach its horizon, for
+/// example because it overturned, the next step starts from the initial state of the file.
 [[nodiscard]] ROCKING_API std::vector<Diagram> bifurcation(const Experiment& experiment, std::uint64_t realisation = 0,
                                                            const Execution& execution = {});
 

@@ -7,21 +7,9 @@
 #include <vector>
 
 #include "rocking/api/refuse.hpp"
-#include "rocking/api/run_options.hpp"
-#include "rocking/base/error.hpp"
-#include "rocking/base/stop_request.hpp"
-#include "rocking/scene/check_condition.hpp"
 #include "rocking/studies/orbits/study.hpp"
 
 namespace rocking {
-
-std::vector<Diagram> bifurcation(const Experiment& experiment, std::uint64_t realisation, const Execution& execution) {
-  expect("realisation", realisation, std::uint64_t{0}, std::uint64_t{999'999'999});
-  check_has_conditions(experiment);
-  auto found = bifurcation(experiment, realisation, OptionsOfExecution(execution).options());
-  if (!found) throw base::Stopped();
-  return std::move(*found);
-}
 
 std::string bifurcation_text(const Experiment& experiment, std::uint64_t realisation,
                              const std::vector<Diagram>& found) {
@@ -53,25 +41,14 @@ const StructType& fields_of(const BifurcationQuestion*) {
 
 void check(const Subject& subject, BifurcationQuestion&) { static_cast<void>(diagrams_of(subject.experiment)); }
 
-std::vector<std::string> files(const Subject& subject) {
-  const std::vector<Diagram> diagrams = diagrams_of(subject.experiment);
-  std::vector<std::string> names{std::string(bifurcation_file) + ".csv"};
-  if (diagrams.size() < 2) return names;
-  for (const std::string& name : diagram_names(subject.experiment, diagrams)) names.push_back(name + ".csv");
-  return names;
-}
+std::vector<std::string> files(const Subject&) { return {"bifurcation.csv"}; }
 
 Answer find(const Subject& subject, const BifurcationQuestion& question, const Circumstances& circumstances) {
-  const DrawnDiagrams drawn{.experiment = &subject.experiment,
-                            .realisation = question.realisation,
-                            .diagrams = bifurcation(subject.experiment, question.realisation, circumstances.execution)};
-  Answer answer{.document = bifurcation_text(subject.experiment, question.realisation, drawn.diagrams),
-                .table = bifurcation_table(drawn, circumstances.extent),
-                .files = {{std::string(bifurcation_file) + ".csv", bifurcation_csv(drawn)}}};
-  for (DiagramTable& table : diagram_tables(drawn)) {
-    answer.files.push_back({std::move(table.name) + ".csv", std::move(table.csv)});
-  }
-  return answer;
+  const Experiment& experiment = subject.experiment;
+  const std::vector<Diagram> diagrams = bifurcation(experiment, question.realisation, circumstances.execution);
+  return {.document = bifurcation_text(experiment, question.realisation, diagrams),
+          .table = bifurcation_table(experiment, diagrams, circumstances.extent),
+          .files = {{"bifurcation.csv", bifurcation_csv(experiment, diagrams)}}};
 }
 
 /// Branches of orbits are drawn over the diagrams over the same parameter.
@@ -101,8 +78,7 @@ const Study& bifurcation_study() {
           "runs every step of the sweep from the initial state of the file, and from the end of the previous step, "
           "upwards and downwards. Writes the strobe points to out/bifurcation.json and out/bifurcation.csv and prints "
           "the responses. In a grid there is one diagram for each combination of values of the entries after the "
-          "first; "
-          "its points are also in a file named by these values, such as out/bifurcation_static_0.35.csv.",
+          "first.",
       .python_notes =
           "A diagram for each combination of values of the other entries of the sweep. Raises InputError if there is "
           "no sweep, if its first entry takes values that are not numbers, or if the excitation is not periodic.",

@@ -19,24 +19,9 @@
 /// Bifurcation diagrams: responses against a swept parameter, where several may coexist.
 namespace rocking {
 
-/// The value of the first swept parameter; absent if it is not a number.
-[[nodiscard]] std::optional<double> diagram_value(const Condition& condition);
-
 /// The conditions of each diagram of an experiment, without branches. Throws base::InputError if there is no sweep, if
 /// a value of its first entry is not a number, or if a base motion is recorded (its responses do not repeat).
 [[nodiscard]] std::vector<Diagram> diagrams_of(const Experiment& experiment);
-
-/// The diagrams of one realisation of an experiment; absent if it was asked to stop before the end. Progress is counted
-/// in steps.
-///
-/// A continuation keeps the state of the block (theta, its rate, V, the contact state), the instant within the period,
-/// the count of periods, and the counts of stops and impacts that select draws: at a constant parameter it is one long
-/// run, with an end of a Taylor step between two steps of the diagram. After a run that did not reach its horizon, for
-/// example because it overturned, the next step starts from the initial state of the file.
-///
-/// Throws as diagrams_of. The result depends on the experiment and the realisation alone.
-[[nodiscard]] std::optional<std::vector<Diagram>> bifurcation(const Experiment& experiment, std::uint64_t realisation,
-                                                              const RunOptions& options);
 
 /// A step of a bifurcation diagram.
 struct ReportedStep {
@@ -67,35 +52,13 @@ struct BifurcationReport {
 /// `bifurcation.json`, and the output of `rocking bifurcation --json`. Equal input gives equal bytes.
 [[nodiscard]] const DocumentOf<BifurcationReport>& bifurcation_document();
 
-/// The diagrams of one realisation of an experiment.
-struct DrawnDiagrams {
-  const Experiment* experiment;
-  std::uint64_t realisation;
-  std::vector<Diagram> diagrams;
-};
-
 /// The strobe points as comma-separated values, one per line: parameter, branch, tilt, tilt_rate, diagram.
-[[nodiscard]] std::string bifurcation_csv(const DrawnDiagrams& drawn);
-
-/// Name of the files with all diagrams, without ending.
-inline constexpr const char* bifurcation_file = "bifurcation";
-
-/// The points of one diagram, as a table with the columns of `bifurcation_csv`.
-struct DiagramTable {
-  std::string name;  ///< of its file, without ending
-  std::string csv;
-};
-
-/// A table for each diagram of a grid; empty if there is only one diagram.
-[[nodiscard]] std::vector<DiagramTable> diagram_tables(const DrawnDiagrams& drawn);
-
-/// Names of the files of the diagrams, without ending, by the parameters that are fixed in each:
-/// `bifurcation_static_0.35`. `bifurcation` if there is only one.
-[[nodiscard]] std::vector<std::string> diagram_names(const Experiment& experiment, std::span<const Diagram> diagrams);
+[[nodiscard]] std::string bifurcation_csv(const Experiment& experiment, const std::vector<Diagram>& diagrams);
 
 /// The response modes as text: for each diagram where they depend on the start, and a table with a row for each value and
 /// a column for each branch. On one screen neighbours with equal response modes are one row, and the first rows are shown.
-[[nodiscard]] std::string bifurcation_table(const DrawnDiagrams& drawn, Extent extent = Extent::all);
+[[nodiscard]] std::string bifurcation_table(const Experiment& experiment, const std::vector<Diagram>& diagrams,
+                                            Extent extent = Extent::all);
 
 [[nodiscard]] const Study& bifurcation_study();
 

@@ -6,7 +6,6 @@
 #include <string_view>
 
 #include "rocking/look/text_table.hpp"
-#include "rocking/output/parameter_names.hpp"
 #include "rocking/output/parameter_text.hpp"
 #include "rocking/output/shaking_text.hpp"
 #include "rocking/scene/shaking.hpp"
@@ -16,16 +15,8 @@
 namespace rocking {
 namespace {
 
-const std::vector<Parameter>& parameters_of(const DrawnDiagrams& drawn, std::size_t condition) {
-  return drawn.experiment->conditions[condition].parameters;
-}
-
-/// Calls visit(step, branch) for each branch, by increasing parameter.
-template <class Visit>
-void for_each_step(const Diagram& diagram, Visit&& visit) {
-  for (const Branch branch : all_branches) {
-    for (const DiagramStep& step : diagram.branches[static_cast<std::size_t>(branch)]) visit(step, branch);
-  }
+const std::vector<Parameter>& parameters_of(const Experiment& experiment, std::size_t condition) {
+  return experiment.conditions[condition].parameters;
 }
 
 /// With an asterisk if the previous step of the continuation did not reach its horizon.
@@ -37,7 +28,7 @@ std::string cell(const Diagram& diagram, Branch branch, std::size_t place) {
 }
 
 /// `the response depends on the start at 12 of 25 values, from 0.45 to 0.75`.
-std::string coexistence_in(const DrawnDiagrams& drawn, const Diagram& diagram) {
+std::string coexistence_in(const Experiment& experiment, const Diagram& diagram) {
   std::vector<std::size_t> places;
   for (std::size_t i = 0; i < diagram.conditions.size(); ++i) {
     std::set<section::ResponseMode> modes;
@@ -47,19 +38,19 @@ std::string coexistence_in(const DrawnDiagrams& drawn, const Diagram& diagram) {
   const std::string all = counted(diagram.conditions.size(), "value");
   if (places.empty()) return "from each start the response is the same, at all of " + all + '\n';
   const auto value = [&](std::size_t place) {
-    return short_value(parameters_of(drawn, diagram.conditions[place]).front());
+    return short_value(parameters_of(experiment, diagram.conditions[place]).front());
   };
   return "the response depends on the start at " + std::to_string(places.size()) + " of " + all + ", from " +
-         last_key(parameters_of(drawn, diagram.conditions.front()).front().pointer) + ' ' + value(places.front()) +
+         last_key(parameters_of(experiment, diagram.conditions.front()).front().pointer) + ' ' + value(places.front()) +
          " to " + value(places.back()) + '\n';
 }
 
-std::string table_of(const DrawnDiagrams& drawn, const Diagram& diagram, Extent extent) {
+std::string table_of(const Experiment& experiment, const Diagram& diagram, Extent extent) {
   std::vector<std::string> swept;
-  for (const Parameter& parameter : parameters_of(drawn, diagram.conditions.front()))
+  for (const Parameter& parameter : parameters_of(experiment, diagram.conditions.front()))
     swept.push_back(parameter.pointer);
   std::vector<std::optional<Shaking>> shakings;
-  for (const std::size_t i : diagram.conditions) shakings.push_back(shaking_of(drawn.experiment->conditions[i].scene));
+  for (const std::size_t i : diagram.conditions) shakings.push_back(shaking_of(experiment.conditions[i].scene));
   const auto beside = shaking_columns(swept, shakings);
   look::Table table;
   add_columns(table, {last_key(swept.front())});
@@ -67,29 +58,29 @@ std::string table_of(const DrawnDiagrams& drawn, const Diagram& diagram, Extent 
   for (const Branch branch : all_branches) add_columns(table, {std::string(to_string(branch))});
   for (std::size_t i = 0; i < diagram.conditions.size(); ++i) {
     look::Row& row =
-        table.rows.emplace_back(look::Row{short_value(parameters_of(drawn, diagram.conditions[i]).front())});
+        table.rows.emplace_back(look::Row{short_value(parameters_of(experiment, diagram.conditions[i]).front())});
     for (const std::string_view key : beside) row.emplace_back(column_cell(shakings[i], key));
     for (const Branch branch : all_branches) row.emplace_back(cell(diagram, branch, i));
   }
   const std::string common = common_shaking(swept, shakings);
   if (!common.empty()) table.notes = "shaking: " + common + '\n';
   if (extent == Extent::one_screen) merge_rows(table, 0, 1 + beside.size());
-  return coexistence_in(drawn, diagram) + '\n' + to_terminal(table);
+  return coexistence_in(experiment, diagram) + '\n' + to_terminal(table);
 }
 
 /// The table of each diagram; on one screen of as many as fit there.
-std::string all_tables(const DrawnDiagrams& drawn, Extent extent) {
+std::string all_tables(const Experiment& experiment, const std::vector<Diagram>& diagrams, Extent extent) {
   std::string text;
-  for (std::size_t i = 0; i < drawn.diagrams.size(); ++i) {
-    const Diagram& diagram = drawn.diagrams[i];
-    const auto& parameters = parameters_of(drawn, diagram.conditions.front());
+  for (std::size_t i = 0; i < diagrams.size(); ++i) {
+    const Diagram& diagram = diagrams[i];
+    const auto& parameters = parameters_of(experiment, diagram.conditions.front());
     std::string name;
     for (std::size_t k = 1; k < parameters.size(); ++k) {
       name += (name.empty() ? "" : ", ") + parameters[k].pointer + " = " + parameters[k].value;
     }
-    const std::string next = (name.empty() ? "" : name + '\n') + table_of(drawn, diagram, extent) + '\n';
+    const std::string next = (name.empty() ? "" : name + '\n') + table_of(experiment, diagram, extent) + '\n';
     if (i > 0 && !is_printed_whole(text + next, extent)) {
-      text += counted(drawn.diagrams.size() - i, "more diagram") + '\n';
+      text += counted(diagrams.size() - i, "more diagram") + '\n';
       break;
     }
     text += next;
@@ -102,54 +93,29 @@ std::string all_tables(const DrawnDiagrams& drawn, Extent extent) {
   return text;
 }
 
-const std::string csv_header = "parameter,branch,tilt,tilt_rate,diagram\n";
-
-std::string csv_rows(const DrawnDiagrams& drawn, std::size_t diagram) {
-  std::string text;
-  for_each_step(drawn.diagrams[diagram], [&](const DiagramStep& step, Branch branch) {
-    const std::string start = parameters_of(drawn, step.condition).front().value + ',' + std::string(to_string(branch));
-    for (const auto& point : step.points) {
-      text += start + ',' + Json(point.tilt).dump() + ',' + Json(point.tilt_rate).dump() + ',' +
-              std::to_string(diagram) + '\n';
-    }
-  });
-  return text;
-}
-
 }  // namespace
 
-std::string bifurcation_csv(const DrawnDiagrams& drawn) {
-  std::string text = csv_header;
-  for (std::size_t i = 0; i < drawn.diagrams.size(); ++i) text += csv_rows(drawn, i);
+std::string bifurcation_csv(const Experiment& experiment, const std::vector<Diagram>& diagrams) {
+  std::string text = "parameter,branch,tilt,tilt_rate,diagram\n";
+  for (std::size_t i = 0; i < diagrams.size(); ++i) {
+    for (const Branch branch : all_branches) {
+      for (const DiagramStep& step : diagrams[i].branches[static_cast<std::size_t>(branch)]) {
+        const std::string start =
+            parameters_of(experiment, step.condition).front().value + ',' + std::string(to_string(branch));
+        for (const auto& point : step.points) {
+          text += start + ',' + Json(point.tilt).dump() + ',' + Json(point.tilt_rate).dump() + ',' + std::to_string(i) +
+                  '\n';
+        }
+      }
+    }
+  }
   return text;
 }
 
-std::vector<DiagramTable> diagram_tables(const DrawnDiagrams& drawn) {
-  if (drawn.diagrams.size() < 2) return {};
-  const std::vector<std::string> names = diagram_names(*drawn.experiment, drawn.diagrams);
-  std::vector<DiagramTable> tables;
-  for (std::size_t i = 0; i < drawn.diagrams.size(); ++i) {
-    tables.push_back({.name = names[i], .csv = csv_header + csv_rows(drawn, i)});
-  }
-  return tables;
-}
-
-std::vector<std::string> diagram_names(const Experiment& experiment, std::span<const Diagram> diagrams) {
-  if (diagrams.size() < 2) return std::vector<std::string>(diagrams.size(), bifurcation_file);
-  std::vector<std::vector<Parameter>> others;
-  for (const Diagram& diagram : diagrams) {
-    const auto& parameters = experiment.conditions[diagram.conditions.front()].parameters;
-    others.emplace_back(parameters.begin() + 1, parameters.end());
-  }
-  std::vector<std::string> names = parameter_names(others);
-  for (std::string& name : names) name.insert(0, std::string(bifurcation_file) + '_');
-  return names;
-}
-
-std::string bifurcation_table(const DrawnDiagrams& drawn, Extent extent) {
-  const std::string whole = all_tables(drawn, Extent::all);
+std::string bifurcation_table(const Experiment& experiment, const std::vector<Diagram>& diagrams, Extent extent) {
+  const std::string whole = all_tables(experiment, diagrams, Extent::all);
   if (is_printed_whole(whole, extent)) return whole;
-  return all_tables(drawn, Extent::one_screen) + "more rows: --all, and the files\n";
+  return all_tables(experiment, diagrams, Extent::one_screen) + "more rows: --all, and the files\n";
 }
 
 }  // namespace rocking

@@ -1,13 +1,10 @@
 #include "rocking/studies/orbits/orbits.hpp"
 
 #include <algorithm>
-#include <atomic>
-#include <mutex>
 #include <string>
 #include <utility>
 
 #include "rocking/base/error.hpp"
-#include "rocking/base/many_parts.hpp"
 #include "rocking/realisation/continuation.hpp"
 #include "rocking/scene/check_condition.hpp"
 #include "rocking/scene/drawn_quantities.hpp"
@@ -129,45 +126,6 @@ std::optional<std::string> place_of_randomness(const Scene& scene) {
   return is_random(scene) ? std::optional<std::string>("/fluctuation") : std::nullopt;
 }
 
-class OrbitWorkers {
- public:
-  OrbitWorkers(const Experiment& experiment, int longest, const RunOptions& options)
-      : experiment_(&experiment), longest_(longest), options_(&options), found_(experiment.conditions.size()) {}
-
-  [[nodiscard]] std::optional<std::vector<OrbitsOfCondition>> run() {
-    base::on_threads(
-        options_->threads, [this](unsigned) { work(); }, [this] { has_failed_ = true; });
-    if (done_ < found_.size()) return std::nullopt;
-    return std::move(found_);
-  }
-
- private:
-  void work() {
-    try {
-      for (std::size_t i = next_++; i < found_.size() && !is_to_stop(); i = next_++) {
-        found_[i] = orbits_of(experiment_->conditions[i], longest_, options_->stop_requested);
-        found_[i].parameters = experiment_->conditions[i].parameters;
-        const std::lock_guard lock(mutex_);
-        ++done_;
-        if (options_->on_progress) options_->on_progress(done_, found_.size());
-      }
-    } catch (const base::Stopped&) {
-      // run() notices that conditions are missing.
-    }
-  }
-
-  [[nodiscard]] bool is_to_stop() const { return has_failed_ || options_->stop_requested.is_made(); }
-
-  const Experiment* experiment_;
-  int longest_;
-  const RunOptions* options_;
-  std::vector<OrbitsOfCondition> found_;
-  std::atomic<std::size_t> next_ = 0;
-  std::mutex mutex_;
-  std::uint64_t done_ = 0;
-  std::atomic<bool> has_failed_ = false;
-};
-
 }  // namespace
 
 std::size_t add_orbit(OrbitsOfCondition& found, const PoincareMap& map, Orbit orbit, base::StopRequest stop) {
@@ -208,12 +166,6 @@ void check_orbits(const Experiment& experiment) {
                               "give a number, or leave out `fluctuation`"});
     }
   }
-}
-
-std::optional<std::vector<OrbitsOfCondition>> orbits(const Experiment& experiment, int longest,
-                                                     const RunOptions& options) {
-  check_orbits(experiment);
-  return OrbitWorkers(experiment, longest, options).run();
 }
 
 }  // namespace rocking

@@ -19,9 +19,6 @@
 /// Periodic orbits of conditions with harmonic excitation in which nothing is random, stable and unstable ones.
 namespace rocking {
 
-/// Largest period for which orbits are searched, unless the run has a longer one.
-inline constexpr int default_longest_orbit = 5;
-
 /// The orbits of one condition: Newton's method from the end of its run, and from a grid of 9 x 9 states with Theta in
 /// -0.8 ... 0.8 and Theta' in -1.2 ... 1.2 (with friction, from their images after a period, which may slip), for each
 /// period up to `longest`. An orbit that is not symmetric is listed with its mirror image. The grid is finite: there
@@ -35,16 +32,6 @@ std::size_t add_orbit(OrbitsOfCondition& found, const PoincareMap& map, Orbit or
 /// Throws base::InputError if a condition is random or its excitation is not harmonic.
 void check_orbits(const Experiment& experiment);
 
-/// The orbits of all conditions of an experiment, in their order; absent if it was asked to stop before the end.
-/// Progress is counted in conditions. Throws as check_orbits. The result depends on the experiment and `longest` alone.
-[[nodiscard]] std::optional<std::vector<OrbitsOfCondition>> orbits(const Experiment& experiment, int longest,
-                                                                   const RunOptions& options);
-
-}  // namespace rocking
-
-/// Branches of periodic orbits over a parameter.
-namespace rocking {
-
 /// What a study of branches is asked for.
 struct BranchQuestion {
   ConditionFamily conditions;
@@ -54,9 +41,6 @@ struct BranchQuestion {
   std::size_t most_branches = 0;        ///< in all
   std::function<void()> on_point = {};  ///< called at each point that is found; empty: nothing
 };
-
-inline constexpr std::size_t default_branch_points = 1000;
-inline constexpr std::size_t default_branches = 50;
 
 /// Whether an experiment's parameter is a real number on which the motion depends continuously: lengths and gravity of
 /// the block, amplitude and frequency, friction coefficients, restitution.
@@ -82,8 +66,6 @@ struct CurveQuestion {
   std::size_t most_points = 0;          ///< of a curve in each direction
   std::function<void()> on_point = {};  ///< called at each point that is found; empty: nothing
 };
-
-inline constexpr std::size_t default_curve_points = 400;
 
 /// Follows each fold, period doubling and loss of symmetry of a study of branches over both parameters, in both
 /// directions, unless it is on a curve already.

@@ -11,6 +11,7 @@
 #include "rocking/api/run_options.hpp"
 #include "rocking/api/written_experiment.hpp"
 #include "rocking/base/error.hpp"
+#include "rocking/base/many_parts.hpp"
 #include "rocking/base/number_text.hpp"
 #include "rocking/input/condition_family.hpp"
 #include "rocking/scene/check_condition.hpp"
@@ -82,6 +83,22 @@ FoundCurves curve_request(const Experiment& experiment, const OrbitsRequest& req
              base::shortest(found.value));
 }
 
+/// In their order; progress counts conditions.
+std::vector<OrbitsOfCondition> orbits_of_conditions(const Experiment& experiment, int longest,
+                                                    const OptionsOfExecution& asked) {
+  std::vector<OrbitsOfCondition> found(experiment.conditions.size());
+  std::uint64_t done = 0;
+  const auto count = [&] {
+    if (asked.options().on_progress) asked.options().on_progress(++done, found.size());
+  };
+  base::for_each_part({.threads = asked.options().threads, .stop = asked.stop(), .on_part = count}, found.size(),
+                      [&](std::size_t i) {
+                        found[i] = orbits_of(experiment.conditions[i], longest, asked.stop());
+                        found[i].parameters = experiment.conditions[i].parameters;
+                      });
+  return found;
+}
+
 std::vector<BifurcationCurve> followed_curves(const Experiment& experiment, const FoundBranches& branches,
                                               const FoundCurves& asked, base::StopRequest stop,
                                               const std::function<void()>& on_point) {
@@ -112,9 +129,7 @@ void check_request(const Experiment& experiment, const OrbitsRequest& request) {
 OrbitStudy orbits(const Experiment& experiment, const OrbitsRequest& request, const Execution& execution) {
   check_request(experiment, request);
   const OptionsOfExecution asked(execution);
-  auto conditions = orbits(experiment, request.longest, asked.options());
-  if (!conditions) throw base::Stopped();
-  OrbitStudy study{.longest = request.longest, .conditions = std::move(*conditions)};
+  OrbitStudy study{.longest = request.longest, .conditions = orbits_of_conditions(experiment, request.longest, asked)};
   std::uint64_t points = 0;
   const auto on_point = [&points, &asked] {
     if (asked.options().on_progress) asked.options().on_progress(++points, 0);

@@ -162,9 +162,7 @@ Json swept(const std::string& sweep) {
 Experiment experiment_from(const Json& document) { return experiment_in(document.dump(), {}); }
 
 std::vector<Diagram> drawn(const Experiment& experiment, unsigned threads = 1) {
-  RunOptions options;
-  options.threads = threads;
-  return bifurcation(experiment, 0, options).value();
+  return bifurcation(experiment, 0, {.threads = threads});
 }
 
 const std::vector<DiagramStep>& branch_of(const Diagram& diagram, Branch branch) {
@@ -216,7 +214,7 @@ TEST(Diagram, HasAGapWhereTheBlockOverturnsAndStartsAnewBehindIt) {
   EXPECT_TRUE(downwards[1].continued);
   const auto& initial = branch_of(diagram, Branch::initial);
   for (std::size_t k = 0; k < 40; ++k) EXPECT_TRUE(have_same_bits(downwards[2].points[k], initial[2].points[k]));
-  const std::string table = bifurcation_table({&experiment, 0, {diagram}});
+  const std::string table = bifurcation_table(experiment, {diagram});
   EXPECT_NE(table.find("(1,3) *\n"), std::string::npos) << table;
 }
 
@@ -225,7 +223,7 @@ TEST(Diagram, FromTheInitialStateIsWhatARunGives) {
   document["friction"] = {{"static", 0.35}, {"kinetic", 0.30}};
   document["fluctuation"]["friction"] = {{"sigma", 0.03}};
   const Experiment experiment = experiment_from(document);
-  const auto diagrams = bifurcation(experiment, 7, RunOptions{}).value();
+  const auto diagrams = bifurcation(experiment, 7);
   for (const DiagramStep& step : branch_of(diagrams[0], Branch::initial)) {
     const RealisationResult result = realise(experiment.conditions[step.condition], experiment.seed, 7);
     EXPECT_EQ(step.classification.mode, result.classification.mode);
@@ -259,16 +257,13 @@ TEST(Diagram, HasTheSameBytesForAnyNumberOfThreads) {
   }
 }
 
-TEST(Diagram, IsAbsentWhereItWasAskedToStop) {
+TEST(Diagram, IsNotMadeWhereItWasAskedToStop) {
   const Experiment experiment = experiment_from(swept(R"([{ "parameter": "/block/height_m", "values": [4.0, 3.9] }])"));
-  std::atomic<bool> stop = false;
-  RunOptions options;
-  options.stop_requested = &stop;
-  options.on_progress = [&](std::uint64_t done, std::uint64_t all) {
+  const auto stop_at_third = [](std::uint64_t done, std::uint64_t all) {
     EXPECT_EQ(all, 6U);
-    stop = done == 3;
+    return done == 3 ? Decision::stop : Decision::proceed;
   };
-  EXPECT_FALSE(bifurcation(experiment, 0, options).has_value());
+  EXPECT_THROW(static_cast<void>(bifurcation(experiment, 0, {.on_progress = stop_at_third})), base::Stopped);
 }
 
 std::string place_of_problem(const Json& document) {

@@ -31,8 +31,9 @@ Experiment experiment_of(const Condition& condition) {
 TEST(RareProbabilities, AreTheSameOnAnyNumberOfThreads) {
   const Experiment experiment = experiment_of(fluctuating());
   const auto on = [&](unsigned threads) {
-    return rare_probabilities(experiment, {.event = {.peak_tilt = 0.4}, .relative_error = 0.5},
-                              {.particles = 20, .threads = threads})
+    return rare_probabilities(experiment,
+                              {.question = {.event = {.peak_tilt = 0.4}, .relative_error = 0.5}, .particles = 20},
+                              {.threads = threads})
         .front();
   };
   const RareEstimate one = on(1);
@@ -45,17 +46,20 @@ TEST(RareProbabilities, AreTheSameOnAnyNumberOfThreads) {
 TEST(RareProbabilities, FollowTheSeedOfTheRecord) {
   const rocking::RareQuestion question{.event = {.peak_tilt = 0.4}, .relative_error = 0.5};
   Experiment experiment = experiment_of(fluctuating());
-  const RareEstimate plain = rare_probabilities(experiment, question, {.particles = 20}).front();
+  const RareEstimate plain = rare_probabilities(experiment, {.question = question, .particles = 20}).front();
   constexpr std::uint64_t stream = 0xfedcba9876543210;
   experiment.conditions.front().record_stream = stream;
-  EXPECT_NE(rare_probabilities(experiment, question, {.particles = 20}).front().probability, plain.probability);
+  EXPECT_NE(rare_probabilities(experiment, {.question = question, .particles = 20}).front().probability,
+            plain.probability);
   experiment.seed ^= stream;
-  EXPECT_EQ(rare_probabilities(experiment, question, {.particles = 20}).front().probability, plain.probability);
+  EXPECT_EQ(rare_probabilities(experiment, {.question = question, .particles = 20}).front().probability,
+            plain.probability);
 }
 
 // A block that always reaches the tilt: 1, and no error.
 TEST(RareProbabilities, AreOneWhereTheEventIsCertain) {
-  const auto found = rare_probabilities(experiment_of(drawn_once()), {.event = {.peak_tilt = 0.0}}, {.particles = 20});
+  const auto found =
+      rare_probabilities(experiment_of(drawn_once()), {.question = {.event = {.peak_tilt = 0.0}}, .particles = 20});
   EXPECT_EQ(found.front().probability, 1.0);
   EXPECT_EQ(found.front().interval.high, 1.0);
 }
@@ -64,7 +68,8 @@ TEST(RareProbabilities, AreOneWhereTheEventIsCertain) {
 TEST(RareProbabilities, HaveAtLeast64RepetitionsOfImportanceSamplingThatHasSeenTheEvent) {
   const rocking::RareQuestion question{.event = {.peak_tilt = 0.6}, .relative_error = 1.0};
   for (const auto& [condition, least] : {std::pair{fluctuating(), 16U}, std::pair{drawn_once(), 64U}}) {
-    const RareEstimate found = rare_probabilities(experiment_of(condition), question, {.particles = 20}).front();
+    const RareEstimate found =
+        rare_probabilities(experiment_of(condition), {.question = question, .particles = 20}).front();
     EXPECT_GT(found.probability, 0.0);
     EXPECT_EQ(found.repetitions.size(), least);
     EXPECT_EQ(found.end, rocking::RareEnd::precise);
@@ -90,7 +95,7 @@ TEST(RarePaths, AreMadeAgainByTheirDraws) {
     const Experiment experiment = experiment_of(condition);
     const rocking::rare::Event event{.peak_tilt = 0.8};
     const RareEstimate found =
-        rare_probabilities(experiment, {.event = event, .relative_error = 0.9}, {.particles = 60}).front();
+        rare_probabilities(experiment, {.question = {.event = event, .relative_error = 0.9}, .particles = 60}).front();
     EXPECT_LT(*found.probability, 0.05);
     EXPECT_GE(found.paths.size(), 3U);
     const rocking::rare::BlockPaths paths{.condition = &condition, .seed = rare_seed, .event = event, .halt = {}};
@@ -108,7 +113,8 @@ TEST(RareCommittor, IsNearTheProbabilityAtTheStart) {
   condition.scene.friction.reset();
   condition.scene.fluctuation = {.amplitude = 0.6};
   const RareEstimate found =
-      rare_probabilities(experiment_of(condition), {.event = {.peak_tilt = 0.8}}, {.particles = 100}).front();
+      rare_probabilities(experiment_of(condition), {.question = {.event = {.peak_tilt = 0.8}}, .particles = 100})
+          .front();
   ASSERT_TRUE(found.committor);
   const double from_rest = found.committor->rows.at(30).at(30);
   EXPECT_LT(*found.probability, 0.1);
@@ -119,8 +125,8 @@ TEST(RareCommittor, IsNearTheProbabilityAtTheStart) {
 // A clock that advances at each look.
 struct Looks {
   std::atomic<int> count{0};
-  rocking::RareSettings settings(double seconds, unsigned threads) {
-    return {.particles = 20, .threads = threads, .seconds = seconds, .elapsed_seconds = [this] {
+  rocking::RareRequest request(const rocking::RareQuestion& question, double seconds) {
+    return {.question = question, .particles = 20, .seconds = seconds, .elapsed_seconds = [this] {
               return static_cast<double>(count++);
             }};
   }
@@ -131,12 +137,12 @@ TEST(RareTimeLimit, HoldsForAllConditionsTogetherAndKeepsWhatIsFinished) {
   experiment.conditions.assign(3, experiment.conditions.front());
   const rocking::RareQuestion question{.event = {.peak_tilt = 0.4}, .relative_error = 0.05};
   Looks unhurried;
-  const auto all = rare_probabilities(experiment, question, unhurried.settings(1e9, 1));
+  const auto all = rare_probabilities(experiment, unhurried.request(question, 1e9));
   for (const unsigned threads : {1U, 3U}) {
-    for (const double share : {0.0, 0.001, 0.01, 0.1, 0.3, 0.9}) {
+    for (const double share : {1e-9, 0.001, 0.01, 0.1, 0.3, 0.9}) {
       Looks looks;
       const double seconds = share * unhurried.count;
-      const auto found = rare_probabilities(experiment, question, looks.settings(seconds, threads));
+      const auto found = rare_probabilities(experiment, looks.request(question, seconds), {.threads = threads});
       // Each thread sees the end a few times in each condition.
       EXPECT_LE(looks.count, seconds + 1.0 + 4.0 * 3.0 * threads) << share;
       ASSERT_EQ(found.size(), 3U);
@@ -162,11 +168,10 @@ TEST(RareProbabilities, GoOnFromEarlierRepetitions) {
   for (const Condition& condition : {fluctuating(), drawn_once()}) {
     const Experiment experiment = experiment_of(condition);
     const rocking::RareQuestion question{.event = {.peak_tilt = 0.6}, .relative_error = 0.05};
-    const RareEstimate all = rare_probabilities(experiment, question, {.particles = 20}).front();
-    rocking::RareSettings settings{.particles = 20};
-    settings.earlier = {all};
-    settings.earlier.front().repetitions.resize(5);
-    const RareEstimate resumed = rare_probabilities(experiment, question, settings).front();
+    const RareEstimate all = rare_probabilities(experiment, {.question = question, .particles = 20}).front();
+    rocking::RareRequest request{.question = question, .particles = 20, .earlier = {all}};
+    request.earlier.front().repetitions.resize(5);
+    const RareEstimate resumed = rare_probabilities(experiment, request).front();
     EXPECT_EQ(resumed.probability, all.probability);
     EXPECT_EQ(resumed.repetitions.size(), all.repetitions.size());
     EXPECT_EQ(resumed.work, all.work);

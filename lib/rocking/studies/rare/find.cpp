@@ -32,6 +32,15 @@ class TotalProgress {
  public:
   TotalProgress(const RunOptions& options, std::size_t conditions) : options_(&options), conditions_(conditions) {}
 
+  [[nodiscard]] RareSettings settings() {
+    return {.threads = options_->threads,
+            .stop = options_->stop_requested,
+            .on_progress = [this](std::size_t condition, double done, double expected) {
+              tell(condition, done, expected);
+            }};
+  }
+
+ private:
   void tell(std::size_t condition, double done, double expected) {
     if (condition != condition_) earlier_ += last_;
     condition_ = condition;
@@ -46,7 +55,6 @@ class TotalProgress {
     options_->on_progress(whole, all > 0.0 ? std::max(whole, static_cast<std::uint64_t>(all)) : 0);
   }
 
- private:
   const RunOptions* options_;
   std::size_t conditions_;
   std::size_t condition_ = 0;
@@ -76,15 +84,7 @@ std::vector<RareEstimate> rare_probabilities(const Experiment& experiment, const
   check_request(experiment, request);
   const OptionsOfExecution asked(execution);
   TotalProgress progress(asked.options(), experiment.conditions.size());
-  RareSettings settings{.particles = request.particles, .threads = asked.options().threads, .stop = asked.stop()};
-  settings.seconds = request.seconds;
-  settings.elapsed_seconds = request.elapsed_seconds;
-  settings.on_progress = [&progress](std::size_t condition, double done, double expected) {
-    progress.tell(condition, done, expected);
-  };
-  settings.earlier = request.earlier;
-  settings.keep = request.keep;
-  std::vector<RareEstimate> found = rare_probabilities(experiment, request.question, settings);
+  std::vector<RareEstimate> found = rare_estimates(experiment, request, progress.settings());
   const bool is_stopped = std::ranges::any_of(found, [](const auto& one) { return one.end == RareEnd::stopped; });
   if (is_stopped && !request.keeps_when_stopped) throw base::Stopped();
   return found;
@@ -147,17 +147,14 @@ RunCheck verify_rare(const std::filesystem::path& folder, std::optional<std::uin
     check.findings = {"rare.json: does not have one estimate for each condition of its experiment"};
     return check;
   }
-  const std::vector<RareEstimate> earlier = estimates_in(claimed);
+  const RareRequest request{
+      .question = claimed.question, .particles = claimed.particles, .earlier = estimates_in(claimed)};
   const OptionsOfExecution asked(execution);
-  RareSettings settings{.particles = claimed.particles, .threads = asked.options().threads, .stop = asked.stop()};
   TotalProgress progress(asked.options(), conditions);
-  settings.on_progress = [&progress](std::size_t condition, double done, double expected) {
-    progress.tell(condition, done, expected);
-  };
   const RareRerun again =
-      rare_probabilities_again(*experiment, claimed.question, settings, earlier, sample.value_or(of_each * conditions));
+      rare_estimates_again(*experiment, request, progress.settings(), sample.value_or(of_each * conditions));
   check.checked = again.repetitions;
-  check.different = differing_repetitions(earlier, again.estimates);
+  check.different = differing_repetitions(request.earlier, again.estimates);
   const RareReport right =
       rare_report(*experiment, {.question = claimed.question, .particles = claimed.particles}, again.estimates);
   check.findings = report_differences(text, rare_document().text(right));

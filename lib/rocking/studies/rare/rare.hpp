@@ -12,22 +12,13 @@
 /// Probabilities of rare overturning, by particle runs or importance sampling (lib/docs/rare.md).
 namespace rocking {
 
+/// How estimates are computed.
 struct RareSettings {
-  std::size_t particles = 1000;  ///< of a repetition; 20 to 100000
   unsigned threads = 1;
   base::StopRequest stop = {};
-  /// Time for all conditions together [s], on the clock of `elapsed_seconds`, which several threads call. Absent: no
-  /// limit.
-  std::optional<double> seconds = {};
-  std::function<double()> elapsed_seconds = {};
-  /// Of an earlier call with the same experiment, event and particles, by condition: their repetitions are not made again.
-  std::vector<RareEstimate> earlier = {};
   /// Called by one thread at a time with the simulated time of a condition so far, pilot runs with it, and the time that
   /// is expected in all, in realisations to the horizon; 0: not known yet.
   std::function<void(std::size_t condition, double done, double expected)> on_progress = {};
-  /// Called by one thread at a time after each repetition; `so_far` gives what would be returned if it had been asked to
-  /// stop after it.
-  std::function<void(const std::function<std::vector<RareEstimate>()>& so_far)> keep = {};
 };
 
 /// Throws base::InputError if a condition is not valid or nothing in it is random.
@@ -36,8 +27,8 @@ void check_rare(const Experiment& experiment);
 /// The estimates for all conditions, in their order. Without a time limit they depend on the experiment, the question
 /// and the number of particles alone. With one, a condition gets its share of the time, but at least 8 repetitions;
 /// what is not finished at the end of the time, or when it is asked to stop, is left out. Throws as check_rare.
-[[nodiscard]] std::vector<RareEstimate> rare_probabilities(const Experiment& experiment, const RareQuestion& question,
-                                                           const RareSettings& settings);
+[[nodiscard]] std::vector<RareEstimate> rare_estimates(const Experiment& experiment, const RareRequest& request,
+                                                       const RareSettings& settings);
 
 /// An earlier study, of which a part is made again.
 struct RareRerun {
@@ -45,12 +36,10 @@ struct RareRerun {
   std::size_t repetitions = 0;          ///< that were made again
 };
 
-/// What follows from the repetitions of an earlier study with the same experiment, question and particles, of which
-/// about `sample` are made again, the same number in each condition, evenly spaced. The pilot runs are made again, too.
-/// A condition without finished repetitions stays as it is. Uses the threads, the progress and the stop of the
-/// settings. Throws as check_rare, and base::Stopped.
-[[nodiscard]] RareRerun rare_probabilities_again(const Experiment& experiment, const RareQuestion& question,
-                                                 const RareSettings& settings, const std::vector<RareEstimate>& earlier,
-                                                 std::size_t sample);
+/// What follows from the repetitions of an earlier study, `request.earlier`, with the same experiment, question and
+/// particles, of which about `sample` are made again, the same number in each condition, evenly spaced. The pilot runs are
+/// made again, too. A condition without finished repetitions stays as it is. Throws as check_rare, and base::Stopped.
+[[nodiscard]] RareRerun rare_estimates_again(const Experiment& experiment, const RareRequest& request,
+                                             const RareSettings& settings, std::size_t sample);
 
 }  // namespace rocking

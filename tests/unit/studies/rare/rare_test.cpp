@@ -209,8 +209,7 @@ TEST(RareProbabilities, AreRefusedWhereNothingIsRandom) {
   Condition condition = fluctuating();
   condition.scene.fluctuation = {};
   EXPECT_THROW(static_cast<void>(rare_probabilities(
-                   {.title = "", .seed = rare_seed, .conditions = {condition}, .canonical_text = "{}"},
-                   rocking::RareQuestion{}, {})),
+                   {.title = "", .seed = rare_seed, .conditions = {condition}, .canonical_text = "{}"}, {})),
                rocking::base::InputError);
 }
 

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <charconv>
 #include <mutex>
-#include <optional>
-#include <string>
 
 #include "rocking/api/refuse.hpp"
 #include "rocking/api/run_options.hpp"

@@ -1,12 +1,10 @@
 #include "rocking/studies/bifurcation/study.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <set>
-#include <string_view>
 #include <utility>
 
 #include "rocking/figures/palette.hpp"

@@ -1,6 +1,3 @@
-#include <array>
-#include <string_view>
-
 #include "rocking/fields/container_types.hpp"
 #include "rocking/fields/converted_type.hpp"
 #include "rocking/fields/named_type.hpp"

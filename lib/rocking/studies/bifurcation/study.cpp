@@ -1,10 +1,7 @@
 #include "rocking/studies/bifurcation/study.hpp"
 
 #include <algorithm>
-#include <cstddef>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include "rocking/api/refuse.hpp"
 #include "rocking/studies/orbits/study.hpp"

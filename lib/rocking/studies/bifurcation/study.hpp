@@ -1,17 +1,13 @@
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <span>
-#include <string>
-#include <vector>
 
 #include "rocking/ensemble/run.hpp"
 #include "rocking/fields/document.hpp"
 #include "rocking/figures/figure.hpp"
 #include "rocking/look/text_table.hpp"
 #include "rocking/output/provenance.hpp"
-#include "rocking/scene/experiment.hpp"
 #include "rocking/scene/shaking.hpp"
 #include "rocking/studies/bifurcation/question.hpp"
 #include "rocking/study/study.hpp"

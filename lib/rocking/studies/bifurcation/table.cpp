@@ -1,14 +1,10 @@
 #include "rocking/studies/bifurcation/study.hpp"
 
 #include <algorithm>
-#include <optional>
 #include <set>
-#include <string_view>
 
-#include "rocking/look/text_table.hpp"
 #include "rocking/output/parameter_text.hpp"
 #include "rocking/output/shaking_text.hpp"
-#include "rocking/scene/shaking.hpp"
 #include "rocking/text/json.hpp"
 #include "rocking/text/number_text.hpp"
 

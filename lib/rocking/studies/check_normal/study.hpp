@@ -1,14 +1,10 @@
 #pragma once
 
-#include <cstdint>
 #include <optional>
-#include <string>
 
 #include "rocking/fields/document.hpp"
 #include "rocking/fields/struct_type.hpp"
 #include "rocking/figures/figure.hpp"
-#include "rocking/stats/normal_check.hpp"
-#include "rocking/studies/check_normal/question.hpp"
 #include "rocking/studies/check_normal/question.hpp"
 #include "rocking/study/study.hpp"
 

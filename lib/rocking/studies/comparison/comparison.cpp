@@ -1,14 +1,12 @@
 #include "rocking/studies/comparison/study.hpp"
 
-#include <cstddef>
-#include <string>
+#include <algorithm>
 #include <utility>
-#include <vector>
 
-#include "rocking/api/refuse.hpp"
 #include "rocking/api/run_store.hpp"
 #include "rocking/api/written_experiment.hpp"
 #include "rocking/store/store.hpp"
+#include "rocking/text/number_text.hpp"
 
 namespace rocking {
 namespace {
@@ -58,11 +56,31 @@ ConditionComparison compared(const Table& table, double confidence) {
 
 }  // namespace
 
-std::optional<std::size_t> condition_with_other_record(const Experiment& first, const Experiment& second) {
-  for (std::size_t i = 0; i < first.conditions.size(); ++i) {
-    if (second.conditions[i].record_stream != first.conditions[i].record_stream) return i;
+std::optional<base::Problem> why_not_comparable(const ComparedRun& first, const ComparedRun& second) {
+  const auto& one = first.experiment.conditions;
+  const auto& other = second.experiment.conditions;
+  if (first.experiment.seed != second.experiment.seed) {
+    return base::Problem{"/seed", "",
+                         first.name + " and " + second.name +
+                             " have different seeds, so no common random numbers; run one of them again with the seed "
+                             "of the other",
+                         ""};
   }
-  return std::nullopt;
+  if (one.size() != other.size()) {
+    return base::Problem{"/sweep", "",
+                         first.name + " has " + counted(one.size(), "condition") + ", " + second.name + " has " +
+                             counted(other.size(), "condition") + "; compare runs with the same number of conditions",
+                         ""};
+  }
+  const auto [of_first, of_second] =
+      std::ranges::mismatch(one, other, {}, &Condition::record_stream, &Condition::record_stream);
+  if (of_first == one.end()) return std::nullopt;
+  return base::Problem{"/excitation/suite", "",
+                       "condition " + std::to_string(of_first - one.begin()) + " of " + first.name + " and of " +
+                           second.name +
+                           " has different records of a suite, so no common random numbers; compare runs with the same "
+                           "records in the same order",
+                       ""};
 }
 
 std::vector<ConditionComparison> compare(const Store& first, const Store& second, std::span<const double> confidences) {
@@ -84,21 +102,8 @@ std::size_t number_of_tests(std::span<const ConditionComparison> conditions) {
 
 Comparison compare(const StoredRun& first, const StoredRun& second) {
   const Experiment& experiment = first.experiment;
-  if (second.experiment.seed != experiment.seed) {
-    refuse("/seed", std::to_string(second.experiment.seed),
-           "is another than that of the first run (" + std::to_string(experiment.seed) +
-               "), so that the runs have no common random numbers; run one of them with the seed of the other");
-  }
-  if (second.experiment.conditions.size() != experiment.conditions.size()) {
-    refuse("/sweep", "",
-           "gives the runs different numbers of conditions: " + std::to_string(experiment.conditions.size()) + " and " +
-               std::to_string(second.experiment.conditions.size()));
-  }
-  if (const auto place = condition_with_other_record(experiment, second.experiment)) {
-    refuse("/excitation/suite", "",
-           "gives condition " + std::to_string(*place) +
-               " of the runs different records, so that they have no common random numbers; run both with the same "
-               "records in the same order");
+  if (auto found = why_not_comparable({experiment, "the first run"}, {second.experiment, "the second run"})) {
+    throw base::InputError(std::move(*found));
   }
   std::vector<double> confidences;
   for (const Condition& condition : experiment.conditions) confidences.push_back(condition.confidence);

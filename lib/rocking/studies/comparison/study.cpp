@@ -1,12 +1,9 @@
 #include "rocking/studies/comparison/study.hpp"
 
 #include <algorithm>
-#include <map>
-#include <optional>
 #include <string_view>
 #include <utility>
 
-#include "rocking/look/text_table.hpp"
 #include "rocking/output/parameter_text.hpp"
 #include "rocking/output/shaking_text.hpp"
 #include "rocking/scene/shaking.hpp"
@@ -128,28 +125,9 @@ const StructType& fields_of(const NoQuestion*) {
 void check(const Subject& subject, NoQuestion&) {
   const NamedRun& first = subject.runs[0];
   const NamedRun& second = subject.runs[1];
-  const Experiment& one = first.stored.experiment;
-  const Experiment& other = second.stored.experiment;
-  if (one.seed != other.seed) {
-    throw UnfitQuestion(
-        first.folder + " and " + second.folder +
-            " have different seeds, so no common random numbers; run one of them again with the seed of the "
-            "other",
-        "/seed");
-  }
-  if (one.conditions.size() != other.conditions.size()) {
-    throw UnfitQuestion(first.folder + " has " + counted(one.conditions.size(), "condition") + ", " + second.folder +
-                            " has " + counted(other.conditions.size(), "condition") +
-                            "; compare runs with the same number of conditions",
-                        "/sweep");
-  }
-  if (const auto place = condition_with_other_record(one, other)) {
-    throw UnfitQuestion(
-        "condition " + std::to_string(*place) + " of " + first.folder + " and of " + second.folder +
-            " has different records of a suite, so no common random numbers; compare runs with the same "
-            "records in the same order",
-        "/excitation/suite");
-  }
+  const auto found =
+      why_not_comparable({first.stored.experiment, first.folder}, {second.stored.experiment, second.folder});
+  if (found) throw UnfitQuestion(found->reason, found->place);
 }
 
 Answer find(const Subject& subject, const NoQuestion&, const Circumstances& circumstances) {

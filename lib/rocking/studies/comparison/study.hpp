@@ -1,14 +1,10 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <span>
-#include <string>
-#include <vector>
 
 #include "rocking/fields/document.hpp"
 #include "rocking/look/text_table.hpp"
-#include "rocking/scene/experiment.hpp"
 #include "rocking/studies/comparison/question.hpp"
 #include "rocking/study/study.hpp"
 
@@ -16,8 +12,14 @@ namespace rocking {
 
 class Store;
 
-/// The first condition that has another record of a suite in the second experiment; the two have as many conditions.
-[[nodiscard]] std::optional<std::size_t> condition_with_other_record(const Experiment& first, const Experiment& second);
+/// A run, and what it is called.
+struct ComparedRun {
+  const Experiment& experiment;
+  std::string name;
+};
+
+/// Why two runs have no common random numbers; absent: they have.
+[[nodiscard]] std::optional<base::Problem> why_not_comparable(const ComparedRun& first, const ComparedRun& second);
 
 /// Compares realisations of equal key. One entry for each condition; `confidences` has one number for each. The caller
 /// makes sure that the two runs have the same seed and records: only then do equal keys mean common random numbers.

@@ -1,9 +1,7 @@
 #include "rocking/studies/cost/cost.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <functional>
 #include <map>
 #include <set>
 #include <utility>

@@ -1,8 +1,5 @@
 #include "rocking/studies/cost/study.hpp"
 
-#include <optional>
-#include <string>
-
 #include "rocking/figures/palette.hpp"
 #include "rocking/look/text_table.hpp"
 #include "rocking/text/number_text.hpp"

@@ -6,13 +6,11 @@
 #include <cmath>
 #include <memory>
 #include <mutex>
-#include <span>
 #include <utility>
 
 #include "rocking/base/error.hpp"
 #include "rocking/base/many_parts.hpp"
 #include "rocking/ensemble/group_scheduler.hpp"
-#include "rocking/realisation/realisation_result.hpp"
 #include "rocking/scene/check_condition.hpp"
 #include "rocking/studies/cost/cost.hpp"
 

@@ -1,16 +1,8 @@
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <functional>
-#include <optional>
-#include <span>
-#include <vector>
-
 #include "rocking/ensemble/mode_family.hpp"
 #include "rocking/ensemble/run.hpp"
 #include "rocking/realisation/realisation_result.hpp"
-#include "rocking/scene/experiment.hpp"
 #include "rocking/store/summary.hpp"
 #include "rocking/studies/cost/cost.hpp"
 

@@ -1,13 +1,8 @@
 #pragma once
 
-#include <cstdint>
-#include <functional>
-#include <optional>
 #include <string>
-#include <vector>
 
 #include "rocking/api/run.hpp"
-#include "rocking/scene/experiment.hpp"
 #include "rocking/studies/cost/cost.hpp"
 
 /// What accuracy costs in time.

@@ -1,19 +1,15 @@
 #include "rocking/studies/cost/study.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <set>
 #include <stdexcept>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include "rocking/api/question_check.hpp"
 #include "rocking/api/refuse.hpp"
 #include "rocking/api/run_options.hpp"
 #include "rocking/api/system_facts.hpp"
 #include "rocking/base/stop_request.hpp"
-#include "rocking/ensemble/run.hpp"
 #include "rocking/fields/container_types.hpp"
 #include "rocking/scene/check_condition.hpp"
 #include "rocking/studies/cost/cost.hpp"

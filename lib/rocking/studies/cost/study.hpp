@@ -1,17 +1,9 @@
 #pragma once
 
-#include <cstdint>
-#include <functional>
-#include <optional>
-#include <span>
-#include <string>
-#include <vector>
-
 #include "rocking/fields/document.hpp"
 #include "rocking/fields/struct_type.hpp"
 #include "rocking/figures/figure.hpp"
 #include "rocking/output/provenance.hpp"
-#include "rocking/scene/experiment.hpp"
 #include "rocking/studies/cost/cost.hpp"
 #include "rocking/studies/cost/question.hpp"
 #include "rocking/study/study.hpp"

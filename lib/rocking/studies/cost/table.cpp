@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <vector>
 
 #include "rocking/look/table.hpp"
 #include "rocking/studies/cost/measurement.hpp"

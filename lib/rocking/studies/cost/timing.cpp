@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <mutex>
 #include <utility>
 
 #include "rocking/base/many_parts.hpp"
-#include "rocking/ensemble/run.hpp"
 #include "rocking/ensemble/work_list.hpp"
 #include "rocking/realisation/realisation_scheduler.hpp"
 #include "rocking/scene/check_condition.hpp"

@@ -1,10 +1,6 @@
 #include "rocking/studies/fragility/fragility.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
 #include <utility>
-#include <vector>
 
 #include "rocking/base/error.hpp"
 #include "rocking/stats/normal_law.hpp"

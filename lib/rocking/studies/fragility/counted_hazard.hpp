@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
-#include <vector>
 
 #include "rocking/studies/fragility/fragility.hpp"
 #include "rocking/studies/fragility/hazard_integral.hpp"

@@ -1,7 +1,5 @@
 #include "rocking/studies/fragility/fields.hpp"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string_view>
-
-#include "rocking/fields/struct_type.hpp"
 #include "rocking/studies/fragility/study.hpp"
 
 /// How the parts of a fragility report stand in documents.

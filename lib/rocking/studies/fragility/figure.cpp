@@ -1,12 +1,7 @@
 #include "rocking/studies/fragility/figure.hpp"
 
-#include <algorithm>
-#include <optional>
 #include <set>
-#include <string>
 #include <utility>
-#include <variant>
-#include <vector>
 
 #include "rocking/figures/palette.hpp"
 #include "rocking/figures/sweep_view.hpp"

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "rocking/figures/figure.hpp"
 #include "rocking/studies/fragility/study.hpp"
 

@@ -1,7 +1,6 @@
 #include "rocking/studies/fragility/fragility.hpp"
 
 #include <algorithm>
-#include <array>
 
 #include "rocking/base/error.hpp"
 #include "rocking/random/draws.hpp"

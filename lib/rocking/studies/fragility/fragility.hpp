@@ -1,14 +1,7 @@
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <vector>
-
 #include "rocking/base/many_parts.hpp"
 #include "rocking/ensemble/run.hpp"
-#include "rocking/scene/experiment.hpp"
-#include "rocking/scene/hazard.hpp"
 #include "rocking/stats/fit_suite.hpp"
 #include "rocking/studies/fragility/fragility_curve.hpp"
 #include "rocking/studies/fragility/question.hpp"
@@ -80,5 +73,12 @@ inline constexpr std::uint64_t suite_samples = 499;
 /// The place of an estimate of a probability that one before it has estimated too: a curve would join them. Absent if there
 /// is none.
 [[nodiscard]] std::optional<std::size_t> second_estimate(const std::vector<RareOfCurve>& rare);
+
+/// Place of the ground motion in a sweep of records.
+inline constexpr std::string_view record_pointer = "/excitation/file";
+/// The name of the ground motion of a scene; empty: it has none.
+[[nodiscard]] std::string record_of(const Scene& scene);
+
+[[nodiscard]] bool have_equal_values(const std::vector<Parameter>& a, const std::vector<Parameter>& b);
 
 }  // namespace rocking

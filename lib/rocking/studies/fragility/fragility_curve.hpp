@@ -1,16 +1,5 @@
 #pragma once
 
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
-
-#include "rocking/scene/experiment.hpp"
-#include "rocking/scene/shaking.hpp"
-#include "rocking/stats/fragility.hpp"
 #include "rocking/studies/fragility/stripes.hpp"
 
 namespace rocking {

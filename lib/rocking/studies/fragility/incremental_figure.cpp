@@ -1,15 +1,8 @@
 #include "rocking/studies/fragility/figure.hpp"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
 #include <map>
-#include <optional>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include "rocking/figures/palette.hpp"
 #include "rocking/figures/sweep_view.hpp"

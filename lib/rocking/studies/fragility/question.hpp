@@ -1,15 +1,8 @@
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <filesystem>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include "rocking/api/run.hpp"
-#include "rocking/scene/experiment.hpp"
 #include "rocking/scene/hazard.hpp"
 #include "rocking/stats/interval.hpp"
 #include "rocking/studies/fragility/fragility_curve.hpp"

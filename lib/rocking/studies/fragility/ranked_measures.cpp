@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <string>
 #include <tuple>
 
 #include "rocking/base/error.hpp"

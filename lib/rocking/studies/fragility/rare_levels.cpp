@@ -1,19 +1,13 @@
 #include <algorithm>
-#include <filesystem>
 #include <iterator>
-#include <optional>
-#include <string>
-#include <string_view>
 #include <utility>
 #include <variant>
-#include <vector>
 
 #include "rocking/api/refuse.hpp"
 #include "rocking/base/error.hpp"
 #include "rocking/base/number_text.hpp"
 #include "rocking/stats/repetitions.hpp"
 #include "rocking/studies/fragility/fragility.hpp"
-#include "rocking/studies/fragility/question.hpp"
 #include "rocking/studies/fragility/stripes.hpp"
 #include "rocking/studies/rare/study.hpp"
 #include "rocking/text/files.hpp"
@@ -62,23 +56,12 @@ Json block_and_motion(Json experiment, const std::string& intensity) {
   return experiment;
 }
 
-constexpr std::string_view record_pointer = "/excitation/file";
-
-bool are_equal(const std::vector<Parameter>& a, const std::vector<Parameter>& b) {
-  return std::ranges::equal(a, b, {}, &Parameter::value, &Parameter::value);
-}
-
 /// A block under a motion of the run.
 struct BlockAndMotion {
   std::vector<Parameter> others;  ///< CurveSubject::others
   std::string record;             ///< name of the ground motion; empty: the run has one motion
   Json block_and_motion;
 };
-
-std::string name_of_motion(const Scene& scene) {
-  const auto* recorded = std::get_if<Recorded>(&scene.excitation);
-  return recorded != nullptr && recorded->ground_motion ? recorded->ground_motion->name : "";
-}
 
 std::vector<BlockAndMotion> subjects_of(const Experiment& experiment, const std::string& intensity) {
   const Json text = Json::parse(experiment.canonical_text);
@@ -90,9 +73,9 @@ std::vector<BlockAndMotion> subjects_of(const Experiment& experiment, const std:
         .others = others, .record = {}, .block_and_motion = block_and_motion(applied(text, others), intensity)};
     const bool is_of_suite =
         std::erase_if(subject.others, [](const Parameter& each) { return each.pointer == record_pointer; }) > 0;
-    if (is_of_suite) subject.record = name_of_motion(condition.scene);
+    if (is_of_suite) subject.record = record_of(condition.scene);
     const bool is_known = std::ranges::any_of(subjects, [&](const BlockAndMotion& known) {
-      return known.record == subject.record && are_equal(known.others, subject.others);
+      return known.record == subject.record && have_equal_values(known.others, subject.others);
     });
     if (!is_known) subjects.push_back(std::move(subject));
   }
@@ -128,7 +111,7 @@ std::vector<Estimates> estimates_of(const RareReport& report, const std::vector<
     std::vector<Parameter> parameters = condition.parameters;
     std::erase_if(parameters, [](const Parameter& each) { return each.pointer == record_pointer; });
     auto group = std::ranges::find_if(groups, [&](const Estimates& known) {
-      return known.is_of_suite() && known.intensity == strength && are_equal(known.parameters, parameters);
+      return known.is_of_suite() && known.intensity == strength && have_equal_values(known.parameters, parameters);
     });
     if (group == groups.end()) {
       groups.push_back({.intensity = strength, .parameters = std::move(parameters), .all = {}});
@@ -161,14 +144,14 @@ RareLevel level_of(double intensity, const RareEstimate& found) {
 std::optional<RareOfCurve> mean_over_records(const Estimates& estimates, const RareReport& report,
                                              const std::vector<BlockAndMotion>& subjects, const std::string& file) {
   const auto wanted = std::ranges::count_if(
-      subjects, [&](const BlockAndMotion& each) { return are_equal(each.others, estimates.subject().others); });
+      subjects, [&](const BlockAndMotion& each) { return have_equal_values(each.others, estimates.subject().others); });
   if (std::ssize(estimates.all) != wanted) {
     refuse("rare", file,
            "has estimates under " + std::to_string(estimates.all.size()) + " of the " + std::to_string(wanted) +
                " ground motions of the run; estimate the probability under each of them");
   }
   const auto suite = std::ranges::find_if(
-      report.suites, [&](const RareSuite& each) { return are_equal(each.parameters, estimates.parameters); });
+      report.suites, [&](const RareSuite& each) { return have_equal_values(each.parameters, estimates.parameters); });
   if (suite == report.suites.end() || !suite->probability || !suite->relative_error) return std::nullopt;
   RareOfCurve mean{.others = estimates.subject().others,
                    .event = {.peak_tilt = report.question.event.peak_tilt},
@@ -196,7 +179,7 @@ std::optional<std::size_t> second_estimate(const std::vector<RareOfCurve>& rare)
   for (std::size_t i = 0; i < rare.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       const bool is_same = rare[i].level.intensity == rare[j].level.intensity && rare[i].event == rare[j].event;
-      if (is_same && are_equal(rare[i].others, rare[j].others)) return i;
+      if (is_same && have_equal_values(rare[i].others, rare[j].others)) return i;
     }
   }
   return std::nullopt;

@@ -1,7 +1,5 @@
 #include "rocking/studies/fragility/rare_tail.hpp"
 
-#include <algorithm>
-
 #include <boost/math/distributions/normal.hpp>
 
 #include "rocking/base/error.hpp"
@@ -18,26 +16,26 @@ TailPiece tail_piece(double y_low, double p_low, double y_high, double p_high) {
   return LognormalCapacity{.centre = y_low - z_low * dispersion, .dispersion = dispersion};
 }
 
-SuiteTail::SuiteTail(const SuiteCurve& curve) : used_(used_rare(curve)), y_(used_.nodes()) {
+SuiteTail::SuiteTail(const SuiteCurve& curve) : UsedRare(used_rare(curve)), y(nodes()) {
   for (const RecordCurve& record : curve.records) {
-    std::vector<double>& probabilities = of_records_.emplace_back(size(), 0.0);
+    std::vector<double>& probabilities = of_records.emplace_back(estimates.size(), 0.0);
     for (const RareLevel& level : record.curve.rare) {
-      const auto node = std::ranges::find(used_.estimates, level.intensity, &RareLevel::intensity);
-      if (node != used_.estimates.end()) {
-        probabilities[static_cast<std::size_t>(node - used_.estimates.begin())] = level.probability;
+      const auto node = std::ranges::find(estimates, level.intensity, &RareLevel::intensity);
+      if (node != estimates.end()) {
+        probabilities[static_cast<std::size_t>(node - estimates.begin())] = level.probability;
       }
     }
   }
 }
 
 std::vector<double> SuiteTail::means(const std::vector<double>& weights) const {
-  std::vector<double> sums(size(), 0.0);
+  std::vector<double> sums(estimates.size(), 0.0);
   if (sums.empty()) return sums;
-  ROCKING_EXPECT(weights.size() == of_records_.size());
+  ROCKING_EXPECT(weights.size() == of_records.size());
   double total = 0.0;
   for (std::size_t r = 0; r < weights.size(); ++r) {
     total += weights[r];
-    for (std::size_t node = 0; node < size(); ++node) sums[node] += weights[r] * of_records_[r][node];
+    for (std::size_t node = 0; node < estimates.size(); ++node) sums[node] += weights[r] * of_records[r][node];
   }
   for (double& sum : sums) sum /= total;
   return sums;

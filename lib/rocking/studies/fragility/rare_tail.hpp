@@ -2,11 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <optional>
 #include <variant>
-#include <vector>
 
 #include "rocking/studies/fragility/fragility_curve.hpp"
 #include "rocking/studies/fragility/hazard_integral.hpp"
@@ -114,23 +110,14 @@ class WithTail {
 
 /// The rare estimates that give the lower tail of a suite (used_rare), record by record: sampling that is stratified by
 /// records, each with its weight.
-class SuiteTail {
- public:
+struct SuiteTail : UsedRare {
   explicit SuiteTail(const SuiteCurve& curve);
 
-  [[nodiscard]] std::size_t size() const { return used_.estimates.size(); }
-  [[nodiscard]] const UsedRare& used() const { return used_; }
-  /// ln x of the estimates, and of the end; empty without a tail.
-  [[nodiscard]] const std::vector<double>& y() const { return y_; }
-  /// Of one record; 0 where it has no estimate.
-  [[nodiscard]] const std::vector<double>& of_record(std::size_t record) const { return of_records_[record]; }
   /// Means over the records with these weights, >= 0, not all 0.
   [[nodiscard]] std::vector<double> means(const std::vector<double>& weights) const;
 
- private:
-  UsedRare used_;
-  std::vector<double> y_;
-  std::vector<std::vector<double>> of_records_;
+  std::vector<double> y;                        ///< ln x of the estimates, and of the end; empty without a tail
+  std::vector<std::vector<double>> of_records;  ///< by record and estimate; 0 where it has none
 };
 
 }  // namespace rocking

@@ -1,8 +1,4 @@
-#include <algorithm>
-#include <string>
-#include <string_view>
 #include <utility>
-#include <variant>
 
 #include "rocking/api/question_check.hpp"
 #include "rocking/api/refuse.hpp"
@@ -11,11 +7,9 @@
 #include "rocking/api/written_experiment.hpp"
 #include "rocking/base/error.hpp"
 #include "rocking/base/number_text.hpp"
-#include "rocking/ensemble/run.hpp"
 #include "rocking/input/read_hazard.hpp"
 #include "rocking/input/read_record_metadata.hpp"
 #include "rocking/scene/check_condition.hpp"
-#include "rocking/scene/hazard.hpp"
 #include "rocking/store/store.hpp"
 #include "rocking/studies/fragility/fragility.hpp"
 #include "rocking/studies/fragility/study.hpp"
@@ -118,9 +112,7 @@ void compare(const HazardCurve& hazard, RunFragility& run) {
 std::vector<RareOfCurve> rare_of(const CurveSubject& subject, const std::vector<RareOfCurve>& all) {
   std::vector<RareOfCurve> found;
   for (const RareOfCurve& one : all) {
-    const bool is_same = one.event == subject.event &&
-                         std::ranges::equal(one.others, subject.others, {}, &Parameter::value, &Parameter::value);
-    if (is_same) found.push_back(one);
+    if (one.event == subject.event && have_equal_values(one.others, subject.others)) found.push_back(one);
   }
   std::ranges::sort(found, {}, [](const RareOfCurve& one) { return one.level.intensity; });
   return found;

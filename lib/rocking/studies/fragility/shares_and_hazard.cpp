@@ -1,9 +1,6 @@
 #include "rocking/studies/fragility/shares_and_hazard.hpp"
 
-#include <algorithm>
 #include <charconv>
-#include <cmath>
-#include <string>
 
 #include <boost/math/distributions/normal.hpp>
 
@@ -112,7 +109,7 @@ SharesAndHazard::SharesAndHazard(const CountedHazard& counted, std::size_t level
       least_uplift_(counted.least_uplift),
       pieces_(counted.pieces()),
       is_below_uplift_(counted.levels.empty()),
-      skipped_(levels - (counted.levels.size() - tail.size())) {
+      skipped_(levels - (counted.levels.size() - tail.estimates.size())) {
   // A suite without a level that lifts the block does not overturn up to there.
   intensities_ = is_below_uplift_ ? std::vector<double>{start_} : counted.levels;
   for (std::size_t k = 0; k < intensities_.size(); ++k) {
@@ -130,7 +127,7 @@ std::vector<double> SharesAndHazard::counted_of(std::vector<double> shares, cons
   if (is_below_uplift_) return {0.0};
   shares.erase(shares.begin(), shares.begin() + static_cast<std::ptrdiff_t>(skipped_));
   // Where the highest estimate ends the tail, the levels above show no event, and the probability is no smaller there.
-  if (tail_.size() > 0 && !tail_.used().end) {
+  if (!tail_.estimates.empty() && !tail_.end) {
     for (double& share : shares) share = std::max(share, tail.back());
   }
   shares.insert(shares.begin(), tail.begin(), tail.end());
@@ -138,11 +135,13 @@ std::vector<double> SharesAndHazard::counted_of(std::vector<double> shares, cons
 }
 
 WithTail<KnownProbabilities> SharesAndHazard::probability(const std::vector<double>& counted) const {
-  return {tail_.y(), {counted.begin(), counted.begin() + static_cast<std::ptrdiff_t>(tail_.size())}, known(counted)};
+  return {tail_.y,
+          {counted.begin(), counted.begin() + static_cast<std::ptrdiff_t>(tail_.estimates.size())},
+          known(counted)};
 }
 
 double SharesAndHazard::rate(const std::vector<double>& shares) const {
-  if (tail_.size() > 0) return rate_of(probability(shares), pieces_);
+  if (!tail_.estimates.empty()) return rate_of(probability(shares), pieces_);
   double sum = 0.0;
   for (std::size_t k = 0; k < weights_.size(); ++k) sum += weights_[k] * shares[k];
   return sum;
@@ -197,15 +196,15 @@ std::vector<LevelShare> SharesAndHazard::levels(const std::vector<double>& share
   std::vector<LevelShare> list;
   for (std::size_t k = 0; k < shares.size(); ++k) {
     // A rare estimate is told from 0.
-    const double least = k < tail_.size() ? std::min(half_trial, shares[k]) : half_trial;
+    const double least = k < tail_.estimates.size() ? std::min(half_trial, shares[k]) : half_trial;
     list.push_back({intensities_[k], shares[k], least});
   }
   return list;
 }
 
 double SharesAndHazard::in_tail(const std::vector<double>& shares) const {
-  if (tail_.size() == 0) return 0.0;
-  return rate_of(probability(shares), pieces_within(pieces_, tail_.y().front(), tail_.y().back()));
+  if (tail_.estimates.empty()) return 0.0;
+  return rate_of(probability(shares), pieces_within(pieces_, tail_.y.front(), tail_.y.back()));
 }
 
 KnownProbabilities SharesAndHazard::known(const std::vector<double>& shares) const {

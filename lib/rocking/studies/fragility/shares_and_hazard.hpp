@@ -1,12 +1,7 @@
 #pragma once
 
-#include <algorithm>
-#include <cstddef>
 #include <functional>
-#include <optional>
-#include <vector>
 
-#include "rocking/stats/interval.hpp"
 #include "rocking/studies/fragility/counted_hazard.hpp"
 #include "rocking/studies/fragility/hazard_integral.hpp"
 #include "rocking/studies/fragility/rare_tail.hpp"
@@ -92,7 +87,7 @@ class SharesAndHazard {
 
  private:
   /// The first range between levels that is not one of the tail.
-  [[nodiscard]] std::size_t first_of_levels() const { return std::max<std::size_t>(1, tail_.y().size()); }
+  [[nodiscard]] std::size_t first_of_levels() const { return std::max<std::size_t>(1, tail_.y.size()); }
   [[nodiscard]] double in_tail(const std::vector<double>& shares) const;
   /// Linear in ln x; 0 at the least uplift where that is known, wherever the hazard begins, and beyond the levels as at
   /// the last one.

@@ -1,6 +1,4 @@
 #include <cerrno>
-#include <string>
-#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -9,7 +7,6 @@
 #include "rocking/api/refuse.hpp"
 #include "rocking/api/run_store.hpp"
 #include "rocking/base/build_info.hpp"
-#include "rocking/output/report.hpp"
 #include "rocking/studies/fragility/figure.hpp"
 #include "rocking/studies/fragility/question.hpp"
 #include "rocking/studies/fragility/sheet.hpp"

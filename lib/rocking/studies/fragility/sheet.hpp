@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "rocking/output/report.hpp"
 #include "rocking/studies/fragility/study.hpp"
 

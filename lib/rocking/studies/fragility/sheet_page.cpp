@@ -1,9 +1,6 @@
 #include "rocking/studies/fragility/sheet.hpp"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <optional>
 
 #include <fmt/format.h>
 

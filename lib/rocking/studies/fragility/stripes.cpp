@@ -45,18 +45,10 @@ std::optional<double> least_uplift(const Scene& scene, double intensity) {
 
 namespace {
 
-constexpr std::string_view record_pointer = "/excitation/file";
-
 double number_in(const std::string& json) {
   double number = 0.0;
   std::from_chars(json.data(), json.data() + json.size(), number);
   return number;
-}
-
-/// The name of the ground motion of a condition that a sweep of records gave.
-std::string record_of(const Scene& scene) {
-  const auto* recorded = std::get_if<Recorded>(&scene.excitation);
-  return recorded != nullptr && recorded->ground_motion ? recorded->ground_motion->name : "";
 }
 
 /// The stripe and the group to which a condition belongs.
@@ -78,11 +70,6 @@ Place place_of(const Condition& condition, std::string_view intensity) {
     }
   }
   return place;
-}
-
-bool are_equal(const std::vector<Parameter>& a, const std::vector<Parameter>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](const Parameter& x, const Parameter& y) { return x.value == y.value; });
 }
 
 /// By records, in the order in which they come, and those of a record by growing intensity.
@@ -167,6 +154,15 @@ std::vector<Stripe> filled(const Experiment& experiment, const Store& store) {
 
 }  // namespace
 
+std::string record_of(const Scene& scene) {
+  const auto* recorded = std::get_if<Recorded>(&scene.excitation);
+  return recorded != nullptr && recorded->ground_motion ? recorded->ground_motion->name : "";
+}
+
+bool have_equal_values(const std::vector<Parameter>& a, const std::vector<Parameter>& b) {
+  return std::ranges::equal(a, b, {}, &Parameter::value, &Parameter::value);
+}
+
 std::vector<std::span<const Stripe>> StripeGroup::by_record() const {
   std::vector<std::span<const Stripe>> records;
   for (auto begin = stripes.begin(); begin != stripes.end();) {
@@ -224,7 +220,7 @@ std::vector<StripeGroup> stripes_of(const Experiment& experiment, const Store& s
     Place place = place_of(experiment.conditions[i], intensity);
     if (!(place.intensity > 0.0)) continue;
     auto group = std::find_if(groups.begin(), groups.end(),
-                              [&](const StripeGroup& known) { return are_equal(known.others, place.others); });
+                              [&](const StripeGroup& known) { return have_equal_values(known.others, place.others); });
     if (group == groups.end()) {
       groups.push_back({.parameter = std::string(intensity),
                         .others = std::move(place.others),

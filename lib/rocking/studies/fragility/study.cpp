@@ -1,7 +1,5 @@
 #include "rocking/studies/fragility/study.hpp"
 
-#include <algorithm>
-#include <filesystem>
 #include <set>
 #include <utility>
 

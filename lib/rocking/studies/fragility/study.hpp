@@ -1,16 +1,11 @@
 #pragma once
 
-#include <optional>
-#include <string>
 #include <variant>
-#include <vector>
 
 #include "rocking/base/digest.hpp"
 #include "rocking/fields/document.hpp"
 #include "rocking/fields/struct_type.hpp"
-#include "rocking/look/text_table.hpp"
 #include "rocking/studies/fragility/fragility.hpp"
-#include "rocking/studies/fragility/question.hpp"
 #include "rocking/studies/fragility/words.hpp"
 #include "rocking/study/study.hpp"
 

@@ -1,13 +1,5 @@
 #pragma once
 
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <string>
-#include <vector>
-
-#include "rocking/stats/fragility.hpp"
 #include "rocking/studies/fragility/fragility_curve.hpp"
 #include "rocking/studies/fragility/stripes.hpp"
 

@@ -1,14 +1,11 @@
 #include "rocking/studies/fragility/fragility.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
-#include <span>
 
 #include "rocking/base/error.hpp"
 #include "rocking/random/draws.hpp"
-#include "rocking/stats/fit_suite.hpp"
 #include "rocking/stats/lack_of_fit.hpp"
 #include "rocking/stats/mean_share.hpp"
 #include "rocking/stats/record_shares.hpp"

@@ -1,12 +1,9 @@
 #include "rocking/studies/fragility/fragility.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
 #include <utility>
 
 #include "rocking/base/error.hpp"
-#include "rocking/stats/fit_suite.hpp"
 #include "rocking/stats/normal_law.hpp"
 #include "rocking/stats/record_shares.hpp"
 #include "rocking/stats/unseen_record.hpp"
@@ -36,12 +33,11 @@ constexpr double rounding_of_rate = 1e-12;  ///< of a rate, relative
 /// What is counted of a hazard curve; the rare estimates take the place of the levels below the end of the tail.
 CountedHazard counted_with_tail(const HazardCurve& hazard, const SuiteCurve& curve, const SuiteTail& tail) {
   CountedHazard counted = counted_hazard(hazard, curve.levels, curve.subject.least_uplift);
-  if (tail.size() == 0) return counted;
-  const UsedRare& used = tail.used();
+  if (tail.estimates.empty()) return counted;
   std::erase_if(counted.levels,
-                [&used](double level) { return used.end ? level < *used.end : level <= *used.reach(); });
+                [&tail](double level) { return tail.end ? level < *tail.end : level <= *tail.reach(); });
   std::vector<double> levels;
-  for (const RareLevel& level : used.estimates) levels.push_back(level.intensity);
+  for (const RareLevel& level : tail.estimates) levels.push_back(level.intensity);
   levels.insert(levels.end(), counted.levels.begin(), counted.levels.end());
   counted.levels = std::move(levels);
   return counted;
@@ -123,8 +119,8 @@ class SuiteRates {
                   : disaggregated(counted_,
                                   rates_.probability(counted_shares(RateSource::isotonic, shares_, equal_weights())));
     found.chosen.source = is_by_law ? RateSource::law : RateSource::isotonic;
-    found.chosen.rare_below = tail_.used().reach();
-    found.chosen.rare_use = tail_.used().use;
+    found.chosen.rare_below = tail_.reach();
+    found.chosen.rare_use = tail_.use;
     if (curve_.pooled) found.chosen.impossible = impossible();
     for (const RateEstimate& estimate : found.estimates) {
       if (estimate.source == found.chosen.source) found.chosen.interval = estimate.interval;
@@ -146,7 +142,7 @@ class SuiteRates {
   /// Of records with these weights, whose law it is.
   [[nodiscard]] WithTail<LognormalCapacity> by_law_of(const stats::SuiteLaw& law,
                                                       const std::vector<double>& weights) const {
-    return {tail_.y(), tail_.means(weights), capacity_of(law)};
+    return {tail_.y, tail_.means(weights), capacity_of(law)};
   }
   /// Of the observed shares.
   [[nodiscard]] std::vector<double> observed() const {
@@ -192,7 +188,7 @@ class SuiteRates {
   }
 
   [[nodiscard]] std::vector<double> counted_of_record(const stats::RecordShares& of, std::size_t record) const {
-    return rates_.counted_of(of.of_record(record), tail_.of_record(record));
+    return rates_.counted_of(of.of_record(record), tail_.of_records[record]);
   }
 
   [[nodiscard]] RateEstimate by_shares(RateSource source) const {
@@ -255,14 +251,14 @@ class SuiteRates {
   /// record has in the probabilities at its two ends.
   [[nodiscard]] double rate_of_record(std::size_t record) const {
     const std::vector<double> own = counted_of_record(shares_, record);
-    if (tail_.size() == 0) return rates_.rate(own);
+    if (tail_.estimates.empty()) return rates_.rate(own);
     const std::vector<double> means = observed();
     const auto of_all = rates_.probability(means);
-    double rate = rate_of(rates_.probability(own), pieces_within(pieces_, tail_.y().back(), HUGE_VAL));
-    for (std::size_t i = 0; i + 1 < tail_.y().size(); ++i) {
-      const double low = i == 0 ? -HUGE_VAL : tail_.y()[i];
+    double rate = rate_of(rates_.probability(own), pieces_within(pieces_, tail_.y.back(), HUGE_VAL));
+    for (std::size_t i = 0; i + 1 < tail_.y.size(); ++i) {
+      const double low = i == 0 ? -HUGE_VAL : tail_.y[i];
       const double share = 0.5 * (own[i] / means[i] + own[i + 1] / means[i + 1]);
-      rate += share * rate_of(of_all, pieces_within(pieces_, low, tail_.y()[i + 1]));
+      rate += share * rate_of(of_all, pieces_within(pieces_, low, tail_.y[i + 1]));
     }
     return rate;
   }

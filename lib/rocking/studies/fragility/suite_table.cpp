@@ -1,9 +1,7 @@
 #include "rocking/studies/fragility/words.hpp"
 
 #include <utility>
-#include <vector>
 
-#include "rocking/look/table.hpp"
 #include "rocking/text/json.hpp"
 #include "rocking/text/number_text.hpp"
 

@@ -1,12 +1,7 @@
 #include "rocking/studies/fragility/study.hpp"
 
-#include <algorithm>
-#include <optional>
 #include <set>
-#include <string_view>
-#include <vector>
 
-#include "rocking/look/text_table.hpp"
 #include "rocking/output/alarms.hpp"
 #include "rocking/output/parameter_text.hpp"
 #include "rocking/output/shaking_text.hpp"

@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "rocking/look/table.hpp"
 #include "rocking/output/mode_table.hpp"
 #include "rocking/text/json.hpp"
 #include "rocking/text/number_text.hpp"

@@ -1,15 +1,9 @@
 #pragma once
 
 #include <algorithm>
-#include <cstddef>
-#include <optional>
-#include <string>
-#include <vector>
 
 #include "rocking/look/table.hpp"
 #include "rocking/look/text_table.hpp"
-#include "rocking/scene/experiment.hpp"
-#include "rocking/stats/fragility.hpp"
 #include "rocking/studies/fragility/fragility.hpp"
 #include "rocking/studies/fragility/fragility_curve.hpp"
 #include "rocking/studies/fragility/stripes.hpp"

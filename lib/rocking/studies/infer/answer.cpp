@@ -1,10 +1,8 @@
 #include "rocking/studies/infer/survey.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <mutex>
 #include <numeric>
-#include <span>
 
 #include "rocking/studies/infer/made_up_tests.hpp"
 #include "rocking/studies/infer/posterior.hpp"

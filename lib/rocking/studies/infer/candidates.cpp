@@ -1,7 +1,5 @@
 #include "rocking/studies/infer/posterior.hpp"
 
-#include <cmath>
-
 #include "rocking/random/draws.hpp"
 #include "rocking/studies/infer/made_up_tests.hpp"
 

@@ -1,11 +1,8 @@
 #include "rocking/studies/infer/study.hpp"
 
 #include <algorithm>
-#include <cstdint>
 #include <numeric>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include "rocking/figures/palette.hpp"
 #include "rocking/figures/sweep_view.hpp"

@@ -1,5 +1,3 @@
-#include <array>
-
 #include "rocking/fields/container_types.hpp"
 #include "rocking/fields/named_type.hpp"
 #include "rocking/output/provenance_fields.hpp"

@@ -1,8 +1,6 @@
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <numeric>
-#include <string>
 #include <utility>
 
 #include "rocking/api/question_check.hpp"

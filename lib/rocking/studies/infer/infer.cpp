@@ -1,13 +1,10 @@
 #include "rocking/studies/infer/infer.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <optional>
 #include <utility>
 
 #include <boost/math/distributions/chi_squared.hpp>
 
-#include "rocking/base/many_parts.hpp"
 #include "rocking/studies/infer/lattice.hpp"
 #include "rocking/studies/infer/posterior.hpp"
 #include "rocking/studies/infer/profile.hpp"

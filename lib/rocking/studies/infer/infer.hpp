@@ -1,17 +1,9 @@
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <functional>
-#include <optional>
-#include <vector>
-
 #include "rocking/base/many_parts.hpp"
 #include "rocking/base/stop_request.hpp"
 #include "rocking/ensemble/run.hpp"
 #include "rocking/input/read_experiment.hpp"
-#include "rocking/scene/counted_tests.hpp"
-#include "rocking/scene/experiment.hpp"
 #include "rocking/studies/infer/question.hpp"
 
 /// From counted tests back to the numbers that explain them (lib/docs/infer.md).

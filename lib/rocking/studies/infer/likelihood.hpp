@@ -1,11 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <vector>
-
-#include <Eigen/Core>
-
 #include "rocking/base/stop_request.hpp"
 #include "rocking/studies/infer/lattice.hpp"
 #include "rocking/studies/infer/share_model.hpp"

@@ -1,7 +1,5 @@
 #include <algorithm>
-#include <array>
 #include <limits>
-#include <string>
 #include <utility>
 
 #include "rocking/figures/shaded_map.hpp"

@@ -1,12 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <span>
-#include <vector>
-
-#include <Eigen/Core>
-
 #include "rocking/base/many_parts.hpp"
 #include "rocking/studies/infer/share_model.hpp"
 

@@ -1,10 +1,8 @@
 #include "rocking/studies/infer/posterior.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <stdexcept>
-#include <string>
 #include <utility>
 #include <variant>
 

@@ -1,14 +1,6 @@
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <vector>
-
-#include <Eigen/Core>
-
-#include "rocking/base/many_parts.hpp"
 #include "rocking/scene/quantity.hpp"
-#include "rocking/studies/infer/question.hpp"
 #include "rocking/studies/infer/share_model.hpp"
 #include "rocking/studies/infer/survey.hpp"
 

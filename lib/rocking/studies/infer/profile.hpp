@@ -1,11 +1,6 @@
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
 #include <functional>
-#include <vector>
-
-#include <Eigen/Core>
 
 #include "rocking/stats/interval.hpp"
 #include "rocking/studies/infer/likelihood.hpp"

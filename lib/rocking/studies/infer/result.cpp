@@ -1,6 +1,4 @@
 #include <algorithm>
-#include <functional>
-#include <string>
 
 #include "rocking/base/error.hpp"
 #include "rocking/output/provenance_fields.hpp"

@@ -1,10 +1,7 @@
 #include "rocking/studies/infer/infer.hpp"
 
-#include <optional>
-
 #include "rocking/base/error.hpp"
 #include "rocking/base/number_text.hpp"
-#include "rocking/base/stop_request.hpp"
 #include "rocking/input/condition_family.hpp"
 
 namespace rocking {

@@ -1,7 +1,6 @@
 #include "rocking/studies/infer/study.hpp"
 
 #include "rocking/api/questions.hpp"
-#include "rocking/scene/counted_tests.hpp"
 
 namespace rocking {
 namespace {

@@ -1,17 +1,10 @@
 #pragma once
 
-#include <cstdint>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "rocking/fields/document.hpp"
 #include "rocking/fields/struct_type.hpp"
 #include "rocking/fields/value_type.hpp"
 #include "rocking/figures/figure.hpp"
 #include "rocking/output/provenance.hpp"
-#include "rocking/scene/counted_tests.hpp"
-#include "rocking/scene/experiment.hpp"
 #include "rocking/studies/infer/question.hpp"
 #include "rocking/study/study.hpp"
 

@@ -1,16 +1,9 @@
 #pragma once
 
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <vector>
 
-#include <Eigen/Core>
-
-#include "rocking/base/many_parts.hpp"
 #include "rocking/studies/infer/infer.hpp"
 #include "rocking/studies/infer/likelihood.hpp"
-#include "rocking/studies/infer/question.hpp"
 #include "rocking/studies/infer/share_model.hpp"
 
 namespace rocking::infer {

@@ -1,9 +1,6 @@
 #include <algorithm>
-#include <filesystem>
-#include <string>
 #include <utility>
 
-#include "rocking/api/checks.hpp"
 #include "rocking/api/refuse.hpp"
 #include "rocking/api/run_options.hpp"
 #include "rocking/api/study_check.hpp"

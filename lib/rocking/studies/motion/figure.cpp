@@ -1,9 +1,7 @@
 #include "rocking/studies/motion/study.hpp"
 
 #include <array>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include "rocking/figures/palette.hpp"
 #include "rocking/text/number_text.hpp"

@@ -1,10 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
-#include <optional>
-#include <string>
-#include <vector>
 
 #include "rocking/dynamics/excitation/shape.hpp"
 #include "rocking/fields/document.hpp"

@@ -2,7 +2,6 @@
 #include <array>
 
 #include "rocking/look/table.hpp"
-#include "rocking/look/text_table.hpp"
 #include "rocking/studies/motion/study.hpp"
 #include "rocking/text/number_text.hpp"
 

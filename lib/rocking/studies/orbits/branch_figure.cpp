@@ -1,16 +1,12 @@
 #include "rocking/studies/orbits/study.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
 #include <functional>
 #include <map>
 #include <set>
-#include <string>
 #include <utility>
 #include <variant>
-#include <vector>
 
 #include "rocking/figures/palette.hpp"
 #include "rocking/figures/sweep_view.hpp"

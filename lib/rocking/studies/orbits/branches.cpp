@@ -1,11 +1,9 @@
 #include "rocking/studies/orbits/orbits.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <deque>
 #include <iterator>
-#include <optional>
 #include <utility>
 
 #include "rocking/section/classification.hpp"

@@ -1,8 +1,5 @@
 #include "rocking/studies/orbits/study.hpp"
 
-#include <cstddef>
-#include <string>
-
 #include "rocking/output/provenance_fields.hpp"
 
 namespace rocking {

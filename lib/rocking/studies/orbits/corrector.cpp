@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <utility>
 
 #include "rocking/studies/orbits/fixed_point.hpp"
@@ -19,21 +18,10 @@ constexpr double may_be_rounding = 1e-9;
 /// That of one, over the largest entry of M, with that of the motion behind it.
 constexpr double rounding_of_map = 0x1p-52;
 
-/// Largest entry of the matrix, at least 1: rounding of the image is about 2^-53 times it.
-double amplification(const SectionMatrix& matrix) {
-  double largest = 1.0;
-  for (const auto& row : matrix) {
-    for (const double entry : row) largest = std::max(largest, std::abs(entry));
-  }
-  return largest;
-}
-
 /// The coordinates that the image has exactly, since the contact state fixes them, are taken from it.
 Unknowns with_fixed_coordinates(Unknowns at, const PoincareImage& image) {
-  const std::array<double, 3> end{image.end().tilt, image.end().tilt_rate, image.end().slip_rate};
   for (std::size_t i = 0; i < 3; ++i) {
-    const auto& row = image.derivative[i];
-    if (end[i] == 0.0 && row[0] == 0.0 && row[1] == 0.0 && row[2] == 0.0) at[i] = 0.0;
+    if (is_fixed(image, i)) at[i] = 0.0;
   }
   return at;
 }

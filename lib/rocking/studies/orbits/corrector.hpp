@@ -1,8 +1,5 @@
 #pragma once
 
-#include <optional>
-
-#include "rocking/base/stop_request.hpp"
 #include "rocking/studies/orbits/map_family.hpp"
 
 namespace rocking {

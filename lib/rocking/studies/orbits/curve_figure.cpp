@@ -1,8 +1,5 @@
 #include "rocking/studies/orbits/study.hpp"
 
-#include <array>
-#include <cstddef>
-#include <string>
 #include <utility>
 
 #include "rocking/figures/sweep_view.hpp"

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <utility>
 
 #include <Eigen/Dense>
@@ -54,24 +53,9 @@ double smallest_singular_value(const CriticalFamily& family, const PoincareImage
   return Eigen::JacobiSVD<Eigen::MatrixXd>(critical_matrix(family, image)).singularValues()[2];
 }
 
-double largest_entry(const SectionMatrix& matrix) {
-  double largest = 1.0;
-  for (const auto& row : matrix) {
-    for (const double entry : row) largest = std::max(largest, std::abs(entry));
-  }
-  return largest;
-}
-
 /// H - z and g.
 Eigen::Vector4d value_of(const PlaneUnknowns& at, const PoincareImage& image, double test) {
   return {image.end().tilt - at[0], image.end().tilt_rate - at[1], image.end().slip_rate - at[2], test};
-}
-
-/// The coordinate is fixed by the contact state: the image has it exactly, whatever the state was.
-bool is_fixed(const PoincareImage& image, std::size_t coordinate) {
-  const std::array<double, 3> end{image.end().tilt, image.end().tilt_rate, image.end().slip_rate};
-  const auto& row = image.derivative[coordinate];
-  return end[coordinate] == 0.0 && row[0] == 0.0 && row[1] == 0.0 && row[2] == 0.0;
 }
 
 /// Difference of (H - z, g) along one unknown, between motions with the same changes of contact.
@@ -125,7 +109,7 @@ Eigen::Matrix<double, 5, 5> matrix_of(const Curve& derivative, const PlaneSectio
 /// Of the first parameter, by the residuals at a point and their rounding.
 double error_of(const Curve& derivative, const PlaneSection& section, const CriticalPoint& point, double test) {
   const Vector5 row = matrix_of(derivative, section).inverse().row(3).transpose().cwiseAbs();
-  const double largest = largest_entry(point.image.derivative);
+  const double largest = amplification(point.image.derivative);
   const double of_orbit = std::max(point.residual, rounding_of_image * largest);
   const double of_test = std::max(std::abs(test), rounding_of_derivative * largest);
   return of_orbit * row.head<3>().sum() + of_test * row[3];
@@ -156,20 +140,6 @@ PlaneUnknowns tangent_of(const Curve& derivative, const PlaneSection& section, c
 }
 
 }  // namespace
-
-double dot(const PlaneUnknowns& a, const PlaneUnknowns& b) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
-  return sum;
-}
-
-PlaneUnknowns plus(const PlaneUnknowns& a, double share, const PlaneUnknowns& b) {
-  PlaneUnknowns sum = a;
-  for (std::size_t i = 0; i < a.size(); ++i) sum[i] += share * b[i];
-  return sum;
-}
-
-double norm(const PlaneUnknowns& a) { return std::sqrt(dot(a, a)); }
 
 std::optional<PoincareImage> image_of(const CriticalFamily& family, const PlaneUnknowns& at) {
   if (!std::isfinite(at[4])) return std::nullopt;
@@ -219,9 +189,9 @@ std::optional<CriticalPoint> correct(const CriticalFamily& family, const Critica
     if (!next || size < enough_in_plane) break;
     at = *next;
   }
-  if (!best || !(best->residual <= largest_residual * largest_entry(best->image.derivative))) return std::nullopt;
+  if (!best || !(best->residual <= largest_residual * amplification(best->image.derivative))) return std::nullopt;
   best->test = smallest_singular_value(family, best->image);
-  if (!(best->test <= largest_test * largest_entry(best->image.derivative))) return std::nullopt;
+  if (!(best->test <= largest_test * amplification(best->image.derivative))) return std::nullopt;
   best->error = error_of(*derivative_at_best, section, *best, test_of_best);
   best->border = border_of(family, best->image);
   best->tangent = tangent_of(*derivative_at_best, section, best->image);

@@ -1,11 +1,5 @@
 #pragma once
 
-#include <array>
-#include <functional>
-#include <optional>
-#include <vector>
-
-#include "rocking/base/stop_request.hpp"
 #include "rocking/studies/orbits/branch.hpp"
 #include "rocking/studies/orbits/map_family.hpp"
 
@@ -56,11 +50,6 @@ struct PlaneSection {
   PlaneUnknowns normal{};
   PlaneUnknowns through{};
 };
-
-[[nodiscard]] double dot(const PlaneUnknowns& a, const PlaneUnknowns& b);
-/// a + share b.
-[[nodiscard]] PlaneUnknowns plus(const PlaneUnknowns& a, double share, const PlaneUnknowns& b);
-[[nodiscard]] double norm(const PlaneUnknowns& a);
 
 /// The map of the family at a state and two shares; absent where the motion ends before.
 [[nodiscard]] std::optional<PoincareImage> image_of(const CriticalFamily& family, const PlaneUnknowns& at);

@@ -1,12 +1,9 @@
 #include "rocking/studies/orbits/trace.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
 #include <limits>
 #include <utility>
-#include <vector>
 
 #include <Eigen/Dense>
 
@@ -103,12 +100,6 @@ struct OrbitAtMargin {
   double error = 0.0;  ///< of the parameter
 };
 
-bool is_fixed_by_contact(const PoincareImage& image, std::size_t coordinate) {
-  const std::array<double, 3> end{image.end().tilt, image.end().tilt_rate, image.end().slip_rate};
-  const auto& row = image.derivative[coordinate];
-  return end[coordinate] == 0.0 && row[0] == 0.0 && row[1] == 0.0 && row[2] == 0.0;
-}
-
 /// The orbits of a family next to one grazing.
 class OrbitsNearGrazing {
  public:
@@ -171,7 +162,7 @@ class OrbitsNearGrazing {
     Eigen::Matrix4d matrix = Eigen::Matrix4d::Zero();
     for (std::size_t i = 0; i < 4; ++i) {
       const auto column = static_cast<int>(i);
-      if (i < 3 && is_fixed_by_contact(here.image, i)) {
+      if (i < 3 && is_fixed(here.image, i)) {
         matrix(column, column) = -1.0;
         continue;
       }

@@ -1,9 +1,7 @@
 #include "rocking/studies/orbits/map_family.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
 #include <limits>
 
 #include <Eigen/Dense>
@@ -40,19 +38,19 @@ Eigen::Matrix4d bordered_matrix(const MapDerivative& derivative, const Unknowns&
 
 }  // namespace
 
-double dot(const Unknowns& a, const Unknowns& b) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < 4; ++i) sum += a[i] * b[i];
-  return sum;
+double amplification(const SectionMatrix& matrix) {
+  double largest = 1.0;
+  for (const auto& row : matrix) {
+    for (const double entry : row) largest = std::max(largest, std::abs(entry));
+  }
+  return largest;
 }
 
-Unknowns plus(const Unknowns& a, double share, const Unknowns& b) {
-  Unknowns sum = a;
-  for (std::size_t i = 0; i < 4; ++i) sum[i] += share * b[i];
-  return sum;
+bool is_fixed(const PoincareImage& image, std::size_t coordinate) {
+  const std::array<double, 3> end{image.end().tilt, image.end().tilt_rate, image.end().slip_rate};
+  const auto& row = image.derivative[coordinate];
+  return end[coordinate] == 0.0 && row[0] == 0.0 && row[1] == 0.0 && row[2] == 0.0;
 }
-
-double norm(const Unknowns& a) { return std::sqrt(dot(a, a)); }
 
 std::optional<Unknowns> solve_bordered(const MapDerivative& derivative, const Unknowns& border, const Unknowns& right) {
   const Eigen::Vector4d solution =

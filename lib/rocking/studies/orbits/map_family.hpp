@@ -1,8 +1,7 @@
 #pragma once
 
-#include <array>
+#include <cmath>
 #include <functional>
-#include <optional>
 
 #include "rocking/realisation/poincare_map.hpp"
 #include "rocking/scene/experiment.hpp"
@@ -21,10 +20,30 @@ struct MapDerivative {
   std::array<double, 3> by_parameter{};
 };
 
-[[nodiscard]] double dot(const Unknowns& a, const Unknowns& b);
+template <std::size_t size>
+[[nodiscard]] double dot(const std::array<double, size>& a, const std::array<double, size>& b) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < size; ++i) sum += a[i] * b[i];
+  return sum;
+}
 /// a + share b.
-[[nodiscard]] Unknowns plus(const Unknowns& a, double share, const Unknowns& b);
-[[nodiscard]] double norm(const Unknowns& a);
+template <std::size_t size>
+[[nodiscard]] std::array<double, size> plus(const std::array<double, size>& a, double share,
+                                            const std::array<double, size>& b) {
+  std::array<double, size> sum = a;
+  for (std::size_t i = 0; i < size; ++i) sum[i] += share * b[i];
+  return sum;
+}
+template <std::size_t size>
+[[nodiscard]] double norm(const std::array<double, size>& a) {
+  return std::sqrt(dot(a, a));
+}
+
+/// Largest entry of a derivative, at least 1: rounding of the image is about 2^-53 times it.
+[[nodiscard]] double amplification(const SectionMatrix& matrix);
+
+/// Whether the contact state fixes a coordinate: the image has it exactly, whatever the state was.
+[[nodiscard]] bool is_fixed(const PoincareImage& image, std::size_t coordinate);
 
 /// The solution of (M - I) z + H_q q = right, border . (z, q) = right[3]; absent where it is not finite.
 [[nodiscard]] std::optional<Unknowns> solve_bordered(const MapDerivative& derivative, const Unknowns& border,

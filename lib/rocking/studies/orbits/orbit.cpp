@@ -1,12 +1,10 @@
 #include "rocking/studies/orbits/orbit.hpp"
 
 #include <algorithm>
-#include <cstddef>
 #include <utility>
 
 #include <Eigen/Dense>
 
-#include "rocking/realisation/poincare_map.hpp"
 #include "rocking/studies/orbits/fixed_point.hpp"
 #include "rocking/studies/orbits/question.hpp"
 

@@ -1,7 +1,6 @@
 #include "rocking/studies/orbits/orbits.hpp"
 
 #include <algorithm>
-#include <string>
 #include <utility>
 
 #include "rocking/base/error.hpp"

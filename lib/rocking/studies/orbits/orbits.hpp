@@ -1,15 +1,6 @@
 #pragma once
 
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <functional>
-#include <optional>
-#include <string_view>
-#include <vector>
-
 #include "rocking/ensemble/run.hpp"
-#include "rocking/scene/experiment.hpp"
 #include "rocking/studies/orbits/branch.hpp"
 #include "rocking/studies/orbits/fold_and_flip.hpp"
 #include "rocking/studies/orbits/map_family.hpp"

@@ -1,8 +1,5 @@
 #include "rocking/studies/orbits/trace.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <iterator>
 #include <utility>
 

@@ -1,10 +1,6 @@
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <optional>
 #include <string>
-#include <vector>
 
 #include "rocking/api/run.hpp"
 #include "rocking/dynamics/contact.hpp"

@@ -1,11 +1,5 @@
 #include <algorithm>
-#include <array>
-#include <complex>
-#include <cstddef>
-#include <optional>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include "rocking/fields/container_types.hpp"
 #include "rocking/fields/converted_type.hpp"

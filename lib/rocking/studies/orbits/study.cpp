@@ -1,9 +1,6 @@
 #include "rocking/studies/orbits/study.hpp"
 
 #include <algorithm>
-#include <cstdint>
-#include <functional>
-#include <string_view>
 #include <utility>
 
 #include "rocking/api/question_check.hpp"

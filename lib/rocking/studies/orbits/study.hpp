@@ -1,15 +1,11 @@
 #pragma once
 
-#include <optional>
-#include <string>
-
 #include "rocking/fields/document.hpp"
 #include "rocking/fields/struct_type.hpp"
 #include "rocking/fields/value_type.hpp"
 #include "rocking/figures/figure.hpp"
 #include "rocking/look/text_table.hpp"
 #include "rocking/output/provenance.hpp"
-#include "rocking/scene/experiment.hpp"
 #include "rocking/studies/orbits/question.hpp"
 #include "rocking/study/study.hpp"
 

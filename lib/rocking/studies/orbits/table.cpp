@@ -1,12 +1,8 @@
 #include "rocking/studies/orbits/study.hpp"
 
 #include <algorithm>
-#include <complex>
-#include <cstddef>
 #include <utility>
-#include <vector>
 
-#include "rocking/look/text_table.hpp"
 #include "rocking/output/parameter_text.hpp"
 #include "rocking/text/json.hpp"
 #include "rocking/text/number_text.hpp"

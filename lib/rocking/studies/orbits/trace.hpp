@@ -1,10 +1,6 @@
 #pragma once
 
-#include <cstddef>
-#include <functional>
-#include <optional>
 #include <span>
-#include <vector>
 
 #include "rocking/studies/orbits/branch.hpp"
 #include "rocking/studies/orbits/corrector.hpp"

@@ -1,9 +1,6 @@
 #include "rocking/studies/rare/block_paths.hpp"
 
-#include <algorithm>
 #include <atomic>
-#include <cmath>
-#include <utility>
 
 #include "rocking/base/many_parts.hpp"
 #include "rocking/base/normal_law.hpp"

@@ -1,15 +1,9 @@
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <functional>
 #include <memory>
-#include <vector>
 
-#include "rocking/random/branched_draws.hpp"
 #include "rocking/realisation/lockstep.hpp"
 #include "rocking/realisation/start.hpp"
-#include "rocking/scene/experiment.hpp"
 #include "rocking/studies/rare/committor.hpp"
 #include "rocking/studies/rare/proposal.hpp"
 #include "rocking/studies/rare/question.hpp"

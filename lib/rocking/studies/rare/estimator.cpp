@@ -1,9 +1,5 @@
 #include "rocking/studies/rare/estimator.hpp"
 
-#include <algorithm>
-#include <optional>
-#include <utility>
-
 #include "rocking/studies/rare/importance.hpp"
 #include "rocking/studies/rare/twisted_run.hpp"
 #include "rocking/studies/rare/typical_paths.hpp"

@@ -1,13 +1,6 @@
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <memory>
-#include <optional>
-#include <vector>
-
 #include "rocking/studies/rare/block_paths.hpp"
-#include "rocking/studies/rare/question.hpp"
 
 namespace rocking::rare {
 

@@ -1,10 +1,7 @@
 #include "rocking/studies/rare/study.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <optional>
-#include <string>
 
 #include "rocking/figures/palette.hpp"
 #include "rocking/figures/shaded_map.hpp"

@@ -1,17 +1,9 @@
 #include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <filesystem>
-#include <string>
-#include <utility>
 
-#include "rocking/api/checks.hpp"
 #include "rocking/api/question_check.hpp"
 #include "rocking/api/refuse.hpp"
 #include "rocking/api/run_options.hpp"
 #include "rocking/api/study_check.hpp"
-#include "rocking/base/error.hpp"
-#include "rocking/base/stop_request.hpp"
 #include "rocking/ensemble/run.hpp"
 #include "rocking/input/report_claims.hpp"
 #include "rocking/output/report_differences.hpp"

@@ -3,14 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <concepts>
-#include <cstddef>
-#include <cstdint>
-#include <functional>
 #include <limits>
-#include <optional>
-#include <vector>
 
-#include "rocking/random/draws.hpp"
 #include "rocking/studies/rare/proposal.hpp"
 #include "rocking/studies/rare/question.hpp"
 #include "rocking/studies/rare/stream.hpp"

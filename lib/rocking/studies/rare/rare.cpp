@@ -3,14 +3,8 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <functional>
-#include <memory>
 #include <mutex>
-#include <optional>
-#include <string>
-#include <utility>
 
-#include "rocking/base/error.hpp"
 #include "rocking/base/many_parts.hpp"
 #include "rocking/scene/check_condition.hpp"
 #include "rocking/stats/repetitions.hpp"

@@ -1,12 +1,6 @@
 #pragma once
 
-#include <cstddef>
-#include <functional>
-#include <optional>
-#include <vector>
-
 #include "rocking/base/stop_request.hpp"
-#include "rocking/scene/experiment.hpp"
 #include "rocking/studies/rare/question.hpp"
 
 /// Probabilities of rare overturning, by particle runs or importance sampling (lib/docs/rare.md).

@@ -1,17 +1,10 @@
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <string>
-#include <vector>
-
 #include "rocking/base/digest.hpp"
 #include "rocking/fields/document.hpp"
 #include "rocking/fields/struct_type.hpp"
 #include "rocking/figures/figure.hpp"
 #include "rocking/output/provenance.hpp"
-#include "rocking/scene/experiment.hpp"
-#include "rocking/studies/rare/question.hpp"
 #include "rocking/studies/rare/rare.hpp"
 #include "rocking/studies/rare/summarise.hpp"
 #include "rocking/study/study.hpp"

@@ -1,8 +1,6 @@
 #include "rocking/studies/rare/summarise.hpp"
 
 #include <algorithm>
-#include <string_view>
-#include <vector>
 
 #include "rocking/base/error.hpp"
 #include "rocking/stats/repetitions.hpp"

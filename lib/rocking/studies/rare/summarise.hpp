@@ -1,12 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <vector>
-
-#include "rocking/scene/experiment.hpp"
-#include "rocking/stats/interval.hpp"
 #include "rocking/studies/rare/question.hpp"
 
 namespace rocking {

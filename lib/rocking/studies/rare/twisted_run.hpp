@@ -2,10 +2,7 @@
 
 #include <algorithm>
 #include <concepts>
-#include <cstddef>
-#include <cstdint>
 #include <numeric>
-#include <vector>
 
 #include "rocking/random/draws.hpp"
 #include "rocking/studies/rare/committor.hpp"

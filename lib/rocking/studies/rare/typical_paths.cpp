@@ -1,13 +1,8 @@
 #include "rocking/studies/rare/typical_paths.hpp"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
 #include <iterator>
-#include <string>
 
-#include "rocking/base/error.hpp"
 #include "rocking/integrate/hybrid.hpp"
 #include "rocking/realisation/forwarded_motion.hpp"
 #include "rocking/studies/rare/twisted_run.hpp"

@@ -1,12 +1,8 @@
 #pragma once
 
-#include <vector>
-
-#include "rocking/random/branched_draws.hpp"
 #include "rocking/studies/rare/block_paths.hpp"
 #include "rocking/studies/rare/committor.hpp"
 #include "rocking/studies/rare/estimator.hpp"
-#include "rocking/studies/rare/question.hpp"
 
 /// How the event happens when it does (lib/docs/rare.md).
 namespace rocking::rare {

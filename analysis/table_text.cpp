@@ -6,6 +6,7 @@
 
 #include "rocking/base/error.hpp"
 #include "rocking/figures/sweep_view.hpp"
+#include "rocking/input/quantities_in_text.hpp"
 #include "rocking/look/markup.hpp"
 #include "rocking/output/shaking_text.hpp"
 
@@ -29,7 +30,7 @@ look::Table CsvStart::table(const std::vector<look::Column>& further) const {
 look::Row CsvStart::row(const ReportedCondition& condition, const look::Row& further) const {
   look::Row row;
   for (const Parameter& parameter : condition.parameters) {
-    const Json value = value_of(parameter);
+    const Json value = json_of(parameter.value);
     row.emplace_back(value.is_string() ? value.get<std::string>() : value.dump());
   }
   for (const std::string_view key : shaking_) {

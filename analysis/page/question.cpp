@@ -227,10 +227,10 @@ std::string friction_in_brief(const Report& report) {
 /// The distinct values of an entry of the sweep, in order.
 std::vector<Json> values_of(const Report& report, std::size_t entry) {
   std::vector<Json> values;
-  std::set<std::string> seen;
+  std::set<SweptValue> seen;
   for (const ReportedCondition& condition : report.conditions) {
     const Parameter& parameter = condition.parameters[entry];
-    if (seen.insert(parameter.value).second) values.push_back(value_of(parameter));
+    if (seen.insert(parameter.value).second) values.push_back(json_of(parameter.value));
   }
   return values;
 }

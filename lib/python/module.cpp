@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <type_traits>
+#include <variant>
 
 #include <pybind11/stl.h>
 
@@ -53,6 +55,18 @@ py::tuple tuple_of(const std::array<std::string_view, Count>& names) {
   return tuple;
 }
 
+py::object swept_value(const SweptValue& value) {
+  return std::visit(
+      []<class Value>(const Value& given) -> py::object {
+        if constexpr (std::is_same_v<Value, WrittenPart>) {
+          return py::module_::import("json").attr("loads")(given.text);
+        } else {
+          return py::cast(given);
+        }
+      },
+      value);
+}
+
 void add_experiment(py::module_& module) {
   py::class_<Experiment>(module, "Experiment")
       .def_readonly("title", &Experiment::title)
@@ -63,7 +77,7 @@ void add_experiment(py::module_& module) {
       .def("parameters", [](const Experiment& experiment, std::size_t condition) {
         py::list list;
         for (const Parameter& parameter : experiment.conditions.at(condition).parameters) {
-          list.append(py::make_tuple(parameter.pointer, parameter.value));
+          list.append(py::make_tuple(parameter.pointer, swept_value(parameter.value)));
         }
         return list;
       });

@@ -104,7 +104,7 @@ class Block {
                                                                std::uint64_t realisations, std::uint64_t seed) const {
     Experiment batch{.title = "", .seed = seed, .conditions = {}, .canonical_text = "null"};
     for (const double amplitude : amplitudes) {
-      std::vector<Parameter> values{{"/excitation/amplitude", base::shortest(amplitude)}};
+      std::vector<Parameter> values{{"/excitation/amplitude", amplitude}};
       for (std::size_t k = 0; k < at.size(); ++k) values.push_back({unknowns()[k].pointer, base::shortest(at[k])});
       batch.conditions.push_back(condition_at_(values));
       batch.conditions.back().realisations = realisations;

@@ -236,7 +236,7 @@ class QuestionTarget {
   TestedCondition tested() {
     return {.parameters = choose_.list(2,
                                        [&] {
-                                         return Parameter{choose_.text(), choose_.text()};
+                                         return Parameter{choose_.text(), WrittenPart{choose_.text()}};
                                        }),
             .counts = choose_.list(3, [&] { return choose_.whole(); })};
   }

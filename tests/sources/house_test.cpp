@@ -46,7 +46,7 @@ const std::map<std::string, std::set<std::string>> allowed_uses = {
      {"base", "stats", "dynamics", "section", "text", "look", "fields", "scene", "input", "realisation", "store",
       "ensemble", "plan"}},
     {"plan", {"base", "random", "dynamics", "lanes", "section", "scene", "realisation", "store", "ensemble"}},
-    {"figures", {"base", "stats", "dynamics", "section", "text", "scene", "realisation", "output"}},
+    {"figures", {"base", "stats", "dynamics", "section", "text", "scene", "input", "realisation", "output"}},
     {"api",
      {"base", "stats", "section", "scene", "realisation", "store", "ensemble", "plan", "text", "fields", "input",
       "output"}},

@@ -54,7 +54,7 @@ class Experiment:
         """The swept values of a condition, by JSON pointer."""
         if not 0 <= condition < len(self):
             raise IndexError(f"condition {condition}: the experiment has {len(self)}, counted from 0")
-        return {pointer: json.loads(value) for pointer, value in self._core.parameters(condition)}
+        return dict(self._core.parameters(condition))
 
     def to_dict(self) -> Dict[str, Any]:
         """The experiment with every default written out."""

@@ -10,19 +10,6 @@
 
 namespace rocking {
 
-namespace {
-
-/// The swept values of a condition, each after its pointer.
-std::vector<std::string> values_of(const Condition& condition) {
-  std::vector<std::string> values;
-  for (const Parameter& parameter : condition.parameters) {
-    values.insert(values.end(), {parameter.pointer, parameter.value});
-  }
-  return values;
-}
-
-}  // namespace
-
 std::uint64_t most_stored_realisations(const Store& store) {
   std::uint64_t most = 0;
   store.for_each_key([&most](const RealisationKey& key) { most = std::max(most, key.realisation + 1); });
@@ -32,10 +19,10 @@ std::uint64_t most_stored_realisations(const Store& store) {
 void copy_common_realisations(const Store& former, const Experiment& experiment, const Experiment& extension,
                               Store& into) {
   ROCKING_EXPECT(experiment.seed == extension.seed);
-  std::map<std::vector<std::string>, std::uint64_t> places;
-  for (std::uint64_t i = 0; i < extension.conditions.size(); ++i) places[values_of(extension.conditions[i])] = i;
+  std::map<std::vector<Parameter>, std::uint64_t> places;
+  for (std::uint64_t i = 0; i < extension.conditions.size(); ++i) places[extension.conditions[i].parameters] = i;
   std::vector<std::uint64_t> there;
-  for (const Condition& condition : experiment.conditions) there.push_back(places.at(values_of(condition)));
+  for (const Condition& condition : experiment.conditions) there.push_back(places.at(condition.parameters));
   former.for_each([&](const RealisationKey& key, const Summary& summary) {
     const RealisationKey new_key{.condition = there.at(key.condition), .realisation = key.realisation};
     const std::uint64_t before = effective_realisations(experiment.conditions[key.condition]);

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "rocking/base/error.hpp"
+#include "rocking/input/quantities_in_text.hpp"
 #include "rocking/output/mode_table.hpp"
 #include "rocking/text/json.hpp"
 #include "rocking/text/number_text.hpp"
@@ -19,7 +20,7 @@ namespace {
 std::size_t numbers_taken(const Report& report, std::size_t entry) {
   std::set<double> numbers;
   for (const ReportedCondition& condition : report.conditions) {
-    const Json value = value_of(condition.parameters[entry]);
+    const Json value = json_of(condition.parameters[entry].value);
     if (!value.is_number()) return 0;
     numbers.insert(value.get<double>());
   }
@@ -100,7 +101,7 @@ std::string conversion_text(std::string_view key, Shakings shakings) {
 
 /// Positions 0, 1, ... for values that are not numbers, with their names as ticks.
 void place_by_name(const Report& report, std::size_t shown, SweepView& view) {
-  std::map<std::string, double> places;
+  std::map<SweptValue, double> places;
   for (const ReportedCondition& condition : report.conditions) {
     const Parameter& parameter = condition.parameters[shown];
     const auto [found, is_new] = places.try_emplace(parameter.value, static_cast<double>(places.size()));
@@ -113,7 +114,7 @@ void place_by_name(const Report& report, std::size_t shown, SweepView& view) {
 std::string others_in_full(const ReportedCondition& condition, std::size_t shown) {
   std::string values;
   for (std::size_t i = 0; i < condition.parameters.size(); ++i) {
-    if (i != shown) values += condition.parameters[i].value + ' ';
+    if (i != shown) values += json_text_of(condition.parameters[i].value) + ' ';
   }
   return values;
 }
@@ -241,7 +242,7 @@ std::vector<ParameterColumn> parameter_columns(const Report& report) {
 Json experiment_of(const Report& report, std::size_t condition) {
   Json experiment = report.input.experiment;
   for (std::size_t i = 0; i < report.swept.size(); ++i) {
-    experiment[Json::json_pointer(report.swept[i])] = value_of(report.conditions[condition].parameters[i]);
+    experiment[Json::json_pointer(report.swept[i])] = json_of(report.conditions[condition].parameters[i].value);
   }
   return experiment;
 }
@@ -255,9 +256,9 @@ Json value_at(const Report& report, const ReportedCondition& condition, const st
   for (std::size_t i = 0; i < report.swept.size(); ++i) {
     const std::string& swept = report.swept[i];
     if (pointer == swept || pointer.starts_with(swept + '/')) {
-      value = at(value_of(condition.parameters[i]), pointer.substr(swept.size()));
+      value = at(json_of(condition.parameters[i].value), pointer.substr(swept.size()));
     } else if (swept.starts_with(pointer + '/')) {
-      value[Json::json_pointer(swept.substr(pointer.size()))] = value_of(condition.parameters[i]);
+      value[Json::json_pointer(swept.substr(pointer.size()))] = json_of(condition.parameters[i].value);
     }
   }
   return value;
@@ -268,7 +269,7 @@ std::string name_of_condition(const Report& report, const ReportedCondition& con
 }
 
 std::string short_value(const std::string& pointer, const Json& value) {
-  return rocking::short_value({.pointer = pointer, .value = value.dump()});
+  return rocking::short_value({.pointer = pointer, .value = swept_value(value)});
 }
 
 std::vector<SpanAround> spans_around(const std::vector<double>& places) {
@@ -321,7 +322,7 @@ SweepView view_of(const Report& report, std::size_t most) {
   view.is_line = numbers_taken(report, shown) > 1;
   if (numbers_taken(report, shown) > 0) {
     for (const ReportedCondition& condition : report.conditions) {
-      view.x.push_back(value_of(condition.parameters[shown]).get<double>());
+      view.x.push_back(number_in(condition.parameters[shown].value).value());
     }
   } else {
     place_by_name(report, shown, view);
@@ -354,8 +355,8 @@ std::string values_in_words(const std::vector<Parameter>& others) {
   std::string words;
   for (const auto& [pointer, value] : others) {
     const Axis axis = axis_of_parameter(pointer);
-    words += (words.empty() ? "" : ", ") + axis.quantity + ' ' + short_value(pointer, Json::parse(value)) +
-             (axis.unit.empty() ? "" : ' ' + axis.unit);
+    words += (words.empty() ? "" : ", ") + axis.quantity + ' ' +
+             rocking::short_value({.pointer = pointer, .value = value}) + (axis.unit.empty() ? "" : ' ' + axis.unit);
   }
   return words;
 }

@@ -1,6 +1,7 @@
 #include "rocking/input/condition_family.hpp"
 
 #include "rocking/base/error.hpp"
+#include "rocking/input/quantities_in_text.hpp"
 #include "rocking/input/read_experiment.hpp"
 #include "rocking/text/json.hpp"
 
@@ -30,9 +31,9 @@ std::optional<SweptNumber> only_swept_number(const Experiment& experiment) {
   if (parameters.size() != 1) return std::nullopt;
   SweptNumber swept{.pointer = parameters.front().pointer, .values = {}};
   for (const Condition& condition : experiment.conditions) {
-    const Json value = Json::parse(condition.parameters.front().value);
-    if (!value.is_number()) return std::nullopt;
-    swept.values.push_back(value.get<double>());
+    const std::optional<double> value = number_in(condition.parameters.front().value);
+    if (!value) return std::nullopt;
+    swept.values.push_back(*value);
   }
   return swept;
 }
@@ -90,7 +91,7 @@ std::function<Condition(const std::vector<Parameter>&)> condition_maker(const Ex
                                                                         const Surroundings& surroundings) {
   return [document = document_without_sweep(experiment), surroundings](const std::vector<Parameter>& values) {
     Json one = document;
-    for (const Parameter& value : values) one[Json::json_pointer(value.pointer)] = Json::parse(value.value);
+    for (const Parameter& value : values) one[Json::json_pointer(value.pointer)] = json_of(value.value);
     Condition condition = experiment_in(one.dump(), {}, surroundings).conditions.front();
     condition.parameters = values;
     return condition;

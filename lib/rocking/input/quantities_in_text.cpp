@@ -1,6 +1,8 @@
 #include "rocking/input/quantities_in_text.hpp"
 
 #include <algorithm>
+#include <cstdint>
+#include <utility>
 #include <variant>
 
 #include "rocking/base/error.hpp"
@@ -53,6 +55,23 @@ std::string_view words_of(std::string_view name, std::variant<Kinds...>*) {
 }
 
 }  // namespace
+
+SweptValue swept_value(const Json& value) {
+  if (value.is_number_float()) return value.get<double>();
+  const bool fits = !value.is_number_unsigned() || std::in_range<std::int64_t>(value.get<std::uint64_t>());
+  if (value.is_number_integer() && fits) return value.get<std::int64_t>();
+  if (value.is_string()) return value.get<std::string>();
+  return WrittenPart{value.dump()};
+}
+
+Json json_of(const SweptValue& value) {
+  if (const auto* part = std::get_if<WrittenPart>(&value)) return Json::parse(part->text);
+  if (const auto* word = std::get_if<std::string>(&value)) return *word;
+  if (const auto* whole = std::get_if<std::int64_t>(&value)) return *whole;
+  return std::get<double>(value);
+}
+
+std::string json_text_of(const SweptValue& value) { return json_of(value).dump(); }
 
 bool has_law(const Json& value) {
   return value.is_object() &&

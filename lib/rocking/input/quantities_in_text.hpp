@@ -7,8 +7,13 @@
 #include "rocking/scene/experiment.hpp"
 #include "rocking/text/json.hpp"
 
-/// Quantities, and kinds of excitation, as they stand in the canonical text of an experiment.
+/// Swept values, quantities and kinds of excitation as they stand in the canonical text of an experiment.
 namespace rocking {
+
+[[nodiscard]] SweptValue swept_value(const Json& value);
+[[nodiscard]] Json json_of(const SweptValue& value);
+/// The same as text: `4.5`, `"jy25"`.
+[[nodiscard]] std::string json_text_of(const SweptValue& value);
 
 /// Whether it is an object that gives a law.
 [[nodiscard]] bool has_law(const Json& value);

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "rocking/input/quantities_in_text.hpp"
 #include "rocking/input/read_question.hpp"
 #include "rocking/input/suite.hpp"
 #include "rocking/input/sweep.hpp"
@@ -269,7 +270,7 @@ class ExperimentBuilder {
       SweepAxis& axis = axes_[i];
       stride /= axis.values.size();
       Json canonical = read.canonical.at(places_[i]);
-      read.question.condition.parameters.push_back({axis.pointer, canonical.dump()});
+      read.question.condition.parameters.push_back({axis.pointer, swept_value(canonical)});
       if (axis.pointer == suite_place) {
         canonical = record_of(read.canonical);
         read.question.condition.record_stream = stream_of(canonical);

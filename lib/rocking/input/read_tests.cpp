@@ -11,6 +11,7 @@
 #include "rocking/base/utf8.hpp"
 #include "rocking/input/condition_family.hpp"
 #include "rocking/input/line_problems.hpp"
+#include "rocking/input/quantities_in_text.hpp"
 #include "rocking/input/test_columns.hpp"
 #include "rocking/text/json.hpp"
 
@@ -26,7 +27,7 @@ std::string as_written(const std::string& value) {
 /// Equal numbers may be written in different ways.
 bool are_equal(const std::vector<Parameter>& a, const std::vector<Parameter>& b) {
   return std::ranges::equal(a, b, [](const Parameter& one, const Parameter& other) {
-    return one.value == other.value || Json::parse(one.value) == Json::parse(other.value);
+    return one.value == other.value || json_of(one.value) == json_of(other.value);
   });
 }
 
@@ -36,21 +37,22 @@ std::vector<std::vector<Parameter>> samples(const std::vector<Unknown>& unknowns
   for (unsigned corner = 0; corner < (1U << unknowns.size()); ++corner) {
     std::vector<Parameter> at;
     for (std::size_t k = 0; k < unknowns.size(); ++k) {
-      at.push_back({unknowns[k].pointer, Json((corner >> k) & 1U ? unknowns[k].to : unknowns[k].from).dump()});
+      at.push_back({unknowns[k].pointer, (corner >> k) & 1U ? unknowns[k].to : unknowns[k].from});
     }
     all.push_back(std::move(at));
   }
   all.emplace_back();
   for (const Unknown& unknown : unknowns) {
     const double between = std::lerp(unknown.from, unknown.to, 0.381966);
-    all.back().push_back({unknown.pointer, Json(between).dump()});
+    all.back().push_back({unknown.pointer, between});
   }
   return all;
 }
 
 std::string setting_in_words(const std::vector<Parameter>& values) {
   std::string words;
-  for (const Parameter& each : values) words += (words.empty() ? "" : ", ") + each.pointer + " = " + each.value;
+  for (const Parameter& each : values)
+    words += (words.empty() ? "" : ", ") + each.pointer + " = " + json_text_of(each.value);
   return words;
 }
 
@@ -132,19 +134,19 @@ class TestReader {
   }
 
   /// The field as a JSON value: a number, `true`, an object; else text.
-  std::string value_of(std::string_view field) {
+  SweptValue value_of(std::string_view field) {
     const bool is_number = is_number_field(field);
     if (is_number && field.starts_with('+')) field.remove_prefix(1);
     try {
-      return parse_json(field).dump();
+      return swept_value(parse_json(field));
     } catch (const base::InputError& error) {
       const bool is_json = is_number || field.starts_with('{') || field.starts_with('[') || field.starts_with('"');
       if (is_json) lines_.reject_line(field, error.problems().front().reason, error.problems().front().remedy);
     }
     if (field.empty()) lines_.reject_line(field, "is an empty field", "give a value, or omit the column");
-    if (base::is_utf8(field)) return Json(field).dump();
+    if (base::is_utf8(field)) return std::string(field);
     lines_.reject_line(field, "is not text in UTF-8", "convert the file to UTF-8");
-    return "null";
+    return {};
   }
 
   std::uint64_t count(const std::string& field) {

@@ -38,8 +38,8 @@ std::string key_of(const std::string& pointer, const std::vector<Parameter>& all
 
 /// A text in full, also the folder of a file; otherwise as in tables.
 std::string value_in_name(const Parameter& parameter) {
-  const Json value = Json::parse(parameter.value);
-  return value.is_string() ? value.get<std::string>() : short_value(parameter);
+  const auto* word = std::get_if<std::string>(&parameter.value);
+  return word != nullptr ? *word : short_value(parameter);
 }
 
 std::string name_of(const std::vector<Parameter>& parameters) {

@@ -1,5 +1,6 @@
 #include "rocking/output/parameter_text.hpp"
 
+#include "rocking/input/quantities_in_text.hpp"
 #include "rocking/text/json.hpp"
 #include "rocking/text/number_text.hpp"
 
@@ -20,13 +21,12 @@ std::string digits_of(double number) {
 }  // namespace
 
 std::string short_value(const Parameter& parameter) {
-  const Json value = Json::parse(parameter.value);
-  if (value.is_number_float()) return digits_of(value.get<double>());
-  if (value.is_string()) {
-    const std::string text = value.get<std::string>();
+  if (const auto* number = std::get_if<double>(&parameter.value)) return digits_of(*number);
+  if (const auto* word = std::get_if<std::string>(&parameter.value)) {
     // A record of a suite by its file name; what names a folder is the same for most.
-    return parameter.pointer == "/excitation/file" ? text.substr(text.rfind('/') + 1) : text;
+    return parameter.pointer == "/excitation/file" ? word->substr(word->rfind('/') + 1) : *word;
   }
+  const Json value = json_of(parameter.value);
   if (!value.is_object()) return brief(value);
   if (value.size() == 1 && value.contains("rate_ratio")) return "rate ratio " + significant(value["rate_ratio"], 6);
   std::string text;

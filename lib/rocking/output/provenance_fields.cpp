@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "rocking/input/quantities_in_text.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking {
@@ -46,7 +47,7 @@ class ParametersType final : public ValueType {
   [[nodiscard]] Json json(const void* value) const override {
     Json parameters = Json::object();
     for (const Parameter& each : *static_cast<const std::vector<Parameter>*>(value)) {
-      parameters[each.pointer] = Json::parse(each.value);
+      parameters[each.pointer] = json_of(each.value);
     }
     return parameters;
   }
@@ -54,7 +55,8 @@ class ParametersType final : public ValueType {
     if (!json.is_object()) return place.reject(json, "must be an object of JSON pointers and values");
     auto& parameters = *static_cast<std::vector<Parameter>*>(value);
     parameters.clear();
-    for (const auto& [pointer, swept] : json.items()) parameters.push_back({.pointer = pointer, .value = swept.dump()});
+    for (const auto& [pointer, swept] : json.items())
+      parameters.push_back({.pointer = pointer, .value = swept_value(swept)});
   }
   [[nodiscard]] Json schema(const Rule&) const override { return {{"type", "object"}}; }
 };

@@ -9,6 +9,7 @@
 
 #include "rocking/base/error.hpp"
 #include "rocking/ensemble/mode_family.hpp"
+#include "rocking/input/quantities_in_text.hpp"
 #include "rocking/input/report_claims.hpp"
 #include "rocking/output/validity_fields.hpp"
 #include "rocking/scene/number_rule.hpp"
@@ -131,9 +132,9 @@ std::optional<double> Report::number(const std::string& pointer, const ReportedC
   const Json::json_pointer place(pointer);
   if (input.experiment.contains(place)) value = input.experiment.at(place);
   for (const Parameter& parameter : condition.parameters) {
-    if (parameter.pointer == pointer) value = value_of(parameter);
+    if (parameter.pointer == pointer) value = json_of(parameter.value);
     if (!pointer.starts_with(parameter.pointer + '/')) continue;
-    const Json whole = value_of(parameter);
+    const Json whole = json_of(parameter.value);
     const Json::json_pointer within(pointer.substr(parameter.pointer.size()));
     value = whole.contains(within) ? whole.at(within) : Json();
   }

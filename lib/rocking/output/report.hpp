@@ -57,9 +57,6 @@ struct Report {
   [[nodiscard]] bool has_settling() const;
 };
 
-/// The value of a swept parameter.
-[[nodiscard]] inline Json value_of(const Parameter& parameter) { return Json::parse(parameter.value); }
-
 /// The share of a mode that a condition may not list.
 struct AnyShare {
   std::uint64_t count = 0;

@@ -31,11 +31,18 @@ constexpr PerCondition drawn{.at_least = 1'300, .of_several = 1'300, .with_slidi
 constexpr PerCondition kept_for_report{.at_least = 7'700, .of_several = 1'300, .with_sliding = 2'100};
 constexpr PerCondition kept_for_page{.at_least = 6'500, .of_several = 4'500, .with_sliding = 7'000};
 
+std::uint64_t bytes_of(const SweptValue& value) {
+  constexpr std::uint64_t digits = 4;  // of most numbers
+  if (const auto* word = std::get_if<std::string>(&value)) return word->size() + 2;
+  if (const auto* part = std::get_if<WrittenPart>(&value)) return part->text.size();
+  return digits;
+}
+
 std::uint64_t parameters_in(const Condition& condition) {
   constexpr std::uint64_t spaces_and_quotes = 14;
   std::uint64_t bytes = 0;
   for (const Parameter& parameter : condition.parameters) {
-    bytes += parameter.pointer.size() + parameter.value.size() + spaces_and_quotes;
+    bytes += parameter.pointer.size() + bytes_of(parameter.value) + spaces_and_quotes;
   }
   return bytes;
 }

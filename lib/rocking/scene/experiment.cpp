@@ -17,6 +17,12 @@ Reach reach_of_length(const Quantity& length) {
 
 }  // namespace
 
+std::optional<double> number_in(const SweptValue& value) {
+  if (const auto* number = std::get_if<double>(&value)) return *number;
+  if (const auto* whole = std::get_if<std::int64_t>(&value)) return static_cast<double>(*whole);
+  return std::nullopt;
+}
+
 double mean_static(const Friction& friction) { return mean_of(friction.static_coefficient); }
 
 double mean_kinetic(const Friction& friction) {

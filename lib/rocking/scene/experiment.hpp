@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -137,10 +138,23 @@ struct Horizon {
   std::optional<UntilClassified> until_classified = std::nullopt;  ///< absent: every realisation ends there
 };
 
-/// A value that the sweep sets for a condition: a JSON pointer into the experiment file and the value as JSON text.
+/// A part of an experiment file as JSON text.
+struct WrittenPart {
+  std::string text;
+  friend auto operator<=>(const WrittenPart&, const WrittenPart&) = default;
+};
+
+/// A value that the sweep sets: a number, a whole number, a word, or any other part, such as a law.
+using SweptValue = std::variant<double, std::int64_t, std::string, WrittenPart>;
+
+/// The number; absent of a value that is none.
+[[nodiscard]] std::optional<double> number_in(const SweptValue& value);
+
+/// What the sweep sets for a condition, with its JSON pointer into the experiment file.
 struct Parameter {
   std::string pointer;
-  std::string value;
+  SweptValue value;
+  friend auto operator<=>(const Parameter&, const Parameter&) = default;
 };
 
 /// Sampling continues until the interval of every mode, or that of one, is narrow enough. Exactly one of the two

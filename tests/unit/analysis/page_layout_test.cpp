@@ -58,7 +58,7 @@ Report many_slices(std::size_t count) {
   for (std::size_t slice = 0; slice < count; ++slice) {
     for (ReportedCondition condition : three) {
       condition.parameters.at(0).value =
-          Json({{"static", 0.4 + 0.01 * static_cast<double>(slice)}, {"kinetic", 0.3}}).dump();
+          WrittenPart{Json({{"static", 0.4 + 0.01 * static_cast<double>(slice)}, {"kinetic", 0.3}}).dump()};
       report.conditions.push_back(std::move(condition));
     }
   }

@@ -298,7 +298,7 @@ TEST_F(Interface, InfersUnknownsFromCountedTests) {
   Experiment experiment = small_experiment(R"(, "unknown": [{"parameter": "/restitution", "from": 0.8, "to": 0.95}])");
   InferRequest request{.tests = {.groups = {{.name = "overturned", .modes = {{section::ResponseKind::overturned}}},
                                             {.name = "other", .modes = {}}},
-                                 .conditions = {{.parameters = {{"/excitation/amplitude", "4.0"}}, .counts = {1, 4}}}}};
+                                 .conditions = {{.parameters = {{"/excitation/amplitude", 4.0}}, .counts = {1, 4}}}}};
   const Inference found = infer_unknowns(experiment, request, {.threads = 2});
   ASSERT_TRUE(found.answer);
   EXPECT_THAT(infer_unknowns_text(experiment, request, found), HasSubstr("rocking.infer/1"));

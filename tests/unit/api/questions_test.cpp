@@ -148,8 +148,8 @@ TEST_F(Questions, AboutRareEventsHaveRepetitionsThatCanBe) {
 TEST_F(Questions, AboutCountedTestsHaveListsThatFit) {
   InferRequest good{.tests = {.groups = {{.name = "overturned", .modes = {{section::ResponseKind::overturned}}},
                                          {.name = "other", .modes = {}}},
-                              .conditions = {{.parameters = {{"/excitation/amplitude", "4.0"}}, .counts = {1, 4}}}}};
-  good.tests.candidates = {{.parameters = {{"/excitation/amplitude", "3.0"}}, .counts = {}}};
+                              .conditions = {{.parameters = {{"/excitation/amplitude", 4.0}}, .counts = {1, 4}}}}};
+  good.tests.candidates = {{.parameters = {{"/excitation/amplitude", 3.0}}, .counts = {}}};
   good.earlier = {{.at = {0.8}, .counts = {{2, 10}, {0, 12}}}};
   const auto ask = [&](const InferRequest& request) { check_request(experiment_, request); };
   expect_refused<InferRequest>(
@@ -171,7 +171,7 @@ TEST_F(Questions, AboutCountedTestsHaveListsThatFit) {
        {[](auto& r) { r.tests.conditions[0].parameters[0].pointer = "/excitation/~"; }, "tests/0/parameters/0 = /exc"},
        {[](auto& r) { r.tests.conditions[0].parameters[0].pointer = "/restitution"; },
         "tests/0/parameters/0 = /restitution: is an unknown"},
-       {[](auto& r) { r.tests.conditions[0].parameters[0].value = "four"; },
+       {[](auto& r) { r.tests.conditions[0].parameters[0].value = WrittenPart{"four"}; },
         "tests/0/parameters/0 = four: is not JSON text"},
        {[](auto& r) {
           r.tests.candidates[0].counts = {1, 4};
@@ -192,7 +192,7 @@ TEST_F(Questions, AboutCountedTestsHaveListsThatFit) {
        {[](auto& r) { r.seconds = infinite; }, "seconds = inf"}});
   InferRequest bad_value = good;
   bad_value.earlier.clear();
-  bad_value.tests.conditions[0].parameters[0].value = "-4";
+  bad_value.tests.conditions[0].parameters[0].value = -4;
   EXPECT_THAT(refusal([&] { static_cast<void>(infer_unknowns(experiment_, bad_value)); }), HasSubstr("/amplitude"));
 }
 

@@ -19,8 +19,8 @@ Experiment experiment_of(std::uint64_t realisations) {
   random.realisations = realisations;
   Condition still;
   still.realisations = realisations;
-  random.parameters = {{"/excitation/pga_g", "0.2"}};
-  still.parameters = {{"/excitation/pga_g", "0.4"}};
+  random.parameters = {{"/excitation/pga_g", 0.2}};
+  still.parameters = {{"/excitation/pga_g", 0.4}};
   return {.title = "", .seed = 7, .conditions = {random, still}, .canonical_text = ""};
 }
 
@@ -64,7 +64,7 @@ TEST(Extension, KeepsTheRealisationsOfAConditionWhoseNumberChanges) {
   for (std::uint64_t k = 0; k < 2; ++k) former.add({.condition = 0, .realisation = k}, {});
   Experiment more = experiment_of(2);
   Condition between = more.conditions[0];
-  between.parameters.front().value = "0.3";
+  between.parameters.front().value = 0.3;
   more.conditions.insert(more.conditions.begin(), between);
   Store into = empty_store();
   copy_common_realisations(former, experiment_of(2), more, into);

@@ -41,7 +41,7 @@ TEST(ReadTests, TakesParametersAndCounts) {
   const CountedTests found = tests_in("amplitude,\"(1,1)\",chaotic,other\n4.5,5,2,3\n6,1,0,0\n");
   ASSERT_EQ(found.conditions.size(), 2U);
   EXPECT_EQ(found.conditions[0].parameters[0].pointer, "/excitation/amplitude");
-  EXPECT_EQ(found.conditions[0].parameters[0].value, "4.5");
+  EXPECT_EQ(json_text_of(found.conditions[0].parameters[0].value), "4.5");
   EXPECT_THAT(found.conditions[0].counts, ElementsAre(5, 2, 3));
   EXPECT_THAT(found.conditions[1].counts, ElementsAre(1, 0, 0));
   ASSERT_EQ(found.groups.size(), 3U);
@@ -61,7 +61,7 @@ TEST(ReadTests, TakesMarksLineEndsCommentsAndAnySeparator) {
     const CountedTests found = tests_in(text);
     ASSERT_EQ(found.conditions.size(), 1U) << text;
     EXPECT_EQ(found.conditions[0].parameters[0].pointer, "/excitation/amplitude") << text;
-    EXPECT_EQ(found.conditions[0].parameters[0].value, "4.5") << text;
+    EXPECT_EQ(json_text_of(found.conditions[0].parameters[0].value), "4.5") << text;
     EXPECT_EQ(found.conditions[0].counts, usual.conditions[0].counts) << text;
     EXPECT_EQ(found.groups[0].modes, usual.groups[0].modes) << text;
   }
@@ -81,7 +81,7 @@ TEST(ReadTests, PutsAllOtherModesLast) {
 
 TEST(ReadTests, TakesObjectsAndTestsOfOneConditionWithoutParameters) {
   const CountedTests found = tests_in("/block,rest,other\n\"{\"\"width_m\"\": 1.0, \"\"height_m\"\": 3.0}\",1,2\n");
-  EXPECT_EQ(found.conditions[0].parameters[0].value, R"({"width_m":1.0,"height_m":3.0})");
+  EXPECT_EQ(json_text_of(found.conditions[0].parameters[0].value), R"({"width_m":1.0,"height_m":3.0})");
   EXPECT_THAT(tests_in("rest,other\n1,2\n").conditions[0].parameters, IsEmpty());
 }
 
@@ -210,7 +210,7 @@ TEST(ReadCandidates, TakesParametersAlone) {
   CountedTests tests = tests_in("amplitude,other\n4.5,1\n");
   read_candidates("amplitude\n4.5\n7\n", "c.csv", experiment, ".", tests);
   ASSERT_EQ(tests.candidates.size(), 2U);
-  EXPECT_EQ(tests.candidates[1].parameters[0].value, "7");
+  EXPECT_EQ(json_text_of(tests.candidates[1].parameters[0].value), "7");
   EXPECT_THAT(tests.candidates[1].counts, IsEmpty());
   EXPECT_THROW(read_candidates("amplitude,other\n4.5,1\n", "c.csv", experiment, ".", tests), base::InputError);
   EXPECT_THROW(read_candidates("amplitude\n4.5\n4.50\n", "c.csv", experiment, ".", tests), base::InputError);

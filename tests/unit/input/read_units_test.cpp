@@ -104,7 +104,7 @@ TEST(UnitsInFiles, CanBeSwept) {
         Json::array({{{"parameter", std::string("/excitation/") + key}, {"from", 0.2}, {"to", 0.6}, {"step", 0.2}}});
     const auto experiment = experiment_of(document);
     ASSERT_EQ(experiment.conditions.size(), 3U);
-    EXPECT_EQ(experiment.conditions[1].parameters[0].value, "0.4");
+    EXPECT_EQ(json_text_of(experiment.conditions[1].parameters[0].value), "0.4");
     const bool is_amplitude = std::string(key).starts_with("amplitude");
     const auto number = [&](std::size_t i) {
       return is_amplitude ? amplitude_of(scene_of(experiment, i))

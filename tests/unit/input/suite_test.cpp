@@ -80,8 +80,8 @@ TEST_F(Suite, HasAConditionForEachRecordAndLevel) {
   const Condition& last = read_suite.conditions[5];
   ASSERT_EQ(last.parameters.size(), 2U);
   EXPECT_EQ(last.parameters[0].pointer, "/excitation/file");
-  EXPECT_EQ(last.parameters[0].value, "\"records/b.at2\"");
-  EXPECT_EQ(last.parameters[1].value, "3.0");
+  EXPECT_EQ(json_text_of(last.parameters[0].value), "\"records/b.at2\"");
+  EXPECT_EQ(json_text_of(last.parameters[1].value), "3.0");
   EXPECT_EQ(recorded(last).scale, 3.0);
   EXPECT_EQ(recorded(last).ground_motion->name, "records/b.at2");
   EXPECT_EQ(recorded(read_suite.conditions[0]).ground_motion, recorded(read_suite.conditions[2]).ground_motion);
@@ -94,7 +94,7 @@ TEST_F(Suite, IsTheSameAsOneExperimentForEachRecord) {
   ASSERT_EQ(together.conditions.size(), 2U);
   for (const Condition& condition : together.conditions) {
     Json alone = experiment("null");
-    alone["excitation"] = {{"kind", "recorded"}, {"file", Json::parse(condition.parameters[0].value)}};
+    alone["excitation"] = {{"kind", "recorded"}, {"file", json_of(condition.parameters[0].value)}};
     const Experiment one = read(alone);
     EXPECT_EQ(one.conditions.front().horizon.sampled_periods, condition.horizon.sampled_periods);
     EXPECT_EQ(recorded(one.conditions.front()).frequency_ratio, recorded(condition).frequency_ratio);

@@ -37,7 +37,7 @@ TEST(Sweep, HasBothEndsAndNoRunningSum) {
     const double expected =
         static_cast<double>(30 + i) / 10.0;  // 3.3 is read as the nearest double, and so is this quotient
     EXPECT_EQ(support::harmonic(experiment.conditions[i].scene).amplitude, expected);
-    EXPECT_EQ(Json::parse(experiment.conditions[i].parameters[0].value).get<double>(), expected);
+    EXPECT_EQ(number_in(experiment.conditions[i].parameters[0].value), expected);
   }
   EXPECT_EQ(support::harmonic(experiment.conditions.back().scene).amplitude, 5.0);
 }
@@ -90,8 +90,8 @@ TEST(Sweep, MakesAGridWhoseLastEntryVariesFastest) {
   EXPECT_EQ(support::harmonic(grid.conditions[2].scene).amplitude, 3.0);
   EXPECT_EQ(mean_static(*grid.conditions[3].scene.friction), 0.4);
   EXPECT_EQ(support::harmonic(grid.conditions[3].scene).amplitude, 1.0);
-  EXPECT_EQ(grid.conditions[3].parameters[0].value, R"({"static":0.4,"kinetic":0.35})");
-  EXPECT_EQ(grid.conditions[3].parameters[1].value, "1.0");
+  EXPECT_EQ(json_text_of(grid.conditions[3].parameters[0].value), R"({"static":0.4,"kinetic":0.35})");
+  EXPECT_EQ(json_text_of(grid.conditions[3].parameters[1].value), "1.0");
 }
 
 TEST(Sweep, ChangesWhatFollowsFromTheValue) {

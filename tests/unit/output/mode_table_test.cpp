@@ -41,9 +41,10 @@ struct Made {
 
 TEST(ModeTable, HasARowForEachConditionAndAColumnForEachModeThatOccurs) {
   Made made;
-  made.add({{"/friction", R"({"static":0.35,"kinetic":0.3})"}, {"/excitation/amplitude", "3.3000000000000003"}},
-           {{section::periodic(1, 1), 150}, {section::periodic(1, 3), 50}, {{section::ResponseKind::chaotic}, 0}});
-  made.add({{"/friction", R"({"static":0.4,"kinetic":0.35})"}, {"/excitation/amplitude", "10.0"}},
+  made.add(
+      {{"/friction", WrittenPart{R"({"static":0.35,"kinetic":0.3})"}}, {"/excitation/amplitude", 3.3000000000000003}},
+      {{section::periodic(1, 1), 150}, {section::periodic(1, 3), 50}, {{section::ResponseKind::chaotic}, 0}});
+  made.add({{"/friction", WrittenPart{R"({"static":0.4,"kinetic":0.35})"}}, {"/excitation/amplitude", 10.0}},
            {{section::periodic(1, 1), 200}, {section::periodic(1, 3), 0}, {{section::ResponseKind::chaotic}, 0}});
   EXPECT_THAT(made.lines(), ::testing::ElementsAre("friction  amplitude    n                (1,1)              (1,3)",
                                                    "0.35/0.3        3.3  200    75.0 [37.5, 75.0]  25.0 [12.5, 25.0]",
@@ -52,7 +53,7 @@ TEST(ModeTable, HasARowForEachConditionAndAColumnForEachModeThatOccurs) {
 
 TEST(ModeTable, RoundsNoRareModeAwayAndCountsIt) {
   Made made;
-  made.add({{"/excitation/amplitude", "4.2"}},
+  made.add({{"/excitation/amplitude", 4.2}},
            {{section::periodic(1, 1), 299952}, {{section::ResponseKind::overturned}, 48}});
   made.rows[0].modes[0].interval = {0.99979, 0.99988};
   made.rows[0].modes[1].interval = {1.18e-4, 2.12e-4};
@@ -65,7 +66,7 @@ TEST(ModeTable, StaysWithinItsWidthWithCounts) {
   Made made;
   std::vector<std::pair<ResponseMode, std::uint64_t>> counts;
   for (int n = 1; n <= 6; ++n) counts.emplace_back(section::periodic(1, n), 16666 * n + 1);
-  made.add({{"/excitation/amplitude", "4.2"}}, counts);
+  made.add({{"/excitation/amplitude", 4.2}}, counts);
   for (const std::size_t width : {60U, 80U, 100U, 120U, 200U}) {
     for (const std::string& line : made.lines({.width = width, .bars = Letters::ascii})) {
       EXPECT_LE(letters_in(line), width) << line;
@@ -81,16 +82,16 @@ TEST(ModeTable, WithoutASweepHasOneRow) {
 
 TEST(ModeTable, HasADotWhereAModeHasNoBound) {
   Made made;
-  made.add({{"/excitation/amplitude", "1.0"}}, {{section::periodic(1, 1), 3}, {section::periodic(1, 5), 1}});
-  made.add({{"/excitation/amplitude", "2.0"}}, {{section::periodic(1, 1), 4}});
+  made.add({{"/excitation/amplitude", 1.0}}, {{section::periodic(1, 1), 3}, {section::periodic(1, 5), 1}});
+  made.add({{"/excitation/amplitude", 2.0}}, {{section::periodic(1, 1), 4}});
   EXPECT_THAT(made.lines()[2], ::testing::EndsWith(" ."));
 }
 
 TEST(ModeTable, ShowsNoIntervalWhereNothingIsRandom) {
   Made made;
-  made.add({{"/excitation/amplitude", "1.0"}},
+  made.add({{"/excitation/amplitude", 1.0}},
            {{{section::ResponseKind::overturned}, 0}, {{section::ResponseKind::rest}, 1}});
-  made.add({{"/excitation/amplitude", "10.0"}}, {{{section::ResponseKind::overturned}, 1}});
+  made.add({{"/excitation/amplitude", 10.0}}, {{{section::ResponseKind::overturned}, 1}});
   for (TableRow& row : made.rows) row.is_random = false;
   EXPECT_THAT(made.lines(),
               ::testing::ElementsAre("amplitude    response", "        1        rest", "       10  overturned"));
@@ -105,7 +106,7 @@ TEST(ModeTable, HasAlwaysAColumnForOverturning) {
   std::vector<std::pair<ResponseMode, std::uint64_t>> counts;
   for (int n = 1; n <= 12; ++n) counts.emplace_back(section::periodic(1, n), 10);
   counts.push_back({{section::ResponseKind::overturned}, 1});
-  made.add({{"/excitation/amplitude", "1.0"}}, counts);
+  made.add({{"/excitation/amplitude", 1.0}}, counts);
   EXPECT_THAT(made.lines()[0], ::testing::HasSubstr("overturned"));
   EXPECT_EQ(modes_to_show({{section::periodic(1, 1), 5}, {{section::ResponseKind::overturned}, 0}}, 1),
             std::vector{section::periodic(1, 1)});
@@ -114,15 +115,15 @@ TEST(ModeTable, HasAlwaysAColumnForOverturning) {
 TEST(OverturningLine, TellsWhereItIsMostLikelyOrHowLikelyItCanBe) {
   Made made;
   const ResponseMode overturned{.kind = section::ResponseKind::overturned};
-  made.add({{"/excitation/amplitude", "1.0"}}, {{section::periodic(1, 1), 40}, {overturned, 0}});
-  made.add({{"/excitation/amplitude", "2.0"}}, {{section::periodic(1, 1), 40}, {overturned, 0}});
+  made.add({{"/excitation/amplitude", 1.0}}, {{section::periodic(1, 1), 40}, {overturned, 0}});
+  made.add({{"/excitation/amplitude", 2.0}}, {{section::periodic(1, 1), 40}, {overturned, 0}});
   made.rows[1].modes[1].interval->high = 0.05;
   EXPECT_EQ(overturning_line(made.rows), "overturning: none in 80 realisations; at most 5.0 % in each condition\n");
-  made.add({{"/excitation/amplitude", "3.0"}}, {{section::periodic(1, 1), 30}, {overturned, 10}});
+  made.add({{"/excitation/amplitude", 3.0}}, {{section::periodic(1, 1), 30}, {overturned, 10}});
   EXPECT_EQ(overturning_line(made.rows),
             "overturning: in 1 of 3 conditions; most likely at amplitude 3: 25.0 [12.5, 25.0] %, 10 of 40\n");
-  made.add({{"/excitation/amplitude", "4.0"}}, {{section::periodic(1, 1), 30}, {overturned, 10}});
-  made.add({{"/excitation/amplitude", "5.0"}}, {{section::periodic(1, 1), 31}, {overturned, 9}});
+  made.add({{"/excitation/amplitude", 4.0}}, {{section::periodic(1, 1), 30}, {overturned, 10}});
+  made.add({{"/excitation/amplitude", 5.0}}, {{section::periodic(1, 1), 31}, {overturned, 9}});
   EXPECT_EQ(
       overturning_line(made.rows),
       "overturning: in 3 of 5 conditions; most likely in 2 of them, first at amplitude 3: 25.0 [12.5, 25.0] %, 10 of "
@@ -135,7 +136,7 @@ TEST(ModeTable, AddsUpWhatDoesNotFitIn120Columns) {
   std::vector<std::pair<ResponseMode, std::uint64_t>> counts;
   for (int n = 1; n <= 12; ++n) counts.emplace_back(section::periodic(1, n), 10);
   counts[7].second = 90;  // (1,8): the most frequent mode is shown, whatever its place
-  made.add({{"/excitation/amplitude", "1.0"}}, counts);
+  made.add({{"/excitation/amplitude", 1.0}}, counts);
   const auto lines = made.lines();
   for (const std::string& line : lines) EXPECT_LE(line.size(), 120U);
   EXPECT_THAT(lines[0], ::testing::HasSubstr("(1,8)"));
@@ -166,7 +167,7 @@ TEST(ModeTable, IsEmptyWithoutConditions) { EXPECT_EQ(mode_table({}), ""); }
 
 TEST(TableRows, HaveTheNumbersOfEachConditionOfARun) {
   Experiment experiment;
-  experiment.conditions.emplace_back().parameters = {{"/excitation/amplitude", "4.5"}};
+  experiment.conditions.emplace_back().parameters = {{"/excitation/amplitude", 4.5}};
   ConditionResult condition;
   condition.realisations = 8;
   Estimate estimate;
@@ -177,7 +178,7 @@ TEST(TableRows, HaveTheNumbersOfEachConditionOfARun) {
   condition.stopped_because = StoppedBecause::deterministic;
   const auto rows = table_rows(report_of(experiment, {.conditions = {condition}}, {}));
   ASSERT_EQ(rows.size(), 1U);
-  EXPECT_EQ(rows[0].parameters[0].value, "4.5");
+  EXPECT_EQ(number_in(rows[0].parameters[0].value), 4.5);
   EXPECT_EQ(rows[0].realisations, 8U);
   ASSERT_EQ(rows[0].modes.size(), 1U);
   EXPECT_EQ(rows[0].modes[0].count, 2U);
@@ -221,9 +222,9 @@ TEST(TableRows, HaveTheIntervalThatIsValidWheneverTheRunStops) {
 /// Three modes: one alone, two equally frequent, and one rare.
 Made of_three_modes() {
   Made made;
-  made.add({{"/excitation/amplitude", "3.0"}},
+  made.add({{"/excitation/amplitude", 3.0}},
            {{section::periodic(1, 1), 200}, {section::periodic(1, 3), 0}, {{section::ResponseKind::overturned}, 0}});
-  made.add({{"/excitation/amplitude", "4.5"}},
+  made.add({{"/excitation/amplitude", 4.5}},
            {{section::periodic(1, 1), 100}, {section::periodic(1, 3), 99}, {{section::ResponseKind::overturned}, 1}});
   return made;
 }
@@ -252,7 +253,7 @@ TEST(ModeTable, KeepsToTheWidthThatThereIs) {
   Made made;
   std::vector<std::pair<ResponseMode, std::uint64_t>> counts;
   for (int n = 1; n <= 12; ++n) counts.emplace_back(section::periodic(1, n), 10);
-  made.add({{"/excitation/amplitude", "1.0"}}, counts);
+  made.add({{"/excitation/amplitude", 1.0}}, counts);
   for (std::size_t width = 48; width < 220; ++width) {
     for (const auto bars : {std::optional<Letters>(), std::optional(Letters::unicode)}) {
       for (const std::string& line : made.lines({.width = width, .bars = bars}))

@@ -35,9 +35,8 @@ std::vector<TableRow> suite(std::size_t records) {
   for (std::size_t r = 0; r < records; ++r) {
     for (int level = 1; level <= 6; ++level) {
       const bool falls = level >= static_cast<int>(r) + 2;
-      rows.push_back(row(
-          {{"/excitation/file", "\"a/r" + std::to_string(r) + ".at2\""}, {"/excitation/pga_g", std::to_string(level)}},
-          falls ? (level == 6 ? 9 : 10) : 0));
+      rows.push_back(row({{"/excitation/file", "a/r" + std::to_string(r) + ".at2"}, {"/excitation/pga_g", level}},
+                         falls ? (level == 6 ? 9 : 10) : 0));
     }
   }
   return rows;
@@ -60,8 +59,7 @@ TEST(RunSummary, TakesRecordsTogetherWhereRangesAreTooMany) {
 
 TEST(RunSummary, DividesALongSweepOfOneEntry) {
   std::vector<TableRow> rows;
-  for (int i = 0; i < 100; ++i)
-    rows.push_back(row({{"/excitation/amplitude", std::to_string(i)}}, i % 2 == 0 ? 10 : 0));
+  for (int i = 0; i < 100; ++i) rows.push_back(row({{"/excitation/amplitude", i}}, i % 2 == 0 ? 10 : 0));
   const std::string text = run_summary(rows, 10);
   EXPECT_EQ(lines_in(text), 11);
   EXPECT_THAT(text, AllOf(HasSubstr("0 to 9"), HasSubstr("90 to 99"), HasSubstr("0.0 to 100.0")));
@@ -73,7 +71,7 @@ TEST(PooledSummary, IsTheMeanOverTheRecords) {
   EXPECT_THAT(text, AllOf(HasSubstr("1        2  20         0.0           0.0"),
                           HasSubstr("2        2  20        50.0  0.0 to 100.0"), HasSubstr("90.0          90.0")));
   EXPECT_EQ(pooled_summary({}), "");
-  EXPECT_EQ(pooled_summary(std::vector<TableRow>{row({{"/excitation/amplitude", "1"}}, 3)}), "") << "no suite";
+  EXPECT_EQ(pooled_summary(std::vector<TableRow>{row({{"/excitation/amplitude", 1}}, 3)}), "") << "no suite";
   EXPECT_EQ(pooled_summary(suite(2), 5), "") << "more rows than are allowed";
 }
 

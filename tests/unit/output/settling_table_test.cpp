@@ -17,7 +17,7 @@ constexpr section::ResponseMode harmonic{.kind = section::ResponseKind::periodic
 
 SettlingRow row_with(std::uint64_t censored) {
   SettlingRow row;
-  row.parameters = {{.pointer = "/excitation/amplitude", .value = "6.0"}};
+  row.parameters = {{.pointer = "/excitation/amplitude", .value = 6.0}};
   row.realisations = 100;
   row.unresolved_at_horizon = 64;
   row.censored = censored;
@@ -60,7 +60,7 @@ TEST(SettlingText, BoundsTheRateWhereNoResponseWasLeftAndSaysWhatItDoesNotSee) {
 TEST(SettlingText, NamesTheModeThatIsLeftMostOften) {
   std::vector<SettlingRow> rows{row_with(0), row_with(0)};
   rows[0].leaving = {{.mode = harmonic, .left = 0, .watched_periods = 100, .per_1000_periods = {.high = 37.0}}};
-  rows[1].parameters[0].value = "7.0";
+  rows[1].parameters[0].value = 7.0;
   EXPECT_THAT(settling_text(rows, 200), HasSubstr("most often (1,1) at amplitude 7: 0.25 [0.0063, 1.4]"));
 }
 
@@ -73,7 +73,7 @@ TEST(SettlingText, OmitsColumnsForWhichThereIsNoRoom) {
 TEST(SettlingText, HasBothDifferencesInTheUsualWidth) {
   SettlingRow row = row_with(0);
   row.parameters.insert(row.parameters.begin(),
-                        {.pointer = "/friction", .value = R"({"static": 0.40, "kinetic": 0.35})"});
+                        {.pointer = "/friction", .value = WrittenPart{R"({"static": 0.40, "kinetic": 0.35})"}});
   row.realisations = 200;
   row.unresolved_at_horizon = 119;
   row.fixed_horizon = 560;

@@ -23,7 +23,7 @@ struct Made {
 
   void add(const Until& until, StoppedBecause cause, std::uint64_t k) {
     Condition condition;
-    condition.parameters = {{"/excitation/amplitude", std::to_string(experiment.conditions.size())}};
+    condition.parameters = {{"/excitation/amplitude", static_cast<std::int64_t>(experiment.conditions.size())}};
     condition.until = until;
     experiment.conditions.push_back(condition);
     ConditionResult found;

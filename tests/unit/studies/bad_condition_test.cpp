@@ -22,7 +22,7 @@ namespace {
 /// Two values of friction of a block, at a short horizon.
 Experiment experiment_with(const Friction& friction) {
   Experiment experiment;
-  for (const char* value : {"1.0", "2.0"}) {
+  for (const double value : {1.0, 2.0}) {
     Condition condition;
     condition.parameters = {{.pointer = "/excitation/amplitude", .value = value}};
     condition.scene.excitation = Harmonic{.amplitude = 2.0, .frequency_ratio = 10.0};

@@ -1,13 +1,13 @@
 #include "rocking/studies/bifurcation/study.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <mutex>
 
 #include "rocking/api/refuse.hpp"
 #include "rocking/api/run_options.hpp"
 #include "rocking/base/error.hpp"
 #include "rocking/base/many_parts.hpp"
+#include "rocking/input/quantities_in_text.hpp"
 #include "rocking/realisation/continuation.hpp"
 #include "rocking/scene/check_condition.hpp"
 
@@ -51,11 +51,7 @@ DiagramStep step_of(const RealisationResult& result, bool continued, const Horiz
 
 /// The value of the first swept parameter; absent if it is not a number.
 std::optional<double> diagram_value(const Condition& condition) {
-  const std::string& text = condition.parameters.front().value;
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return value;
+  return number_in(condition.parameters.front().value);
 }
 
 void check_diagrams(const Experiment& experiment) {
@@ -66,7 +62,7 @@ void check_diagrams(const Experiment& experiment) {
   }
   for (const Condition& condition : experiment.conditions) {
     if (!diagram_value(condition)) {
-      throw base::InputError({"/sweep/0", condition.parameters.front().value,
+      throw base::InputError({"/sweep/0", json_text_of(condition.parameters.front().value),
                               "is not a number: the first swept parameter must take numbers",
                               "make a parameter with numerical values the first entry"});
     }

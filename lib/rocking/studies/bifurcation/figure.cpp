@@ -10,6 +10,7 @@
 #include "rocking/figures/palette.hpp"
 #include "rocking/figures/sweep_view.hpp"
 #include "rocking/output/parameter_names.hpp"
+#include "rocking/output/parameter_text.hpp"
 
 namespace rocking::analysis {
 namespace {
@@ -178,8 +179,8 @@ Figure figure_of(DrawnDiagram diagram, Axis x, const std::string& pointer, const
 std::string others_in_words(const std::vector<Parameter>& others) {
   std::string words;
   for (const Parameter& other : others) {
-    words += (words.empty() ? "" : ", ") + axis_of_parameter(other.pointer).quantity + ' ' +
-             short_value(other.pointer, Json::parse(other.value));
+    words +=
+        (words.empty() ? "" : ", ") + axis_of_parameter(other.pointer).quantity + ' ' + rocking::short_value(other);
   }
   return words;
 }

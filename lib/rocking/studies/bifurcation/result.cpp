@@ -115,7 +115,7 @@ BifurcationReport bifurcation_report(const Experiment& experiment, std::uint64_t
     for (const Branch branch : all_branches) {
       for (const DiagramStep& step : diagram.branches[static_cast<std::size_t>(branch)]) {
         const Condition& condition = experiment.conditions[step.condition];
-        reported.steps.push_back({.value = Json::parse(condition.parameters.front().value).get<double>(),
+        reported.steps.push_back({.value = number_in(condition.parameters.front().value).value(),
                                   .branch = branch,
                                   .step = step,
                                   .shaking = shaking_of(condition.scene)});

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "rocking/input/quantities_in_text.hpp"
 #include "rocking/output/parameter_text.hpp"
 #include "rocking/output/shaking_text.hpp"
 #include "rocking/text/json.hpp"
@@ -72,7 +73,7 @@ std::string all_tables(const Experiment& experiment, const std::vector<Diagram>&
     const auto& parameters = parameters_of(experiment, diagram.conditions.front());
     std::string name;
     for (std::size_t k = 1; k < parameters.size(); ++k) {
-      name += (name.empty() ? "" : ", ") + parameters[k].pointer + " = " + parameters[k].value;
+      name += (name.empty() ? "" : ", ") + parameters[k].pointer + " = " + json_text_of(parameters[k].value);
     }
     const std::string next = (name.empty() ? "" : name + '\n') + table_of(experiment, diagram, extent) + '\n';
     if (i > 0 && !is_printed_whole(text + next, extent)) {
@@ -96,8 +97,8 @@ std::string bifurcation_csv(const Experiment& experiment, const std::vector<Diag
   for (std::size_t i = 0; i < diagrams.size(); ++i) {
     for (const Branch branch : all_branches) {
       for (const DiagramStep& step : diagrams[i].branches[static_cast<std::size_t>(branch)]) {
-        const std::string start =
-            parameters_of(experiment, step.condition).front().value + ',' + std::string(to_string(branch));
+        const std::string start = json_text_of(parameters_of(experiment, step.condition).front().value) + ',' +
+                                  std::string(to_string(branch));
         for (const auto& point : step.points) {
           text += start + ',' + Json(point.tilt).dump() + ',' + Json(point.tilt_rate).dump() + ',' + std::to_string(i) +
                   '\n';

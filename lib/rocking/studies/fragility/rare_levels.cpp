@@ -6,6 +6,7 @@
 #include "rocking/api/refuse.hpp"
 #include "rocking/base/error.hpp"
 #include "rocking/base/number_text.hpp"
+#include "rocking/input/quantities_in_text.hpp"
 #include "rocking/stats/repetitions.hpp"
 #include "rocking/studies/fragility/fragility.hpp"
 #include "rocking/studies/fragility/stripes.hpp"
@@ -43,7 +44,7 @@ RareReport report_in(const std::filesystem::path& file) {
 /// An experiment with the swept values of a condition.
 Json applied(Json experiment, const std::vector<Parameter>& parameters) {
   for (const Parameter& parameter : parameters) {
-    experiment[Json::json_pointer(parameter.pointer)] = Json::parse(parameter.value);
+    experiment[Json::json_pointer(parameter.pointer)] = json_of(parameter.value);
   }
   return experiment;
 }

@@ -10,6 +10,7 @@
 #include "analysis/page/words.hpp"
 #include "analysis/quantity.hpp"
 #include "rocking/figures/sweep_view.hpp"
+#include "rocking/input/quantities_in_text.hpp"
 #include "rocking/output/alarms.hpp"
 #include "rocking/output/shaking_text.hpp"
 #include "rocking/studies/fragility/words.hpp"
@@ -47,7 +48,7 @@ std::string to(const std::string& low, const std::string& high) { return low + "
 std::string values_of(const std::vector<Parameter>& parameters) {
   std::string text;
   for (const Parameter& parameter : parameters) {
-    text += (text.empty() ? "" : ", ") + place_html(parameter.pointer, value_of(parameter));
+    text += (text.empty() ? "" : ", ") + place_html(parameter.pointer, json_of(parameter.value));
   }
   return text;
 }

@@ -1,7 +1,6 @@
 #include "rocking/studies/fragility/stripes.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -45,12 +44,6 @@ std::optional<double> least_uplift(const Scene& scene, double intensity) {
 
 namespace {
 
-double number_in(const std::string& json) {
-  double number = 0.0;
-  std::from_chars(json.data(), json.data() + json.size(), number);
-  return number;
-}
-
 /// The stripe and the group to which a condition belongs.
 struct Place {
   double intensity = 0.0;
@@ -62,7 +55,7 @@ Place place_of(const Condition& condition, std::string_view intensity) {
   Place place;
   for (const Parameter& parameter : condition.parameters) {
     if (parameter.pointer == intensity) {
-      place.intensity = number_in(parameter.value);
+      place.intensity = number_in(parameter.value).value_or(0.0);
     } else if (parameter.pointer == record_pointer) {
       place.record = record_of(condition.scene);
     } else {

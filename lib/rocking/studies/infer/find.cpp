@@ -36,7 +36,8 @@ void check_parameters(const Experiment& experiment, const Json& document, const 
         std::ranges::find(experiment.unknowns, pointer, &Unknown::pointer) != experiment.unknowns.end();
     check.expect(!is_unknown, of_parameter, pointer, "is an unknown");
     check.expect(leads_somewhere(pointer, document), of_parameter, pointer, "is not in the experiment");
-    check.expect(Json::accept(value), of_parameter, value, "is not JSON text");
+    const auto* part = std::get_if<WrittenPart>(&value);
+    if (part != nullptr) check.expect(Json::accept(part->text), of_parameter, part->text, "is not JSON text");
   }
 }
 

@@ -85,12 +85,6 @@ void check_infer_report(const InferReport& report, const ReadingPlace& place) {
 
 namespace {
 
-bool are_equal(const std::vector<Parameter>& a, const std::vector<Parameter>& b) {
-  return std::ranges::equal(a, b, [](const Parameter& one, const Parameter& other) {
-    return one.pointer == other.pointer && one.value == other.value;
-  });
-}
-
 /// Of one unknown whose interval reaches a bound.
 std::string reason_of(const ReportedUnknown& unknown) {
   const std::string from = significant(unknown.from, 6);
@@ -182,7 +176,7 @@ std::vector<infer::DesignPoint> design_for(const InferReport& asked, const Infer
   if (asked.input.sha256 != earlier.input.sha256) differ("/input");
   if (asked.seed != earlier.seed) differ("/settings/seed");
   if (asked.groups != earlier.groups) differ("/groups");
-  const auto is_same = [](const auto& a, const auto& b) { return are_equal(a.parameters, b.parameters); };
+  const auto is_same = [](const auto& a, const auto& b) { return a.parameters == b.parameters; };
   const auto is_same_test = [&](const ReportedTests& a, const ReportedTests& b) {
     return is_same(a, b) && a.counts == b.counts;
   };

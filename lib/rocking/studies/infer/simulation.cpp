@@ -46,7 +46,7 @@ CountsAtPoints InferSimulation::counts_at(const std::vector<std::vector<double>>
 Condition InferSimulation::condition(const TestedCondition& tested, const std::vector<double>& at) const {
   std::vector<Parameter> values = tested.parameters;
   for (std::size_t k = 0; k < at.size(); ++k) {
-    values.push_back({experiment_->unknowns[k].pointer, base::shortest(at[k])});
+    values.push_back({experiment_->unknowns[k].pointer, at[k]});
   }
   Condition condition = condition_at_(values);
   condition.rerun_every = 0;

@@ -362,8 +362,7 @@ const DocumentOf<OrbitsReport>& orbits_document() {
 std::optional<double> swept_number(const OrbitsOfCondition& condition, const std::string& pointer) {
   const auto found = std::ranges::find(condition.parameters, pointer, &Parameter::pointer);
   if (found == condition.parameters.end()) return std::nullopt;
-  const Json value = Json::parse(found->value);
-  return value.is_number() ? std::optional(value.get<double>()) : std::nullopt;
+  return number_in(found->value);
 }
 
 OrbitsReport orbits_report(const Experiment& experiment, OrbitStudy study) {

@@ -44,16 +44,16 @@ InferReport two_unknowns() {
   report.region_limit = 0.03;
   report.region = {{{0.2, 1.0}, 0.3}, {{0.4, 1.0}, 0.25}, {{0.2, 2.0}, 0.5}, {{0.3, 1.0}, 1.0}};
   report.groups = {"(1,1)", "other"};
-  report.tests = {{.parameters = {{"/excitation/amplitude", "4.5"}},
+  report.tests = {{.parameters = {{"/excitation/amplitude", 4.5}},
                    .counts = {3, 1},
                    .predicted = {0.6, 0.4},
                    .intervals = {{0.19, 0.99}, {0.01, 0.81}}},
-                  {.parameters = {{"/excitation/amplitude", "5.5"}},
+                  {.parameters = {{"/excitation/amplitude", 5.5}},
                    .counts = {0, 2},
                    .predicted = {0.1, 0.9},
                    .intervals = {{0.0, 0.84}, {0.16, 1.0}}}};
-  report.candidates = {{.parameters = {{"/excitation/amplitude", "3"}}, .region = 0.9, .deviations = {0.95, 0.7}},
-                       {.parameters = {{"/excitation/amplitude", "8"}}, .region = 0.8, .deviations = {0.85, 1.0}}};
+  report.candidates = {{.parameters = {{"/excitation/amplitude", 3}}, .region = 0.9, .deviations = {0.95, 0.7}},
+                       {.parameters = {{"/excitation/amplitude", 8}}, .region = 0.8, .deviations = {0.85, 1.0}}};
   return report;
 }
 

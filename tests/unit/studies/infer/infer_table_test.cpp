@@ -12,7 +12,7 @@ using ::testing::Not;
 
 /// Two conditions, a design of two points.
 InferReport answered() {
-  const auto tests = [](const char* amplitude, std::vector<std::uint64_t> counts) {
+  const auto tests = [](double amplitude, std::vector<std::uint64_t> counts) {
     return ReportedTests{.parameters = {{"/excitation/amplitude", amplitude}},
                          .counts = std::move(counts),
                          .predicted = {0.5, 0.2, 0.3},
@@ -27,7 +27,7 @@ InferReport answered() {
                         .reaches = ReachedBound::none}},
           .fit = InferenceFit{},
           .groups = {"(1,1)", "chaotic", "other"},
-          .tests = {tests("4.5", {9, 1, 0}), tests("6.0", {7, 2, 1})},
+          .tests = {tests(4.5, {9, 1, 0}), tests(6.0, {7, 2, 1})},
           .design = {{.at = {0.3}, .counts = {{40, 0, 0}, {30, 10, 0}}},
                      {.at = {0.4}, .counts = {{39, 1, 0}, {40, 0, 0}}}}};
 }

@@ -27,7 +27,7 @@ Json orbits_example() {
   OrbitsReport report;
   report.input.sha256 = std::string(64, '0');
   OrbitsOfCondition& condition = report.study.conditions.emplace_back();
-  condition.parameters = {{.pointer = "/restitution", .value = "0.5"}};
+  condition.parameters = {{.pointer = "/restitution", .value = 0.5}};
   condition.orbits = {orbit};
   condition.orbits[0].mirror = 0;
   condition.run_on = 0;

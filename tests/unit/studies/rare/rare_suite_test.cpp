@@ -18,9 +18,9 @@ using rocking::rare_suites;
 using rocking::RareEstimate;
 using rocking::RareSuite;
 
-Condition condition_of(const std::string& file, const std::string& scale) {
+Condition condition_of(const std::string& file, std::int64_t scale) {
   Condition condition;
-  condition.parameters = {{"/excitation/file", '"' + file + '"'}, {"/excitation/scale", scale}};
+  condition.parameters = {{"/excitation/file", file}, {"/excitation/scale", scale}};
   return condition;
 }
 
@@ -42,13 +42,13 @@ RareEstimate unknown(std::optional<double> probability, double low, double high)
 
 RareSuite suite_of(const std::vector<RareEstimate>& estimates) {
   std::vector<Condition> conditions;
-  for (std::size_t i = 0; i < estimates.size(); ++i) conditions.push_back(condition_of(std::to_string(i), "1"));
+  for (std::size_t i = 0; i < estimates.size(); ++i) conditions.push_back(condition_of(std::to_string(i), 1));
   return rare_suites(conditions, estimates).front();
 }
 
 TEST(RareSuites, AreTheMeansOverTheRecordsOfEachScale) {
-  const std::vector<Condition> conditions{condition_of("a", "1"), condition_of("a", "2"), condition_of("b", "1"),
-                                          condition_of("b", "2")};
+  const std::vector<Condition> conditions{condition_of("a", 1), condition_of("a", 2), condition_of("b", 1),
+                                          condition_of("b", 2)};
   const auto suites = rare_suites(
       conditions, {estimate_of(1e-6, 0.1), estimate_of(1e-4, 0.1), estimate_of(3e-6, 0.1), estimate_of(5e-4, 0.1)});
   ASSERT_EQ(suites.size(), 2U);
@@ -56,15 +56,15 @@ TEST(RareSuites, AreTheMeansOverTheRecordsOfEachScale) {
   EXPECT_DOUBLE_EQ(*suites[1].probability, 3e-4);
   EXPECT_EQ(suites[1].records, 2U);
   ASSERT_EQ(suites[1].parameters.size(), 1U);
-  EXPECT_EQ(suites[1].parameters.front().value, "2");
+  EXPECT_EQ(suites[1].parameters.front().value, rocking::SweptValue(2));
   EXPECT_DOUBLE_EQ(*suites[0].relative_error, std::hypot(0.1, 0.3) / 4.0);
 }
 
 TEST(RareSuites, AreFoundOnlyWhereSeveralRecordsAreSwept) {
   Condition scaled;
-  scaled.parameters = {{"/excitation/scale", "2"}};
+  scaled.parameters = {{"/excitation/scale", 2}};
   EXPECT_TRUE(rare_suites({scaled, scaled}, {estimate_of(0.1, 0.1), estimate_of(0.2, 0.1)}).empty());
-  EXPECT_TRUE(rare_suites({condition_of("a", "1")}, {estimate_of(0.1, 0.1)}).empty());
+  EXPECT_TRUE(rare_suites({condition_of("a", 1)}, {estimate_of(0.1, 0.1)}).empty());
 }
 
 TEST(RareSuites, HaveTheEndsOfTheIntervalOfARecordWhoseErrorIsNotKnown) {

@@ -60,7 +60,7 @@ TEST_F(Cost, FindsThatErrorsFollowTheTolerance) {
 }
 
 TEST_F(Cost, MeasuresAtLeastOneRealisationHoweverShortTheTime) {
-  const auto outcome = rocking("cost quick.json --time 0.001s --json -j 1");
+  const auto outcome = rocking("cost quick.json --time 0.000001s --json -j 1");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
   const Json json = Json::parse(outcome.output);
   EXPECT_EQ(json["result"]["sample"]["realisations"], 1);

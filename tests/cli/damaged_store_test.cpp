@@ -195,10 +195,9 @@ TEST_F(DamagedRun, OfWhichTheStoreIsEmptyBeginsAnew) {
 
 TEST_F(DamagedRun, TakesNoLogOfAnotherStore) {
   // Files of a killed run with another seed; the user removes the store but not the log.
-  const Outcome killed = shell("'" ROCKING_PROGRAM
-                               "' run question.json -q -o out --seed 7 --realisations 100000 & "
-                               "child=$!; until test -s out/realisations.sqlite-wal; do sleep 0.01; done; sleep 0.3; "
-                               "kill -9 $child; rm out/realisations.sqlite");
+  const Outcome killed =
+      shell(in_background("run question.json -q -o out --seed 7 -j 1 --realisations 1000000", has_realisations("out")) +
+            "kill -9 $child; rm out/realisations.sqlite");
   ASSERT_TRUE(exists("out/realisations.sqlite-wal"));
   ASSERT_EQ(plainly("run question.json -q -o out").exit_code, 0);
   expect_right_report("out", "");
@@ -225,9 +224,8 @@ TEST_F(DamagedRun, LeavesTheLockOfAnotherProcess) {
   EXPECT_EQ(ran.exit_code, 0) << ran.errors;
 
   const Outcome replaced =
-      shell(in_background("'" ROCKING_PROGRAM "' run question.json -q -o busy --realisations 100000") +
-            "until test -e busy/.lock; do sleep 0.01; done; sleep 0.2; rm busy/.lock; "
-            "touch busy/.lock; kill -INT $child; wait $child; test -e busy/.lock");
+      shell(in_background("run question.json -q -o busy -j 1 --realisations 1000000", "test -e busy/.lock") +
+            "rm busy/.lock; touch busy/.lock; kill -INT $child; wait $child; test -e busy/.lock");
   EXPECT_EQ(replaced.exit_code, 0) << "put there by another process while the run was at work";
 }
 

@@ -191,21 +191,4 @@ TEST_F(ExitCode, Is74WhereTheResultCannotBePrinted) {
   EXPECT_EQ(rocking("schema report > /dev/full").exit_code, 74);
 }
 
-TEST_F(ExitCode, Is130WhereItIsInterruptedAndWhatIsDoneIsKept) {
-  auto slow = quick_experiment();
-  slow["horizon"]["transient_periods"] = 10'000;
-  slow["realisations"] = 10'000;
-  write("slow.json", slow.dump());
-  for (const char* signal : {"TERM", "INT", "USR1"}) {
-    const std::string folder = std::string("out") + signal;
-    const auto outcome = shell(in_background("'" ROCKING_PROGRAM "' run slow.json -o " + folder) + "sleep 1; kill -" +
-                               signal + " $child; wait $child");
-    EXPECT_EQ(outcome.exit_code, 130) << outcome.errors;
-    EXPECT_THAT(outcome.errors,
-                AllOf(HasSubstr("are done and kept"), HasSubstr("`rocking resume " + folder + "` continues the run")));
-    EXPECT_TRUE(exists(folder + "/realisations.sqlite"));
-    EXPECT_FALSE(exists(folder + "/report.json"));
-  }
-}
-
 }  // namespace

@@ -47,7 +47,7 @@ TEST_F(Extension, OfAFinishedRunHasTheBytesOfOneRun) {
 
 TEST_F(Extension, RunsOnlyWhatIsMissing) {
   ASSERT_EQ(rocking("run slow.json -q --no-page -o out --realisations 4").exit_code, 0);
-  ASSERT_EQ(rocking("resume out -q --no-page -j 1 --realisations 80 --max-time 0.02s").exit_code, 75);
+  ASSERT_EQ(rocking("resume out -q --no-page -j 1 --realisations 80 --max-time 0.001s").exit_code, 75);
   const Json status = Json::parse(rocking("status out --json").output);
   EXPECT_EQ(status["all"], 240);
   EXPECT_GE(status["done"], 12);
@@ -57,7 +57,7 @@ TEST_F(Extension, RunsOnlyWhatIsMissing) {
 TEST_F(Extension, KeepsTheFinishedRunUntilItIsComplete) {
   ASSERT_EQ(rocking("run slow.json -q --no-page -o out --realisations 5").exit_code, 0);
   const std::string before = read("out/report.json");
-  ASSERT_EQ(rocking("resume out -q --no-page -j 1 --realisations 80 --max-time 0.02s").exit_code, 75);
+  ASSERT_EQ(rocking("resume out -q --no-page -j 1 --realisations 80 --max-time 0.001s").exit_code, 75);
   EXPECT_EQ(read("out/report.json"), before);
   ASSERT_EQ(rocking("resume out -q --no-page").exit_code, 0) << "the number is in the store now";
   expect_bytes_of_one_run("slow.json", 80);
@@ -65,8 +65,8 @@ TEST_F(Extension, KeepsTheFinishedRunUntilItIsComplete) {
 }
 
 TEST_F(Extension, OfAnUnfinishedRunHasTheBytesOfOneRun) {
-  ASSERT_EQ(rocking("run slow.json -q --no-page -j 1 -o out --realisations 79 --max-time 0.02s").exit_code, 75);
-  ASSERT_EQ(rocking("resume out -q --no-page -j 1 --realisations 80 --max-time 0.02s").exit_code, 75);
+  ASSERT_EQ(rocking("run slow.json -q --no-page -j 1 -o out --realisations 79 --max-time 0.001s").exit_code, 75);
+  ASSERT_EQ(rocking("resume out -q --no-page -j 1 --realisations 80 --max-time 0.001s").exit_code, 75);
   EXPECT_FALSE(exists("out/replacement"));
   ASSERT_EQ(rocking("resume out -q --no-page").exit_code, 0);
   expect_bytes_of_one_run("slow.json", 80);

@@ -52,9 +52,26 @@ class ProgramTest : public ::testing::Test {
     return std::filesystem::exists(folder / "python3") ? "'" + (folder / "python3").string() + "'" : "";
   }
 
-  /// Starts a command in the background of a script, where a shell makes its children ignore SIGINT.
-  static std::string in_background(const std::string& command) {
-    return "env --default-signal=INT " + command + " & child=$!; ";
+  /// A script that starts the program in the background, where a shell makes its children ignore SIGINT, and waits until
+  /// it handles signals and a condition is met, or it has ended. No test waits for a time, which may be too short or too
+  /// long on another machine.
+  static std::string in_background(const std::string& arguments, const std::string& condition = "true") {
+    return "env --default-signal=INT '" ROCKING_PROGRAM "' " + arguments +
+           " & child=$!; until grep -q 'SigCgt.*[2367abef]..$' /proc/$child/status && " + condition +
+           " || ! kill -0 $child; do sleep 0.01; done 2>/dev/null; ";
+  }
+
+  /// A condition: finished realisations of this folder are on disk.
+  static std::string has_realisations(const std::string& folder) {
+    return "'" ROCKING_PROGRAM "' status " + folder + " | grep -q 'done *[1-9]'";
+  }
+
+  /// Runs a script that disturbs a command, again as long as the exit code is 0: on a busy machine the command may have
+  /// ended before.
+  Outcome until_disturbed(const std::string& script) const {
+    Outcome outcome = shell(script);
+    for (int attempt = 1; attempt < 100 && outcome.exit_code == 0; ++attempt) outcome = shell(script);
+    return outcome;
   }
 
   /// Runs a script in the folder and returns its output. After two minutes it is ended, with exit code 124.

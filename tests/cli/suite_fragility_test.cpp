@@ -129,15 +129,12 @@ TEST_F(SuiteFragility, AnalysesPeakTiltsAndCountsResurrections) {
                                  HasSubstr("stood again at a stronger one")));
 }
 
-// Far more curves than a fraction of a second allows. Without --foreground `timeout` may send the signal twice, and the
-// second one kills the program.
 TEST_F(SuiteFragility, IsStoppedByASignalWithoutWriting) {
   run();
   std::string tilts;
   for (int i = 1; i <= 1000; ++i) tilts += (i > 1 ? "," : "") + std::to_string(0.001 * i);
-  const auto stopped = shell("timeout --foreground --preserve-status -s INT 0.5 '" ROCKING_PROGRAM
-                             "' fragility out -o kept --peak-tilt " +
-                             tilts);
+  const auto stopped = until_disturbed("rm -rf kept; " + in_background("fragility out -o kept --peak-tilt " + tilts) +
+                                       "kill -INT $child; wait $child");
   EXPECT_EQ(stopped.exit_code, 130);
   EXPECT_EQ(stopped.output, "");
   EXPECT_THAT(stopped.errors, HasSubstr("interrupted; nothing was written"));

@@ -141,6 +141,14 @@ class PseudoTerminal : public Terminal {
     return read("shown");
   }
 
+  /// The same of a command that is interrupted as soon as this pattern is seen.
+  std::string seen_until(const std::string& pattern, const std::string& arguments) const {
+    shell("TERM=xterm script -qfec \"stty cols 120; echo \\$\\$ >process; exec '" ROCKING_PROGRAM "' " + arguments +
+          " >table\" typescript >shown & until grep -qE '" + pattern +
+          "' shown || ! kill -0 $!; do sleep 0.02; done; kill -TERM $(cat process); wait");
+    return read("shown");
+  }
+
   /// Standard output of the program on such a terminal.
   std::string printed(int columns, const std::string& arguments, const std::string& environment) const {
     const Outcome outcome = shell("TERM=xterm script -qec \"stty cols " + std::to_string(columns) + "; " + environment +
@@ -152,10 +160,9 @@ class PseudoTerminal : public Terminal {
 
 TEST_F(PseudoTerminal, ShowsABarTheRestTheConditionAndItsEstimateOnOneLine) {
   auto longer = quick_experiment();
-  longer["realisations"] = 400;
-  longer["horizon"]["transient_periods"] = 300;
+  longer["realisations"] = 1'000'000;
   write("longer.json", longer.dump());
-  const std::string shown = seen(120, "run longer.json -o out");
+  const std::string shown = seen_until("amplitude", "run longer.json -j 1 -o out");
   EXPECT_THAT(shown, ContainsRegex("\r\\[.*\x1b\\[32m[=>].* *.*\\] [0-9]+/[0-9]+.*; amplitude [0-9.]+: [a-z(].* "
                                    "[0-9]+ of [0-9]+, [0-9.]+ % \\[[0-9.]+, [0-9.]+\\]\x1b\\[K"));
   EXPECT_THAT(shown, HasSubstr("\r\x1b[Krocking: ")) << "the line is left as it was found";
@@ -175,10 +182,22 @@ TEST_F(PseudoTerminal, ShowsNoShareOfASearchWhoseEndIsNotKnown) {
   calm["sweep"] = rocking::Json::parse(R"([{ "parameter": "/excitation/amplitude", "values": [1.5, 2.0] }])");
   write("calm.json", calm.dump());
   EXPECT_THAT(seen(120, "orbits calm.json --periods 1 --branches 2 -o out", "NO_COLOR=1"),
-              AllOf(HasSubstr("1/2, "), HasSubstr("; then points of branches"), Not(HasSubstr("remaining")),
+              AllOf(HasSubstr("/2, "), HasSubstr("; then points of branches"), Not(HasSubstr("remaining")),
                     Not(HasSubstr("\r["))));  // no bar
   EXPECT_THAT(seen(120, "orbits calm.json --periods 1 --no-branches -o without", "NO_COLOR=1"),
-              AllOf(HasSubstr("\r["), HasSubstr("1/2, "), Not(HasSubstr("points of branches"))));
+              AllOf(HasSubstr("\r["), HasSubstr("/2, "), Not(HasSubstr("points of branches"))));
+}
+
+// All is drawn once, and the block never overturns: there are hundreds of stages of the search.
+TEST_F(PseudoTerminal, ShowsProgressOfRareAlsoInPilotRuns) {
+  auto once = quick_experiment();
+  once.erase("fluctuation");
+  once["block"]["width_m"] = {{"normal", {{"mean", 1.0}, {"sigma", 0.01}}}};
+  once["sweep"][0]["values"] = {2.0};
+  write("once.json", once.dump());
+  const std::string shown = seen_until("[0-9]+ realisations so far, [0-9]+/s", "rare once.json -o out -j 1");
+  EXPECT_THAT(shown, ContainsRegex("[0-9]+ realisations so far, [0-9]+/s"));
+  EXPECT_THAT(shown, Not(HasSubstr("0/0")));
 }
 
 TEST_F(PseudoTerminal, ShowsARunBeforeItsFirstRealisation) {
@@ -294,14 +313,13 @@ TEST_F(Terminal, IsToldWhatWasProbablyMeant) {
 }
 
 TEST_F(Terminal, InterruptsABifurcationCleanlyAndIsToldHowToBeginAnew) {
-  auto slow = quick_experiment();
-  slow["sweep"][0] = {{"parameter", "/excitation/amplitude"}, {"from", 3.0}, {"to", 6.0}, {"step", 0.0001}};
-  write("slow.json", slow.dump());
-  for (const char* signal : {"INT", "TERM"}) {
-    const std::string folder = std::string("out") + signal;
+  auto endless = quick_experiment();
+  endless["horizon"]["transient_periods"] = 100'000'000;
+  write("endless.json", endless.dump());
+  for (const std::string signal : {"INT", "TERM"}) {
+    const std::string folder = "out" + signal;
     const Outcome outcome =
-        shell(in_background("'" ROCKING_PROGRAM "' bifurcation slow.json -o " + folder) + "while [ ! -d " + folder +
-              " ]; do sleep 0.02; done; sleep 0.3; kill -" + signal + " $child; wait $child");
+        shell(in_background("bifurcation endless.json -o " + folder) + "kill -" + signal + " $child; wait $child");
     EXPECT_EQ(outcome.exit_code, 130) << outcome.errors;
     EXPECT_THAT(outcome.errors, HasSubstr("The same command starts again"));
     EXPECT_TRUE(std::filesystem::is_empty(folder_ / folder));

@@ -295,11 +295,9 @@ class AgainstTheProgram(unittest.TestCase):
         self.assertTrue(np.isnan(errors[-1]))
         self.assertTrue((ours.system.processor_s_per_period > 0).all())
 
-    def test_cost_spends_the_time_that_it_is_given(self):
-        began = time.monotonic()
-        found = rocking.cost(LONG, seconds=1.0, tolerances=[1e-5, 1e-14])
-        self.assertGreater(found.result.sample.realisations, 1)
-        self.assertLess(time.monotonic() - began, 20.0)  # a loaded machine
+    def test_cost_ends_when_its_time_is_up(self):
+        found = rocking.cost(LONG, seconds=0.5, tolerances=[1e-5, 1e-14], threads=1)
+        self.assertTrue(1 <= found.result.sample.realisations < 100000)
 
     def test_parts_merge_to_the_whole(self):
         parts = [os.path.join(self.folder.name, f"part{i}") for i in (1, 2, 3)]
@@ -423,18 +421,18 @@ class AgainstTheProgram(unittest.TestCase):
         self.assertEqual(set(theirs) - set(ours), {"machine", "system", "supported_systems", "lanes"})
 
     def test_a_run_in_progress_can_be_looked_at(self):
-        running = subprocess.Popen([PROGRAM, "run", write(self.folder.name, LONG), "-o", self.out, "--no-page", "-q"])
+        running = subprocess.Popen([PROGRAM, "run", write(self.folder.name, LONG), "-o", self.out, "--no-page", "-q",
+                                    "-j", "1", "--realisations", "1000000"])
         self.addCleanup(running.wait)
         self.addCleanup(running.kill)
         store = os.path.join(self.out, "realisations.sqlite")
         done = 0
-        until = time.monotonic() + 60
-        while done == 0 and time.monotonic() < until:
+        while done == 0 and running.poll() is None:
             time.sleep(0.1)
             if os.path.exists(store) and os.path.getsize(store):
                 done = rocking.open_run(self.out).done
         self.assertIsNone(running.poll(), "it is in progress")
-        self.assertTrue(0 < done < 100000)
+        self.assertTrue(0 < done < 1000000)
 
     def test_validate_is_that_of_the_program(self):
         theirs = json.loads(self.program("validate", self.path, "--json"))
@@ -707,10 +705,16 @@ class Interrupting(unittest.TestCase):
 
     def test_ctrl_c_stops_a_run_that_tells_of_no_progress(self):
         # The main thread runs no Python meanwhile, so only the core can see the signal.
-        timer = threading.Timer(0.2, os.kill, (os.getpid(), signal.SIGINT))
-        timer.start()
-        with self.assertRaises(rocking.Interrupted) as caught:
-            rocking.run(LONG)
+        with tempfile.TemporaryDirectory() as folder:
+
+            def interrupt_when_it_has_begun():
+                while not os.path.exists(os.path.join(folder, "realisations.sqlite")):
+                    time.sleep(0.01)
+                os.kill(os.getpid(), signal.SIGINT)
+
+            threading.Thread(target=interrupt_when_it_has_begun).start()
+            with self.assertRaises(rocking.Interrupted) as caught:
+                rocking.run(LONG, folder=folder, threads=1)
         self.assertLess(caught.exception.result.done, caught.exception.result.all)
 
     def test_ctrl_c_stops_a_measurement_of_cost(self):
@@ -740,7 +744,10 @@ class Interrupting(unittest.TestCase):
                 rocking.fragility(result, peak_tilts=np.linspace(0.001, 0.9, 200), threads=1, progress=interrupt)
 
     def test_ctrl_c_stops_rare_and_verify_and_orbits(self):
+        told = []
+
         def interrupt(done, all):
+            told.append((done, all))
             os.kill(os.getpid(), signal.SIGINT)
 
         result = rocking.run(changed(realisations=2000))
@@ -749,10 +756,10 @@ class Interrupting(unittest.TestCase):
         for call in (lambda: rocking.rare(SLAB, relative_error=1e-3, threads=1, progress=interrupt),
                      lambda: rocking.verify(result, threads=1, progress=interrupt),
                      lambda: rocking.orbits(several, longest=1, threads=1, progress=interrupt)):
-            began = time.monotonic()
             with self.assertRaises(KeyboardInterrupt):
                 call()
-            self.assertLess(time.monotonic() - began, 20.0)
+            done, all = told[-1]
+            self.assertLess(done, all or math.inf)  # zero: not known
 
     def test_ctrl_c_stops_a_trajectory(self):
         # Of a block that rocks, and of one that stays at rest.
@@ -768,8 +775,8 @@ class Interrupting(unittest.TestCase):
                          lambda: rocking.replay(result, condition=1, **long),
                          lambda: rocking.write_trajectory_page(SLAB, page, condition=1, **long)):
                 timer = threading.Timer(0.2, os.kill, (os.getpid(), signal.SIGINT))
-                timer.start()
                 with self.assertRaises(KeyboardInterrupt):
+                    timer.start()
                     call()
                 timer.join()
             self.assertEqual(os.listdir(folder), [])

@@ -3,7 +3,9 @@
 Environment: ROCKING_PROGRAM, the program; ROCKING_SOURCE, the root of the clone.
 """
 
+import ast
 import doctest
+import graphlib
 import importlib
 import inspect
 import json
@@ -984,6 +986,21 @@ class Memory(unittest.TestCase):
         before = resident()
         calls()
         self.assertLess(resident() - before, 4_000_000)
+
+
+class Modules(unittest.TestCase):
+    def test_import_one_another_in_one_direction_only(self):
+        imports = {}
+        for module in pkgutil.iter_modules(rocking.__path__):
+            path = os.path.join(rocking.__path__[0], module.name + ".py")
+            if not os.path.exists(path):  # the core
+                continue
+            with open(path) as file:
+                tree = ast.parse(file.read())
+            imports[module.name] = {name for node in ast.walk(tree) if isinstance(node, ast.ImportFrom) and node.level
+                                    for name in ([node.module] if node.module else [each.name for each in node.names])}
+        self.assertIn("fields", imports["documents"])
+        graphlib.TopologicalSorter(imports).prepare()  # raises CycleError
 
 
 class Stubs(unittest.TestCase):

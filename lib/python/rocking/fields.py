@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+import base64
 import html
 import json
+import tempfile
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, Callable, ClassVar, Dict, Iterator, List, Mapping, Tuple, TypeVar
 
 import numpy as np
+
+from . import _core
 
 if TYPE_CHECKING:
     import numpy.typing as npt
@@ -95,13 +100,23 @@ class Document(Fields):
         self.text: str = text  #: as the program prints it
 
     def _repr_html_(self) -> str:
-        from .pages import pictures  # it imports what makes documents
-
         tables = [f"<h4>{name}</h4>{getattr(self, name)._repr_html_()}" for name in self._tables()]
-        return super()._repr_html_() + "".join(tables) + "".join(pictures(self))
+        return super()._repr_html_() + "".join(tables) + pictures("draw", [("", self.text)])
 
     def _tables(self) -> List[str]:
         return [name for name, value in self._shown() if value and isinstance(getattr(self, name), Rows)]
+
+
+def pictures(function: str, *source: Any) -> str:
+    """The first figures that a function of the core draws, as HTML; empty where gnuplot or fmt is missing."""
+    with tempfile.TemporaryDirectory() as folder:
+        try:
+            files, _ = getattr(_core, function)(*source, folder, 0)
+        except (AttributeError, ValueError):  # built without fmt; an InputError where there is nothing to draw
+            return ""
+        drawn = [Path(file) for file in files if file.endswith(".svg")][:3]
+        images = [base64.b64encode(file.read_bytes()).decode() for file in drawn]
+    return "".join(f'<img src="data:image/svg+xml;base64,{image}"/>' for image in images)
 
 
 def name_of(key: str) -> str:

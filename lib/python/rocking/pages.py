@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-import base64
 import os
-import tempfile
 from pathlib import Path
 from typing import Any, List, NamedTuple, Optional, Tuple, Union
 
 from . import _core
-from .errors import InputError
 from .experiments import ExperimentLike, experiment
 from .fields import Document
 from .results import Result
@@ -189,18 +186,6 @@ def _document_of(source: Any, number: int) -> Tuple[str, str]:
     if isinstance(source, Document):
         return f"source {number}", source.text
     raise TypeError(f"source {number} is a {type(source).__name__}: must be what a study returned, or a file")
-
-
-def pictures(source: Union[Result, Document], most: int = 3) -> List[str]:
-    """The first figures as HTML, for notebooks; none where gnuplot or fmt is missing, or there is nothing to draw."""
-    with tempfile.TemporaryDirectory() as folder:
-        try:
-            written = write_figures(source, folder) if isinstance(source, Result) else draw(source, folder=folder)
-        except (InputError, NotImplementedError):
-            return []
-        drawn = [file for file in written.files if file.suffix == ".svg"][:most]
-        images = [base64.b64encode(file.read_bytes()).decode() for file in drawn]
-    return [f'<img src="data:image/svg+xml;base64,{image}"/>' for image in images]
 
 
 def _call(name: str, *arguments: Any) -> Written:

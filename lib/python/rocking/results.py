@@ -10,6 +10,7 @@ import numpy as np
 
 from . import _core, documents
 from .experiments import Experiment
+from .fields import pictures
 
 if TYPE_CHECKING:
     import numpy.typing as npt
@@ -171,9 +172,9 @@ class Result:
         raise ValueError(f"{self.done} of {self.all} realisations are done: the run was stopped, or parts are missing")
 
     def _repr_html_(self) -> str:
-        from .pages import pictures  # it imports this
-
-        return f"<pre>{html.escape(self.table())}</pre>" + "".join(pictures(self)) if self.is_complete else repr(self)
+        if not self.is_complete:
+            return repr(self)
+        return f"<pre>{html.escape(self.table())}</pre>" + pictures("write_figures", self.experiment._core, self._core)
 
     def __repr__(self) -> str:
         state = "" if self.is_complete else f", {self.done} done"

@@ -2,7 +2,6 @@
 
 #include "support/false_alarms.hpp"
 
-#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -66,11 +65,6 @@ TEST(FalseAlarms, AreNotGivenToWhomNoneAreAllowed) {
         static_cast<void>(alarms.level());
       },
       "allows");
-}
-
-// P(|Z| > s) = erfc(s/sqrt 2).
-TEST(FalseAlarms, AreAsLikelyForAScoreAsForAPValue) {
-  EXPECT_NEAR(std::erfc(largest_score / std::sqrt(2.0)), false_alarm, 1e-5 * false_alarm);
 }
 
 }  // namespace

@@ -6,9 +6,11 @@
 
 #include <algorithm>
 #include <array>
+#include <numbers>
 #include <string>
 #include <string_view>
 
+#include <boost/math/special_functions/erf.hpp>
 #include <gtest/gtest.h>
 
 namespace rocking::support {
@@ -16,7 +18,7 @@ namespace rocking::support {
 /// False-alarm probability of one comparison.
 inline constexpr double false_alarm = 1e-10;
 /// The absolute value of a normal score exceeds this with that probability.
-inline constexpr double largest_score = 6.466951;
+inline const double largest_score = std::numbers::sqrt2 * boost::math::erfc_inv(false_alarm);
 /// Largest false-alarm probability of all tests together.
 inline constexpr double all_false_alarms = 1e-6;
 

@@ -332,11 +332,10 @@ TEST(Page, SummarisesOverturningWhereTheSweepHasManyCombinations) {
 
 TEST(Page, BeginsWithOverturningAndExplainsModesAtOnce) {
   const std::string page = page_of(rocking::support::sample_report());
-  const std::size_t answer = page.find("<dt>Overturning</dt>");
-  ASSERT_NE(answer, std::string::npos);
-  EXPECT_LT(answer, page.find("class=\"card\""));
-  EXPECT_LT(page.find("<svg class=\"mode\""), page.find("class=\"card\""));
-  EXPECT_LT(page.find("(<i>m</i>,<i>n</i>): the block rocks"), page.find("class=\"card\""));
+  const std::size_t first_card = page.find("class=\"card\"");
+  ASSERT_NE(first_card, std::string::npos);
+  for (const char* text : {"<dt>Overturning</dt>", "<svg class=\"mode\"", "(<i>m</i>,<i>n</i>): the block rocks"})
+    EXPECT_LT(page.find(text), first_card) << text;
 }
 
 TEST(Page, HasOneTableOfResponses) {

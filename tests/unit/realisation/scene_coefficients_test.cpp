@@ -347,6 +347,27 @@ TEST(NextChange, IsTheEarlierOfGridAndPeriod) {
   EXPECT_GT(clock.until(*slipping), 0.0);
 }
 
+TEST(SceneCoefficients, UnderAnotherMeanKeepTheDeviationsInForce) {
+  Scene scene =
+      scene_with({.static_friction = 0.05, .kinetic_friction = 0.05, .refreshes_per_period = 20, .amplitude = 0.3});
+  const Clock clock(frequency, 0.0);
+  SceneCoefficients coefficients(scene, draws);
+  coefficients.stop();
+  coefficients.stop();
+  coefficients.chatter_ended();
+  coefficients.chatter_ended();  // without a stop: the friction before it stays in force, though the count has advanced
+  const double in_force = coefficients.static_friction();
+  const SceneCoefficients same(scene, draws);
+  EXPECT_EQ(coefficients.under(same).static_friction(), in_force);
+  EXPECT_EQ(coefficients.under(same).kinetic_friction(clock), coefficients.kinetic_friction(clock));
+  EXPECT_EQ(coefficients.under(same).amplitude(clock), coefficients.amplitude(clock));
+  scene.friction->static_coefficient = mean_static(*scene.friction) + 0.25;
+  support::harmonic(scene).amplitude = mean_of(support::harmonic(scene).amplitude) + 0.25;
+  auto moved = coefficients.under(SceneCoefficients(scene, draws));
+  EXPECT_NEAR(moved.static_friction(), in_force + 0.25, 0x1p-52);                      // a rounding of a sum below 1
+  EXPECT_NEAR(moved.amplitude(clock), coefficients.amplitude(clock) + 0.25, 0x1p-49);  // of one below 8
+}
+
 TEST(NothingRandom, DrawsNothingAndNeverChanges) {
   SceneCoefficients coefficients(scene_with({}), draws);
   Clock clock(frequency, 1.0);

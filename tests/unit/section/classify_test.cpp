@@ -204,15 +204,6 @@ TEST(Classify, WantsEnoughPoints) {
   EXPECT_EQ(exponent.calls, 0);
 }
 
-TEST(Classify, GivesTheSameBitsForTheSameInput) {
-  const auto periods = noisy(5, 3, 0.02, 21);
-  CountedExponent exponent{clearly_negative};
-  const Classification first = exponent.classification_of(periods, true);
-  const Classification second = exponent.classification_of(periods, true);
-  EXPECT_EQ(first.mode, second.mode);
-  EXPECT_EQ(first.margin, second.margin);
-}
-
 TEST(Reason, IsFoundByItsName) {
   for (std::size_t i = 0; i < reason_names.size(); ++i) {
     const auto reason = static_cast<Reason>(i);

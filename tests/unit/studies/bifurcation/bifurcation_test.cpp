@@ -130,27 +130,6 @@ TEST(Continuation, KeepsStateAndPartOfThePeriodWhereTheFrequencyChanges) {
   EXPECT_LE(std::abs(since_strobe), clock.resolution());
 }
 
-TEST(SceneCoefficients, UnderAnotherMeanKeepTheDeviationsInForce) {
-  const Condition condition = fluctuating_condition(4.2);
-  const dynamics::Clock clock(10.0, 0.0);
-  SceneCoefficients coefficients(condition.scene, random::Draws(sweep_seed, 0));
-  coefficients.stop();
-  coefficients.stop();
-  coefficients.chatter_ended();
-  coefficients.chatter_ended();  // without a stop: the friction before it stays in force, though the count has advanced
-  const double in_force = coefficients.static_friction();
-  Scene scene = condition.scene;
-  const SceneCoefficients same(scene, random::Draws(sweep_seed, 0));
-  EXPECT_EQ(coefficients.under(same).static_friction(), in_force);
-  EXPECT_EQ(coefficients.under(same).kinetic_friction(clock), coefficients.kinetic_friction(clock));
-  EXPECT_EQ(coefficients.under(same).amplitude(clock), coefficients.amplitude(clock));
-  scene.friction->static_coefficient = mean_static(*scene.friction) + 0.25;
-  support::harmonic(scene).amplitude = mean_of(support::harmonic(scene).amplitude) + 0.25;
-  auto moved = coefficients.under(SceneCoefficients(scene, random::Draws(sweep_seed, 0)));
-  EXPECT_NEAR(moved.static_friction(), in_force + 0.25, 0x1p-52);                      // a rounding of a sum below 1
-  EXPECT_NEAR(moved.amplitude(clock), coefficients.amplitude(clock) + 0.25, 0x1p-49);  // of one below 8
-}
-
 Json swept(const std::string& sweep) {
   Json document = support::least_experiment();
   document["horizon"] = {{"transient_periods", 200}, {"sampled_periods", 40}};

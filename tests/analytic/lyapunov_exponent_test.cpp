@@ -28,9 +28,7 @@ class CountedImpacts final : public dynamics::Observer {
 };
 
 Condition rocking_block(double amplitude) {
-  Condition condition;
-  support::harmonic(condition.scene).amplitude = amplitude;
-  support::harmonic(condition.scene).frequency_ratio = 10.0;
+  Condition condition = support::shaken(amplitude);
   condition.scene.initial.tilt = 0.2;
   return condition;
 }

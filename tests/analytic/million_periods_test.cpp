@@ -19,10 +19,8 @@ using dynamics::ContactState;
 
 constexpr std::int64_t million = 1'000'000;
 
-Condition shaken(double amplitude) {
-  Condition condition;
-  support::harmonic(condition.scene).amplitude = amplitude;
-  support::harmonic(condition.scene).frequency_ratio = 10.0;
+Condition with_phase(double amplitude) {
+  Condition condition = support::shaken(amplitude);
   support::harmonic(condition.scene).phase = 1.0;
   return condition;
 }
@@ -48,7 +46,7 @@ double drift_of(const Trajectory& trajectory) {
 // the attraction leaves of earlier ones, 1/(1 - 0.83) times as much. If the strobe drifted by 1e-16 of a period in each
 // period, the point would have moved by 1e-10 Theta''.
 TEST(MillionPeriods, OfAPeriodicOrbitEndWhereTheFirstThousandDid) {
-  Condition condition = shaken(2.0);
+  Condition condition = with_phase(2.0);
   condition.tolerance = 1e-6;
   const Trajectory trajectory = trajectory_of(condition, 0, 0, million);
   ASSERT_EQ(trajectory.strobe.size(), static_cast<std::size_t>(million));
@@ -58,7 +56,7 @@ TEST(MillionPeriods, OfAPeriodicOrbitEndWhereTheFirstThousandDid) {
 
 // Sliding to and fro under mu = 0.15 loses its history in each reversal.
 TEST(MillionPeriods, OfSlidingToAndFroEndWhereTheFirstThousandDid) {
-  Condition condition = shaken(4.0);
+  Condition condition = with_phase(4.0);
   condition.tolerance = 1e-6;
   condition.scene.friction = Friction{.static_coefficient = 0.15, .kinetic_coefficient = 0.15};
   const Trajectory trajectory = trajectory_of(condition, 0, 0, million);

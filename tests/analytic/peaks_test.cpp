@@ -16,10 +16,7 @@ namespace rocking {
 namespace {
 
 Condition shaken_from(double amplitude, double tilt, std::optional<Friction> friction = std::nullopt) {
-  Condition condition;
-  support::harmonic(condition.scene).amplitude = amplitude;
-  support::harmonic(condition.scene).frequency_ratio = 10.0;
-  condition.scene.friction = friction;
+  Condition condition = support::shaken(amplitude, friction);
   condition.scene.initial.tilt = tilt;
   return condition;
 }

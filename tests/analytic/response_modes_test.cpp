@@ -70,10 +70,7 @@ TEST_P(ReferenceMode, IsClassifiedRight) {
 }
 
 Condition noisy_friction(const Friction& friction, double amplitude) {
-  Condition condition;
-  support::harmonic(condition.scene).amplitude = amplitude;
-  support::harmonic(condition.scene).frequency_ratio = 10.0;
-  condition.scene.friction = friction;
+  Condition condition = support::shaken(amplitude, friction);
   condition.scene.fluctuation.static_friction = condition.scene.fluctuation.kinetic_friction = 0.03;
   condition.tolerance = 1e-10;
   return condition;

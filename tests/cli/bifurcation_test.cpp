@@ -16,8 +16,6 @@ using ::testing::StartsWith;
 
 class Bifurcation : public rocking::support::ProgramTest {
  protected:
-  Bifurcation() { write("quick.json", quick_experiment().dump()); }
-
   /// Returns the exit code; tests that no file was written.
   int refused(const std::string& arguments) const {
     const auto outcome = rocking("bifurcation " + arguments + " -o refused");

@@ -13,10 +13,7 @@ using ::testing::HasSubstr;
 
 class ClusterSubmit : public rocking::support::ProgramTest {
  protected:
-  ClusterSubmit() {
-    write("quick.json", rocking::support::quick_experiment().dump());
-    write("sbatch", "#!/bin/sh\necho \"$*\" >>asked\necho 17\n");
-  }
+  ClusterSubmit() { write("sbatch", "#!/bin/sh\necho \"$*\" >>asked\necho 17\n"); }
 
   /// Runs it with these arguments and these environment variables.
   Outcome submit(const std::string& arguments, const std::string& variables = "") const {

@@ -23,10 +23,7 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-class Command : public rocking::support::ProgramTest {
- protected:
-  Command() { write("quick.json", quick_experiment().dump()); }
-};
+class Command : public rocking::support::ProgramTest {};
 
 TEST_F(Command, HelpsWithAnExample) {
   const auto all = rocking("--help");

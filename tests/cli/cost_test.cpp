@@ -13,10 +13,7 @@ using rocking::support::quick_experiment;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-class Cost : public rocking::support::ProgramTest {
- protected:
-  Cost() { write("quick.json", quick_experiment().dump()); }
-};
+class Cost : public rocking::support::ProgramTest {};
 
 TEST_F(Cost, PrintsATableAndKeepsTheNumbers) {
   const auto outcome = rocking("cost quick.json --sample 9 -o out");

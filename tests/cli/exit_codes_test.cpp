@@ -11,10 +11,7 @@ using rocking::support::quick_experiment;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-class ExitCode : public rocking::support::ProgramTest {
- protected:
-  ExitCode() { write("quick.json", quick_experiment().dump()); }
-};
+class ExitCode : public rocking::support::ProgramTest {};
 
 TEST_F(ExitCode, Is0WhereAllIsDone) {
   const auto outcome = rocking("run quick.json -o out");

@@ -17,7 +17,6 @@ using ::testing::Not;
 class Extension : public rocking::support::ProgramTest {
  protected:
   Extension() {
-    write("quick.json", quick_experiment().dump());
     auto slow = quick_experiment();  // long enough to be stopped
     slow["horizon"]["transient_periods"] = 2000;
     write("slow.json", slow.dump());

@@ -24,8 +24,6 @@ using ::testing::HasSubstr;
 
 class Figures : public rocking::support::ProgramTest {
  protected:
-  Figures() { write("quick.json", quick_experiment().dump()); }
-
   bool has_gnuplot() const { return shell("command -v gnuplot").exit_code == 0; }
 
   /// Pixels of a PNG by colour, every fourth of every fourth line, read by gnuplot.

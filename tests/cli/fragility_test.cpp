@@ -20,7 +20,7 @@ using ::testing::HasSubstr;
 class Fragility : public rocking::support::ProgramTest {
  protected:
   /// A slow harmonic motion with a random phase; some realisations overturn.
-  static Json shaken() {
+  static Json random_phase() {
     return Json::parse(R"({
       "format": "rocking.experiment/1", "title": "shaken", "block": { "width_m": 1.0, "height_m": 8.0 },
       "excitation": { "amplitude": 2.0, "frequency_ratio": 4.0, "phase_rad": { "uniform": [0, 6.283185307179586] } },
@@ -41,7 +41,7 @@ class Fragility : public rocking::support::ProgramTest {
 };
 
 TEST_F(Fragility, CountsWhatTheReportCountsByGrowingAmplitudeForEachPointOfTheGrid) {
-  const Json curves = fragility_of(shaken(), "out")["curves"];
+  const Json curves = fragility_of(random_phase(), "out")["curves"];
   const Json report = Json::parse(read("out/report.json"));
   ASSERT_EQ(curves.size(), 2U);
   EXPECT_EQ(curves[1]["others"]["/restitution"], 0.2);
@@ -66,9 +66,9 @@ TEST_F(Fragility, CountsWhatTheReportCountsByGrowingAmplitudeForEachPointOfTheGr
 // The same shaking in g and in m/s^2: the same counts, and each output has the other form beside the intensity.
 TEST_F(Fragility, TakesAPhysicalAmplitudeAsItsIntensity) {
   const double psi_g = std::atan(1.0 / 8.0) * 9.81;
-  const Json of_ratio = fragility_of(shaken(), "ratio")["curves"][0];
+  const Json of_ratio = fragility_of(random_phase(), "ratio")["curves"][0];
   for (const auto& [key, unit] : {std::pair{"amplitude_g", psi_g / 9.81}, std::pair{"amplitude_m_s2", psi_g}}) {
-    auto physical = shaken();
+    auto physical = random_phase();
     physical["excitation"].erase("amplitude");
     physical["excitation"][key] = 1.0;
     physical["sweep"][1] = {{"parameter", std::string("/excitation/") + key},
@@ -91,7 +91,7 @@ TEST_F(Fragility, TakesAPhysicalAmplitudeAsItsIntensity) {
 }
 
 TEST_F(Fragility, IsKeptAndDrawnAndToldInWords) {
-  static_cast<void>(fragility_of(shaken(), "out"));
+  static_cast<void>(fragility_of(random_phase(), "out"));
   const auto told = rocking("fragility out -o kept");
   EXPECT_THAT(told.output, AllOf(HasSubstr("median"), HasSubstr("restitution 0.2"), HasSubstr("kept/fragility.json")));
   EXPECT_EQ(read("kept/fragility.json"), rocking("fragility out --json").output);
@@ -102,7 +102,7 @@ TEST_F(Fragility, IsKeptAndDrawnAndToldInWords) {
 }
 
 TEST_F(Fragility, MarksAMedianOutsideTheLevels) {
-  auto low = shaken();
+  auto low = random_phase();
   low["sweep"] = Json::parse(R"([{"parameter": "/excitation/amplitude", "values": [1.4, 1.5, 1.6, 1.65]}])");
   low["restitution"] = 0.2;
   low["realisations"] = 200;
@@ -114,19 +114,19 @@ TEST_F(Fragility, MarksAMedianOutsideTheLevels) {
 }
 
 TEST_F(Fragility, IsDiagnosedWhereThereIsNoLaw) {
-  auto still = shaken();
+  auto still = random_phase();
   still["sweep"] = Json::parse(R"([{"parameter": "/excitation/amplitude", "values": [0.1, 0.2]}])");
   EXPECT_EQ(fragility_of(still, "still")["curves"][0]["outcome"], "never_happened");
   EXPECT_THAT(rocking("fragility still").output, HasSubstr("the block never overturned; add higher intensities"));
   EXPECT_EQ(rocking("fragility still -o kept").exit_code, 0);
   EXPECT_EQ(rocking("figure kept/fragility.json -o drawn").exit_code, 0);
-  auto certain = shaken();
+  auto certain = random_phase();
   certain["excitation"]["phase_rad"] = 0.0;
   EXPECT_EQ(fragility_of(certain, "certain")["curves"][0]["outcome"], "too_little");
 }
 
 TEST_F(Fragility, HasNoLawWhereEveryRealisationDoesTheSame) {
-  auto scattered = shaken();  // friction that is random but never slips: common random numbers, equal outcomes
+  auto scattered = random_phase();  // friction that is random but never slips: common random numbers, equal outcomes
   scattered["excitation"]["phase_rad"] = 0.0;
   scattered["friction"] = {{"static", 0.9}, {"kinetic", 0.85}};
   scattered["fluctuation"] = {{"friction", {{"sigma", 0.0001}, {"refreshes_per_period", 4}}}};
@@ -147,7 +147,7 @@ TEST_F(Fragility, HasNoLawWhereEveryRealisationDoesTheSame) {
 }
 
 TEST_F(Fragility, RefusesRunsThatItCannotRead) {
-  auto other = shaken();
+  auto other = random_phase();
   other["sweep"].erase(1);
   other["sweep"][0]["values"] = {0.0, 0.1};
   write("other.json", other.dump());
@@ -155,12 +155,12 @@ TEST_F(Fragility, RefusesRunsThatItCannotRead) {
   const auto swept = rocking("fragility other");
   EXPECT_EQ(swept.exit_code, 64);
   EXPECT_THAT(swept.errors, HasSubstr("sweeps no intensity"));
-  other = shaken();
+  other = random_phase();
   other["realisations"] = {{"until", {{"half_width", 0.2}, {"at_most", 60}}}};
   write("until.json", other.dump());
   ASSERT_EQ(rocking("run until.json -q -o until").exit_code, 0);
   EXPECT_EQ(rocking("fragility until").exit_code, 64);
-  write("e.json", shaken().dump());
+  write("e.json", random_phase().dump());
   ASSERT_EQ(rocking("run e.json -q -o half --shard 1/2").exit_code, 0);
   const auto half = rocking("fragility half");
   EXPECT_EQ(half.exit_code, 66);

@@ -12,7 +12,6 @@ namespace {
 
 using rocking::Json;
 using rocking::support::Outcome;
-using rocking::support::quick_experiment;
 using ::testing::HasSubstr;
 
 /// pandas is a package of the system's Python, which may not be the first one in PATH.
@@ -21,7 +20,6 @@ const std::string debian_python = "PATH=/usr/bin:$PATH python3";
 class Loading : public rocking::support::ProgramTest {
  protected:
   void SetUp() override {
-    write("quick.json", quick_experiment().dump());
     ASSERT_EQ(rocking("run quick.json -o out -q").exit_code, 0);
     ASSERT_EQ(rocking("report out --format csv -q").exit_code, 0);
   }

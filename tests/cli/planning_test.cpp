@@ -17,10 +17,7 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
 
-class Planning : public rocking::support::ProgramTest {
- protected:
-  Planning() { write("quick.json", quick_experiment().dump()); }
-};
+class Planning : public rocking::support::ProgramTest {};
 
 TEST_F(Planning, ADryRunMeasuresTheTime) {
   EXPECT_THAT(rocking("run quick.json --dry-run").output, HasSubstr("from a sample of 12 realisations\n"));

@@ -14,7 +14,6 @@ using ::testing::HasSubstr;
 class Process : public rocking::support::ProgramTest {
  protected:
   Process() {
-    write("quick.json", quick_experiment().dump());
     auto endless = quick_experiment();
     endless["horizon"]["transient_periods"] = 100'000'000;
     endless["realisations"] = 1;

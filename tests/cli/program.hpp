@@ -21,12 +21,26 @@ struct Outcome {
   std::string errors;  ///< standard error
 };
 
-/// A test with its own folder, in which the program is run.
+/// An experiment that runs quickly, with a sweep and with random numbers.
+inline Json quick_experiment() {
+  return Json::parse(R"({
+    "format": "rocking.experiment/1", "title": "quick",
+    "block": { "width_m": 1.0, "height_m": 4.0 },
+    "excitation": { "amplitude": 4.2, "frequency_ratio": 10.0 },
+    "friction": { "static": 0.35, "kinetic": 0.30 },
+    "fluctuation": { "friction": { "sigma": 0.03, "refreshes_per_period": 20 } },
+    "horizon": { "transient_periods": 20, "sampled_periods": 40 },
+    "sweep": [ { "parameter": "/excitation/amplitude", "values": [3.0, 4.2, 6.0] } ],
+    "realisations": 4, "seed": "0x2012" })");
+}
+
+/// A test with its own folder, in which the program is run; quick.json in it is the quick experiment.
 class ProgramTest : public ::testing::Test {
  protected:
   ProgramTest() {
     std::string name = (std::filesystem::temp_directory_path() / "rocking-cli-XXXXXX").string();
     folder_ = mkdtemp(name.data());
+    write("quick.json", quick_experiment().dump());
   }
   ~ProgramTest() override { std::filesystem::remove_all(folder_); }
 
@@ -108,18 +122,5 @@ inline Json recorded_experiment() {
 
 /// 0.2 s of 2 m/s^2: the block of that experiment rocks, and overturns if it is scaled by 10.
 inline const char* recorded_pulse() { return "# time, horizontal\n0.5, 0\n0.5, 2\n0.7, 2\n0.7, 0\n"; }
-
-/// An experiment that runs quickly, with a sweep and with random numbers.
-inline Json quick_experiment() {
-  return Json::parse(R"({
-    "format": "rocking.experiment/1", "title": "quick",
-    "block": { "width_m": 1.0, "height_m": 4.0 },
-    "excitation": { "amplitude": 4.2, "frequency_ratio": 10.0 },
-    "friction": { "static": 0.35, "kinetic": 0.30 },
-    "fluctuation": { "friction": { "sigma": 0.03, "refreshes_per_period": 20 } },
-    "horizon": { "transient_periods": 20, "sampled_periods": 40 },
-    "sweep": [ { "parameter": "/excitation/amplitude", "values": [3.0, 4.2, 6.0] } ],
-    "realisations": 4, "seed": "0x2012" })");
-}
 
 }  // namespace rocking::support

@@ -17,8 +17,6 @@ using ::testing::Not;
 
 class RunFolder : public rocking::support::ProgramTest {
  protected:
-  RunFolder() { write("quick.json", quick_experiment().dump()); }
-
   /// A run that is not finished within a millisecond on one thread.
   void write_slow() const {
     auto slow = quick_experiment();

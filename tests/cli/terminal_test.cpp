@@ -38,8 +38,6 @@ std::set<std::string> all_matches(const std::string& text, const std::string& pa
 
 class Terminal : public rocking::support::ProgramTest {
  protected:
-  Terminal() { write("quick.json", quick_experiment().dump()); }
-
   /// The commands that `rocking --help` lists.
   std::set<std::string> commands() const {
     const std::string help = rocking("--help").output;

@@ -14,14 +14,11 @@ namespace {
 
 using rocking::Json;
 using rocking::support::objections;
-using rocking::support::quick_experiment;
 using ::testing::ElementsAre;
 using ::testing::StartsWith;
 
 class TrajectoryOutput : public rocking::support::ProgramTest {
  protected:
-  TrajectoryOutput() { write("quick.json", quick_experiment().dump()); }
-
   std::string printed(const std::string& arguments) const {
     const auto outcome = rocking("trajectory quick.json --condition 1 --periods 6 --samples 5 " + arguments);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;

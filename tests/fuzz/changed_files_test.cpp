@@ -26,8 +26,6 @@ constexpr int mutations = 300;
 
 class ChangedFiles : public rocking::support::ProgramTest {
  protected:
-  ChangedFiles() { write("quick.json", quick_experiment().dump()); }
-
   std::string report_of_a_run(const Json& experiment) const {
     write("quick.json", experiment.dump());
     const Outcome outcome = rocking("run quick.json -o out -q");

@@ -45,10 +45,7 @@ struct Case {
 void PrintTo(const Case& c, std::ostream* stream) { *stream << c.name; }
 
 Work work_of(const Case& c) {
-  Condition condition;
-  support::harmonic(condition.scene).amplitude = c.amplitude;
-  support::harmonic(condition.scene).frequency_ratio = 10.0;
-  condition.scene.friction = c.friction;
+  Condition condition = support::shaken(c.amplitude, c.friction);
   condition.scene.fluctuation = c.fluctuation;
   condition.horizon = {.transient_periods = 60, .sampled_periods = 40};
   condition.tolerance = c.tolerance;

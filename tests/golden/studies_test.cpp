@@ -90,7 +90,9 @@ std::vector<Call> calls_of(const std::string& transcript) {
 
 class Studies : public rocking::support::ProgramTest, public testing::WithParamInterface<std::string> {
  protected:
-  Studies() { fs::copy(transcripts / "input", folder_, fs::copy_options::recursive); }
+  Studies() {
+    fs::copy(transcripts / "input", folder_, fs::copy_options::recursive | fs::copy_options::overwrite_existing);
+  }
 
   /// Text files in the folder.
   Files files() const {

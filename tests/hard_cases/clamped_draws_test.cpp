@@ -91,9 +91,7 @@ TEST(ClampedAmplitude, IsHeldAtZeroInHalfThePeriods) {
 // block turn about the same edge again.
 TEST(ClampedRestitution, IsHeldWithinItsBoundsInNearlyEveryImpact) {
   support::FalseAlarms alarms;
-  Condition condition;
-  support::harmonic(condition.scene).amplitude = 1.5;
-  support::harmonic(condition.scene).frequency_ratio = 10.0;
+  Condition condition = support::shaken(1.5);
   condition.scene.fluctuation.restitution = 100.0;
   condition.horizon = {.transient_periods = 0, .sampled_periods = 300};
   std::uint64_t clamped = 0;
@@ -112,10 +110,7 @@ TEST(ClampedRestitution, IsHeldWithinItsBoundsInNearlyEveryImpact) {
 // All fluctuations at once, on a block that rocks and slides: 0 <= mu_k <= mu_s whatever was drawn.
 TEST(ClampedEverything, LeavesARunThatIsOne) {
   support::FalseAlarms alarms;
-  Condition condition;
-  support::harmonic(condition.scene).amplitude = 3.0;
-  support::harmonic(condition.scene).frequency_ratio = 10.0;
-  condition.scene.friction = Friction{.static_coefficient = 0.35, .kinetic_coefficient = 0.3};
+  Condition condition = support::shaken(3.0, Friction{.static_coefficient = 0.35, .kinetic_coefficient = 0.3});
   condition.scene.fluctuation = {.static_friction = 50.0,
                                  .kinetic_friction = 50.0,
                                  .refreshes_per_period = 50,

@@ -154,7 +154,7 @@ TEST(SlenderAndSquatBlocks, BalanceTheirEnergyUnderShaking) {
 constexpr std::array<double, 10> amplitudes{1e-6, 1e-3, 0.5, 1.03, 1.5, 4.0, 9.0, 30.0, 200.0, 1e3};
 constexpr std::array<double, 9> frequencies{0.05, 0.2, 1.0, 3.0, 10.0, 30.0, 100.0, 250.0, 500.0};
 
-ConstantCoefficients shaken(double amplitude, int friction) {
+ConstantCoefficients coefficients_of(double amplitude, int friction) {
   ConstantCoefficients coefficients;
   coefficients.amplitude_value = amplitude;
   if (friction > 0) {
@@ -170,7 +170,7 @@ TEST(AmplitudeAndFrequency, OverManyDecadesBalanceEnergyAndNeverStopTheRun) {
     for (const double frequency : frequencies) {
       for (const int friction : {0, 1, 2}) {
         const Stage stage{.frequency = frequency, .phase = 0.5, .periods = 1'000'000};
-        ShakenBlock run(stage, shaken(amplitude, friction));
+        ShakenBlock run(stage, coefficients_of(amplitude, friction));
         const double violation = worst_violation(run, stage, amplitude, 6.0 * stage.period_length());
         EXPECT_LE(violation, 1.0) << "A_h = " << amplitude << ", Omega_h = " << frequency << ", friction " << friction;
         EXPECT_NE(run.motion.termination(), Termination::stopped);
@@ -189,7 +189,7 @@ TEST(AmplitudeAndFrequency, OverManyDecadesKeepTheStrobeOnItsPhase) {
   for (const double amplitude : amplitudes) {
     for (const double frequency : frequencies) {
       const Stage stage{.frequency = frequency, .phase = 0.5, .periods = 20};
-      ShakenBlock run(stage, shaken(amplitude, 2));
+      ShakenBlock run(stage, coefficients_of(amplitude, 2));
       run.run();
       ASSERT_NE(run.motion.termination(), Termination::stopped) << amplitude << " " << frequency;
       if (run.motion.termination() != Termination::reached_horizon) continue;

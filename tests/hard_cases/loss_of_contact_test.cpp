@@ -71,9 +71,7 @@ TEST(LossOfContactAtRest, IsCountedAtEachDownwardCrossingThoughTheBlockStaysAtRe
 /// Released on a base at rest. With cos(phi) = c it has N = 1/3 - 2 c + 3 c^2 - c E, E the kinetic energy w^2 that it
 /// would have at phi = 0: N falls below 0 at c near 1/3 if E > 0.
 Condition released(double tilt, double tilt_rate) {
-  Condition condition;
-  support::harmonic(condition.scene).amplitude = 0.0;
-  support::harmonic(condition.scene).frequency_ratio = 10.0;
+  Condition condition = support::shaken(0.0);
   condition.scene.initial = {.tilt = tilt, .tilt_rate = tilt_rate, .slip_rate = 0.0};
   condition.horizon = {.transient_periods = 0, .sampled_periods = 40};
   return condition;

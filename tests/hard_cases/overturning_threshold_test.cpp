@@ -129,7 +129,7 @@ TEST(OverturningPulse, HasTheLeastDurationOfTheClosedFormForABlockThatIsNotSlend
 // --- harmonic shaking
 // --------------------------------------------------------------------------------------------------
 
-Condition shaken(double amplitude, double tolerance) {
+Condition from_rest(double amplitude, double tolerance) {
   Condition condition;
   support::harmonic(condition.scene).amplitude = amplitude;
   support::harmonic(condition.scene).frequency_ratio = 5.0;
@@ -139,7 +139,7 @@ Condition shaken(double amplitude, double tolerance) {
 }
 
 Bracket least_amplitude(double tolerance) {
-  return bisect([tolerance](double amplitude) { return is_overturned(shaken(amplitude, tolerance)); }, {2.0, 12.0},
+  return bisect([tolerance](double amplitude) { return is_overturned(from_rest(amplitude, tolerance)); }, {2.0, 12.0},
                 1e-12);
 }
 
@@ -156,8 +156,8 @@ TEST(OverturningAmplitude, IsFoundWithTheSameBitsAgainAndToTheErrorOfTheStepsAtA
 
 TEST(OverturningAmplitude, HasStoriesThatAreOneUntilTheBalanceAndThenPart) {
   const Bracket bracket = least_amplitude(1e-13);
-  const Trajectory stands = trajectory_of(shaken(bracket.stands, 1e-13), 0, 0, 40);
-  const Trajectory overturns = trajectory_of(shaken(bracket.overturns, 1e-13), 0, 0, 40);
+  const Trajectory stands = trajectory_of(from_rest(bracket.stands, 1e-13), 0, 0, 40);
+  const Trajectory overturns = trajectory_of(from_rest(bracket.overturns, 1e-13), 0, 0, 40);
   EXPECT_EQ(stands.termination, Termination::reached_horizon);
   EXPECT_EQ(overturns.termination, Termination::overturned);
   ASSERT_GT(stands.events.size(), overturns.events.size() - 2) << "one goes on rocking";

@@ -13,11 +13,8 @@
 /// Conditions that meet in lanes: together they have every case that occurs there.
 namespace rocking {
 
-inline Condition shaken(double amplitude, std::optional<Friction> friction = std::nullopt) {
-  Condition condition;
-  support::harmonic(condition.scene).amplitude = amplitude;
-  support::harmonic(condition.scene).frequency_ratio = 10.0;
-  condition.scene.friction = friction;
+inline Condition from_random_tilt(double amplitude, std::optional<Friction> friction = std::nullopt) {
+  Condition condition = support::shaken(amplitude, friction);
   condition.scene.initial.tilt = Uniform{.low = -0.4, .high = 0.4};
   condition.horizon = {.transient_periods = 30, .sampled_periods = 30};
   condition.realisations = 12;
@@ -86,7 +83,7 @@ inline std::vector<Condition> pulse_crowd() {
   const Friction smooth{.static_coefficient = 0.25, .kinetic_coefficient = 0.22};
   for (const auto shape : {dynamics::PulseShape::sine, dynamics::PulseShape::cosine, dynamics::PulseShape::ricker}) {
     for (const double amplitude : {1.3, 4.0, 9.0}) {
-      Condition condition = shaken(1.0);
+      Condition condition = from_random_tilt(1.0);
       condition.scene.excitation = Pulse{.shape = shape, .amplitude = amplitude, .frequency_ratio = 7.0};
       condition.horizon = {.transient_periods = 0, .sampled_periods = 12};
       condition.realisations = 6;
@@ -106,8 +103,8 @@ inline std::vector<Condition> pulse_crowd() {
       conditions.push_back(condition);
     }
   }
-  conditions.push_back(shaken(4.5));
-  conditions.push_back(shaken(7.0, rough));
+  conditions.push_back(from_random_tilt(4.5));
+  conditions.push_back(from_random_tilt(7.0, rough));
   return conditions;
 }
 
@@ -116,58 +113,58 @@ inline std::vector<Condition> pulse_crowd() {
 inline std::vector<Condition> crowd() {
   std::vector<Condition> conditions = golden::golden_experiment().conditions;
   const Friction rough{.static_coefficient = 0.40, .kinetic_coefficient = 0.35};
-  conditions.push_back(shaken(4.5));
-  conditions.push_back(shaken(9.0));
-  conditions.push_back(shaken(7.0, rough));
-  conditions.push_back(shaken(1.0, rough));
-  conditions.push_back(shaken(6.0, Friction{.static_coefficient = 0.25, .kinetic_coefficient = 0.22}));
+  conditions.push_back(from_random_tilt(4.5));
+  conditions.push_back(from_random_tilt(9.0));
+  conditions.push_back(from_random_tilt(7.0, rough));
+  conditions.push_back(from_random_tilt(1.0, rough));
+  conditions.push_back(from_random_tilt(6.0, Friction{.static_coefficient = 0.25, .kinetic_coefficient = 0.22}));
   for (const int refreshes : {3, 70, 130, 200}) {
-    conditions.push_back(shaken(6.6, rough));
+    conditions.push_back(from_random_tilt(6.6, rough));
     conditions.back().scene.fluctuation.kinetic_friction = 0.05;
     conditions.back().scene.fluctuation.refreshes_per_period = refreshes;
     support::harmonic(conditions.back().scene).phase = Uniform{.low = 0.0, .high = 6.0};
   }
   for (const double cell : {1e-4, 0.002, 0.3}) {  // friction of the place
     for (const double correlation : {0.0, 1.0}) {
-      conditions.push_back(shaken(6.6, rough));
+      conditions.push_back(from_random_tilt(6.6, rough));
       Fluctuation& fluctuation = conditions.back().scene.fluctuation;
       fluctuation.kinetic_friction = fluctuation.static_friction = 0.05;
       fluctuation.friction_correlation = correlation;
       fluctuation.refresh_slip_m = cell;
     }
   }
-  conditions.push_back(shaken(6.6, rough));  // friction clamped at 0 and at the static one
+  conditions.push_back(from_random_tilt(6.6, rough));  // friction clamped at 0 and at the static one
   conditions.back().scene.fluctuation.kinetic_friction = 0.3;
   conditions.back().scene.fluctuation.refreshes_per_period = 200;
-  conditions.push_back(shaken(5.0));
+  conditions.push_back(from_random_tilt(5.0));
   conditions.back().scene.fluctuation.amplitude = 0.5;
-  conditions.push_back(shaken(6.6, rough));
+  conditions.push_back(from_random_tilt(6.6, rough));
   conditions.back().scene.fluctuation.amplitude = 0.5;
   conditions.back().scene.fluctuation.kinetic_friction = 0.05;
-  conditions.push_back(shaken(8.0, rough));  // its classification needs the exponent
+  conditions.push_back(from_random_tilt(8.0, rough));  // its classification needs the exponent
   support::harmonic(conditions.back().scene).phase = Uniform{.low = 0.0, .high = 6.0};
   conditions.back().scene.fluctuation.static_friction = conditions.back().scene.fluctuation.kinetic_friction = 0.02;
   conditions.back().horizon = {.transient_periods = 200, .sampled_periods = 120};
   for (const FluctuationLaw law : {FluctuationLaw::lognormal, FluctuationLaw::uniform}) {  // correlated friction
-    conditions.push_back(shaken(6.6, rough));
+    conditions.push_back(from_random_tilt(6.6, rough));
     Fluctuation& fluctuation = conditions.back().scene.fluctuation;
     fluctuation = {.static_friction = 0.03, .kinetic_friction = 0.04, .friction_correlation = 0.7};
     fluctuation.laws.static_friction = fluctuation.laws.kinetic_friction = law;
   }
-  conditions.push_back(shaken(1.0));  // every number drawn once
+  conditions.push_back(from_random_tilt(1.0));  // every number drawn once
   support::harmonic(conditions.back().scene).amplitude = Lognormal{.mean = 6.0, .sigma = 2.0};
   support::harmonic(conditions.back().scene).frequency_ratio = Uniform{.low = 8.0, .high = 12.0};
   conditions.back().scene.restitution = Triangular{.low = 0.0, .mode = 0.1, .high = 0.3};
   conditions.back().scene.friction =
       Friction{.static_coefficient = Normal{.mean = 0.4, .sigma = 0.05}, .kinetic_ratio = 0.9};
-  conditions.push_back(shaken(0.6));  // chatters to rest, repeatedly
-  conditions.push_back(shaken(4.5));
+  conditions.push_back(from_random_tilt(0.6));  // chatters to rest, repeatedly
+  conditions.push_back(from_random_tilt(4.5));
   conditions.back().scene.fluctuation.restitution = 0.05;
-  conditions.push_back(shaken(30.0));
+  conditions.push_back(from_random_tilt(30.0));
   support::harmonic(conditions.back().scene).frequency_ratio = 1.0;
-  conditions.push_back(shaken(7.0, Friction{.static_coefficient = 1.6, .kinetic_coefficient = 1.5}));
+  conditions.push_back(from_random_tilt(7.0, Friction{.static_coefficient = 1.6, .kinetic_coefficient = 1.5}));
   conditions.back().scene.block = {.width = 1.0, .height = 0.9, .gravity = 9.81};
-  conditions.push_back(shaken(4.5));
+  conditions.push_back(from_random_tilt(4.5));
   conditions.back().tolerance = 1e-5;
   return conditions;
 }

@@ -49,7 +49,8 @@ namespace {
 std::vector<Condition> settling_crowd() {
   std::vector<Condition> conditions;
   for (const double amplitude : {5.5, 6.0, 7.0, 8.0}) {
-    conditions.push_back(shaken(amplitude, Friction{.static_coefficient = 0.40, .kinetic_coefficient = 0.35}));
+    conditions.push_back(
+        from_random_tilt(amplitude, Friction{.static_coefficient = 0.40, .kinetic_coefficient = 0.35}));
     Condition& condition = conditions.back();
     condition.scene.fluctuation.static_friction = condition.scene.fluctuation.kinetic_friction = 0.03;
     condition.horizon.until_classified =
@@ -183,7 +184,7 @@ TEST(Lanes, ComeInTheWidthsOfTheInstructionSets) {
 }
 
 TEST(Lanes, AllocateNothingInTheInnerLoop) {
-  Condition condition = shaken(4.5, Friction{.static_coefficient = 0.40, .kinetic_coefficient = 0.35});
+  Condition condition = from_random_tilt(4.5, Friction{.static_coefficient = 0.40, .kinetic_coefficient = 0.35});
   condition.scene.fluctuation.kinetic_friction = 0.03;
   condition.scene.fluctuation.static_friction = 0.03;
   condition.horizon.transient_periods = 20'000;
@@ -216,7 +217,7 @@ struct Work {
 
 /// Work of realisations whose classification needs the exponent, over at least the sampled periods.
 Work work_of_tangents(int sampled_periods) {
-  Condition condition = shaken(8.0, Friction{.static_coefficient = 0.40, .kinetic_coefficient = 0.35});
+  Condition condition = from_random_tilt(8.0, Friction{.static_coefficient = 0.40, .kinetic_coefficient = 0.35});
   support::harmonic(condition.scene).phase = Uniform{.low = 0.0, .high = 6.0};
   condition.scene.fluctuation.static_friction = condition.scene.fluctuation.kinetic_friction = 0.02;
   condition.horizon = {.transient_periods = 100, .sampled_periods = sampled_periods};

@@ -21,10 +21,7 @@ namespace rocking {
 namespace {
 
 Condition condition_at(double amplitude, std::uint64_t realisations) {
-  Condition condition;
-  support::harmonic(condition.scene).amplitude = amplitude;
-  support::harmonic(condition.scene).frequency_ratio = 10.0;
-  condition.scene.friction = Friction{.static_coefficient = 0.35, .kinetic_coefficient = 0.3};
+  Condition condition = support::shaken(amplitude, Friction{.static_coefficient = 0.35, .kinetic_coefficient = 0.3});
   condition.horizon = {.transient_periods = 30, .sampled_periods = 40};
   condition.realisations = realisations;
   return condition;

@@ -21,10 +21,7 @@ Experiment three_conditions() {
   Experiment question;
   question.seed = 0x2012;
   for (const double amplitude : {3.6, 4.5, 9.0}) {
-    Condition condition;
-    support::harmonic(condition.scene).amplitude = amplitude;
-    support::harmonic(condition.scene).frequency_ratio = 10.0;
-    condition.scene.friction = Friction{.static_coefficient = 0.35, .kinetic_coefficient = 0.3};
+    Condition condition = support::shaken(amplitude, Friction{.static_coefficient = 0.35, .kinetic_coefficient = 0.3});
     condition.scene.fluctuation.static_friction = 0.03;
     condition.scene.fluctuation.kinetic_friction = 0.03;
     condition.scene.fluctuation.refreshes_per_period = 20;

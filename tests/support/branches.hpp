@@ -11,12 +11,6 @@
 /// Branches of the block without sliding under a harmonic base motion, over its amplitude.
 namespace rocking::support {
 
-inline Condition shaken(double amplitude) {
-  Condition condition;
-  harmonic(condition.scene) = {.amplitude = amplitude, .frequency_ratio = 10.0, .phase = 0.0};
-  return condition;
-}
-
 inline BranchQuestion amplitudes(std::vector<double> values, const ParameterRange& range) {
   return {.conditions = [](double value) { return std::optional(shaken(value)); },
           .values = std::move(values),

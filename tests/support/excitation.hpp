@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <utility>
 #include <variant>
 
@@ -15,6 +16,14 @@ inline Recorded& recorded(Scene& scene) { return std::get<Recorded>(scene.excita
 inline const Recorded& recorded(const Scene& scene) { return std::get<Recorded>(scene.excitation); }
 
 inline Harmonic harmonic(Scene&& scene) { return std::get<Harmonic>(scene.excitation); }
+
+/// A block under a harmonic excitation.
+inline Condition shaken(const Quantity& amplitude, const std::optional<Friction>& friction = {}) {
+  Condition condition;
+  harmonic(condition.scene) = {.amplitude = amplitude, .frequency_ratio = 10.0};
+  condition.scene.friction = friction;
+  return condition;
+}
 
 /// Omega_h for the mean block.
 inline double mean_frequency_ratio(const Scene& scene) {

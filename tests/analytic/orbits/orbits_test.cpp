@@ -23,20 +23,14 @@ namespace rocking {
 namespace {
 
 using section::StrobePoint;
-
-Condition condition_of(double amplitude, std::optional<Friction> friction = {}) {
-  Condition condition;
-  support::harmonic(condition.scene) = {.amplitude = amplitude, .frequency_ratio = 10.0, .phase = 0.0};
-  condition.scene.friction = friction;
-  return condition;
-}
+using support::shaken;
 
 const Friction some_friction{.static_coefficient = 0.35, .kinetic_coefficient = 0.30};
 
 /// Conditions whose orbits rock, slip, slide and rest at the section.
 std::vector<Condition> conditions() {
-  return {condition_of(4.5), condition_of(4.5, some_friction), condition_of(6.3, some_friction),
-          condition_of(2.0, Friction{.static_coefficient = 0.2, .kinetic_coefficient = 0.15}), condition_of(0.8)};
+  return {shaken(4.5), shaken(4.5, some_friction), shaken(6.3, some_friction),
+          shaken(2.0, Friction{.static_coefficient = 0.2, .kinetic_coefficient = 0.15}), shaken(0.8)};
 }
 
 std::string name_of(const Orbit& orbit) {
@@ -196,7 +190,7 @@ TEST(Orbits, AreNamedByTheirMultipliers) {
 // On a stable orbit a change falls by the largest multiplier per period. Over 400 periods the angle of a focus averages
 // out to a few 1e-3.
 TEST(Orbits, HaveTheExponentOfTheirMotion) {
-  for (const Condition& condition : {condition_of(4.5), condition_of(4.5, some_friction)}) {
+  for (const Condition& condition : {shaken(4.5), shaken(4.5, some_friction)}) {
     const OrbitsOfCondition found = orbits_of(condition, 3);
     const Orbit& orbit = found.orbits.at(found.run_on.value());
     const StrobePoint& at = orbit.points.front().point;
@@ -231,14 +225,14 @@ std::string refusal_of(const Condition& condition) {
 
 TEST(Orbits, AreRefusedWhereThereAreNone) {
   using ::testing::HasSubstr;
-  EXPECT_EQ(refusal_of(condition_of(4.5)), "");
-  Condition fluctuating = condition_of(4.5);
+  EXPECT_EQ(refusal_of(shaken(4.5)), "");
+  Condition fluctuating = shaken(4.5);
   fluctuating.scene.fluctuation.restitution = 0.01;
   EXPECT_THAT(refusal_of(fluctuating), HasSubstr("/fluctuation"));
-  Condition drawn = condition_of(4.5);
+  Condition drawn = shaken(4.5);
   drawn.scene.initial.tilt = Uniform{0.0, 0.1};
   EXPECT_THAT(refusal_of(drawn), HasSubstr("/initial/tilt"));
-  Condition pulse = condition_of(4.5);
+  Condition pulse = shaken(4.5);
   pulse.scene.excitation = Pulse{.amplitude = 4.5, .frequency_ratio = 10.0};
   EXPECT_THAT(refusal_of(pulse), HasSubstr("/excitation/kind"));
 }

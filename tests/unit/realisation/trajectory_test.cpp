@@ -17,10 +17,8 @@ namespace {
 
 using dynamics::EventKind;
 
-Condition shaken(double amplitude) {
-  Condition condition;
-  support::harmonic(condition.scene).amplitude = amplitude;
-  support::harmonic(condition.scene).frequency_ratio = 10.0;
+Condition fifty_periods(double amplitude) {
+  Condition condition = support::shaken(amplitude);
   condition.horizon = {.transient_periods = 20, .sampled_periods = 30};
   return condition;
 }
@@ -57,7 +55,7 @@ void expect_same_bits(const Trajectory& a, const Trajectory& b) {
 }
 
 TEST(Realisation, IsAPureFunctionOfItsArguments) {
-  const Condition condition = fluctuating(with_friction(shaken(4.5), 0.35, 0.3), 0.03);
+  const Condition condition = fluctuating(with_friction(fifty_periods(4.5), 0.35, 0.3), 0.03);
   const RealisationResult first = realise(condition, 1, 5);
   static_cast<void>(realise(condition, 2, 7));
   const RealisationResult again = realise(condition, 1, 5);
@@ -68,7 +66,7 @@ TEST(Realisation, IsAPureFunctionOfItsArguments) {
 
 TEST(Realisation, WithFrictionThatNeverGivesWayHasTheBitsOfOneWithout) {
   for (const double amplitude : {1.5, 4.2, 6.6, 9.0}) {
-    const Condition without = shaken(amplitude);
+    const Condition without = fifty_periods(amplitude);
     const Condition with = with_friction(without, 5.0, 1.0);
     expect_same_bits(trajectory_of(with, 0, 0, 50), trajectory_of(without, 0, 0, 50));
     const RealisationResult result = realise(with, 0, 0);
@@ -78,7 +76,7 @@ TEST(Realisation, WithFrictionThatNeverGivesWayHasTheBitsOfOneWithout) {
 }
 
 TEST(Realisation, DrawsNothingWhereNothingIsRandom) {
-  for (const Condition& condition : {shaken(4.2), with_friction(shaken(7.0), 0.4, 0.35)}) {
+  for (const Condition& condition : {fifty_periods(4.2), with_friction(fifty_periods(7.0), 0.4, 0.35)}) {
     const RealisationResult result = realise(condition, 0, 0);
     EXPECT_EQ(draws_of(result.operations), 0U);
     EXPECT_EQ(digest_of(result, 0), digest_of(realise(condition, 99, 0), 0)) << "the seed says nothing";
@@ -86,7 +84,7 @@ TEST(Realisation, DrawsNothingWhereNothingIsRandom) {
 }
 
 TEST(Realisation, WithoutFrictionComputesNothingOfSliding) {
-  const RealisationResult result = realise(shaken(5.0), 0, 0);
+  const RealisationResult result = realise(fifty_periods(5.0), 0, 0);
   EXPECT_EQ(result.operations.slip_steps, 0U);
   for (const EventKind kind : {EventKind::slip_start, EventKind::slide_start, EventKind::impact_slip}) {
     EXPECT_EQ(result.operations.events[static_cast<std::size_t>(kind)], 0U);
@@ -94,7 +92,7 @@ TEST(Realisation, WithoutFrictionComputesNothingOfSliding) {
 }
 
 TEST(Realisation, ThatNeverSlipsDrawsNoKineticFriction) {
-  const RealisationResult result = realise(fluctuating(with_friction(shaken(4.2), 5.0, 1.0), 0.03), 0, 0);
+  const RealisationResult result = realise(fluctuating(with_friction(fifty_periods(4.2), 5.0, 1.0), 0.03), 0, 0);
   EXPECT_EQ(result.operations.slip_steps, 0U);
   EXPECT_EQ(result.operations.kinetic_friction_draws, 0U);
   EXPECT_EQ(result.operations.static_friction_draws, 1U) << "the value at the start";
@@ -102,7 +100,7 @@ TEST(Realisation, ThatNeverSlipsDrawsNoKineticFriction) {
 }
 
 TEST(Realisation, CountsWhatItsTrajectoryShows) {
-  const Condition condition = with_friction(shaken(7.0), 0.4, 0.35);
+  const Condition condition = with_friction(fifty_periods(7.0), 0.4, 0.35);
   const RealisationResult result = realise(condition, 0, 0);
   const Trajectory trajectory = trajectory_of(condition, 0, 0, 50);
   OperationCounts shown;
@@ -118,7 +116,7 @@ TEST(Realisation, CountsWhatItsTrajectoryShows) {
 }
 
 TEST(Realisation, DrawsKineticFrictionAtMostOnceAnInterval) {
-  const RealisationResult result = realise(fluctuating(with_friction(shaken(7.0), 0.35, 0.3), 0.03), 3, 0);
+  const RealisationResult result = realise(fluctuating(with_friction(fifty_periods(7.0), 0.35, 0.3), 0.03), 3, 0);
   EXPECT_GT(result.operations.kinetic_friction_draws, 50U);
   EXPECT_LE(result.operations.kinetic_friction_draws, 50U * 200U);
   EXPECT_GT(result.operations.static_friction_draws, 1U);
@@ -138,7 +136,7 @@ double distance(const RealisationResult& a, const RealisationResult& b, std::siz
 // Another tolerance makes other steps, but has common random numbers at the same instants: the motions differ by the
 // error of the steps only, while independent random numbers make them diverge.
 TEST(Replay, AtAnotherToleranceHasCommonRandomNumbers) {
-  Condition slides = fluctuating(with_friction(shaken(7.0), 0.2, 0.15), 0.01);  // slides all the time: no chaos
+  Condition slides = fluctuating(with_friction(fifty_periods(7.0), 0.2, 0.15), 0.01);  // slides all the time: no chaos
   Condition finer = slides;
   slides.tolerance = 1e-9;
   finer.tolerance = 1e-13;
@@ -150,7 +148,7 @@ TEST(Replay, AtAnotherToleranceHasCommonRandomNumbers) {
 }
 
 TEST(Replay, AtAnotherToleranceSeesTheSameRestitutionAndAmplitude) {
-  Condition condition = shaken(3.0);
+  Condition condition = fifty_periods(3.0);
   condition.scene.fluctuation.restitution = 0.1;
   condition.scene.fluctuation.amplitude = 0.2;
   Condition finer = condition;
@@ -165,7 +163,7 @@ TEST(Replay, AtAnotherToleranceSeesTheSameRestitutionAndAmplitude) {
 // While it slides without a stop, V = V0 - (4/3)(sum of mu_k d + base): the strobe points show the friction in force.
 // Another amplitude, inertia or rule of impact does not change it.
 TEST(Replay, AtAnotherAmplitudeOrFormulationSeesTheSameFriction) {
-  Condition condition = fluctuating(with_friction(shaken(1.0), 0.2, 0.15), 0.01);
+  Condition condition = fluctuating(with_friction(fifty_periods(1.0), 0.2, 0.15), 0.01);
   condition.scene.initial.slip_rate = 20.0;
   Condition other = condition;
   support::harmonic(other.scene).amplitude = 3.0;
@@ -180,7 +178,7 @@ TEST(Replay, AtAnotherAmplitudeOrFormulationSeesTheSameFriction) {
 }
 
 TEST(Replay, WithAPhaseKeepsTheGridAtTheStart) {
-  Condition condition = fluctuating(with_friction(shaken(0.0), 0.2, 0.15), 0.01);
+  Condition condition = fluctuating(with_friction(fifty_periods(0.0), 0.2, 0.15), 0.01);
   condition.scene.initial.slip_rate = 20.0;
   Condition shifted = condition;
   support::harmonic(shifted.scene).phase = 2.0;
@@ -190,14 +188,14 @@ TEST(Replay, WithAPhaseKeepsTheGridAtTheStart) {
 }
 
 TEST(Classification, OfARunThatOverturnsHasNoReason) {
-  const RealisationResult result = realise(shaken(20.0), 0, 0);
+  const RealisationResult result = realise(fifty_periods(20.0), 0, 0);
   EXPECT_EQ(result.termination, dynamics::Termination::overturned);
   EXPECT_EQ(result.classification.mode.kind, section::ResponseKind::overturned);
   EXPECT_EQ(result.classification.reason, std::nullopt);
 }
 
 TEST(Classification, AfterAGroundMotionTellsWhetherTheBlockEverMoved) {
-  Condition condition = shaken(1.0);
+  Condition condition = fifty_periods(1.0);
   condition.scene.excitation = support::recorded_by({.samples = {{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}}}, 10.0);
   EXPECT_EQ(realise(condition, 0, 0).classification.reason, section::Reason::never_moved);
   condition.scene.initial.tilt = 0.1;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdio>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,15 @@ inline std::string peer_values(const std::vector<double>& values, std::size_t co
     if ((i + 1) % columns == 0 || i + 1 == values.size()) text += '\n';
   }
   return text;
+}
+
+/// Lines of a time and a value, times a factor.
+inline std::string columns_text(const std::vector<double>& values, double step, double factor, int digits) {
+  std::ostringstream text;
+  text.precision(digits);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    text << step * static_cast<double>(i) << ' ' << factor * values[i] << '\n';
+  return text.str();
 }
 
 /// A file in PEER's .AT2 format, with the given last line of its header.

@@ -369,50 +369,6 @@ TEST_F(Drawn, ForAJournalLetsEveryLabelFitAndLettersItsPanels) {
   EXPECT_THAT(words_in(journal_svg(figure, JournalWidth::single_column)), HasSubstr("qqq\xE2\x80\xA6"));
 }
 
-/// Replaces gnuplot by a script during its lifetime.
-class OtherGnuplot {
- public:
-  explicit OtherGnuplot(const std::string& script) : path_(std::getenv("PATH")) {
-    rocking::write_atomically(folder_ / "gnuplot", "#!/bin/sh\n" + script);
-    std::filesystem::permissions(folder_ / "gnuplot", std::filesystem::perms::owner_all);
-    ::setenv("PATH", ((folder_ / "").string() + ":" + path_).c_str(), 1);
-  }
-  OtherGnuplot(const OtherGnuplot&) = delete;
-  OtherGnuplot& operator=(const OtherGnuplot&) = delete;
-  ~OtherGnuplot() { ::setenv("PATH", path_.c_str(), 1); }
-
- private:
-  rocking::support::TemporaryFolder folder_;
-  std::string path_;
-};
-
-TEST(Drawing, LeavesNoPictureBehindWhereGnuplotFails) {
-  using rocking::analysis::DrawingEnd;
-  struct Case {
-    std::string script;
-    DrawingEnd end;
-    std::string reason;
-  };
-  const std::string half = "for format in svg png pdf; do echo half >texts.$format.unfinished; done\n";
-  for (const auto& [script, end, reason] :
-       {Case{half + "echo no such word >&2; exit 1", DrawingEnd::refused, "no such word"},
-        Case{half + "kill -9 $$", DrawingEnd::broken_off, "signal 9"}, Case{half, DrawingEnd::broken_off, "unfinished"},
-        Case{"exit 0", DrawingEnd::broken_off, "unfinished"},
-        Case{"echo unknown or ambiguous terminal type; exit 1", DrawingEnd::broken_off, "gnuplot-nox"}}) {
-    const rocking::support::TemporaryFolder folder;
-    for (const char* ending : {".svg", ".png", ".pdf"}) {
-      rocking::write_atomically(folder / (std::string("texts") + ending), "of before");
-    }
-    const OtherGnuplot gnuplot(script);
-    const auto drawing = write_figure(figure_with("x"), folder / "");
-    EXPECT_EQ(drawing.end, end) << script;
-    EXPECT_THAT(drawing.reason, HasSubstr(reason));
-    std::vector<std::string> left;
-    for (const auto& entry : std::filesystem::directory_iterator(folder / "")) left.push_back(entry.path().filename());
-    EXPECT_THAT(left, ::testing::UnorderedElementsAre("texts.tsv", "texts.gp", "texts.py")) << script;
-  }
-}
-
 TEST_F(Drawn, GivesTheSameBytesInEveryTimeZone) {
   std::vector<std::string> pictures;
   for (const char* zone : {"UTC0", "Asia/Tokyo", "XYZ+7:30"}) {
@@ -424,17 +380,6 @@ TEST_F(Drawn, GivesTheSameBytesInEveryTimeZone) {
   }
   EXPECT_EQ(pictures[0], pictures[1]);
   EXPECT_EQ(pictures[0], pictures[2]);
-}
-
-TEST(Drawing, SaysWhatIsMissingAndLeavesTheData) {
-  const rocking::support::TemporaryFolder folder;
-  const std::string path = std::getenv("PATH");
-  ::setenv("PATH", "/nowhere", 1);
-  const auto drawing = write_figure(figure_named(report_in(sample_report()), "mode_bands"), folder / "");
-  ::setenv("PATH", path.c_str(), 1);
-  EXPECT_FALSE(drawing.is_drawn());
-  EXPECT_THAT(drawing.reason, HasSubstr("gnuplot-nox"));
-  EXPECT_THAT(rocking::read_file(folder / "mode_bands.tsv"), HasSubstr("amplitude"));
 }
 
 }  // namespace

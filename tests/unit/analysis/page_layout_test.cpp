@@ -1,8 +1,10 @@
 // What stands at the top of report.html, and drawings that suit one condition, categories, slices and suites.
 
 #include <cstddef>
+#include <set>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -23,8 +25,11 @@ using rocking::report_in;
 using rocking::ReportedCondition;
 using rocking::support::sample_report;
 using ::testing::AllOf;
+using ::testing::Each;
 using ::testing::HasSubstr;
 using ::testing::Not;
+using ::testing::SizeIs;
+using ::testing::StartsWith;
 using namespace rocking::analysis;
 
 std::string page_of(const Report& report, const std::vector<Figure>& others = {}) {
@@ -89,7 +94,11 @@ TEST(PageOfASweep, HasQuestionAnswerAndOneFigureBeforeAnythingElse) {
   const std::size_t figure = page.find("<figure id=\"mode_bands\"");
   EXPECT_LT(question, answer);
   EXPECT_LT(answer, figure);
-  EXPECT_LT(figure, page.find("class=\"card\""));
+  const std::size_t first_card = page.find("class=\"card\"");
+  ASSERT_NE(first_card, std::string::npos);
+  for (const std::size_t place :
+       {figure, page.find("<svg class=\"mode\""), page.find("(<i>m</i>,<i>n</i>): the block rocks")})
+    EXPECT_LT(place, first_card);
   EXPECT_EQ(figure, page.find("<figure "));
   EXPECT_EQ(page.find("<figure id=\"mode_bands\"", figure + 1), std::string::npos) << "once";
 }
@@ -206,6 +215,13 @@ TEST(TablesOfAPage, HaveHeadsThatAReaderKnowsAndIntervalsBesideTheirNumbers) {
   EXPECT_THAT(html, AllOf(Not(HasSubstr("number of them")), Not(HasSubstr("upper end of it"))));
 }
 
+TEST(TablesOfAPage, HaveTheResponsesOnce) {
+  const std::string page = page_of(report_in(sample_report()));
+  const std::string table = "aria-label=\"Table: response modes\"";
+  EXPECT_NE(page.find(table), std::string::npos);
+  EXPECT_EQ(page.find(table), page.rfind(table));
+}
+
 TEST(TablesOfAPage, NameCategories) {
   Table table{.name = "", .columns = {{"friction", "friction"}, {"y", "y"}}, .rows = {{1.0, 1.0}}};
   Figure figure;
@@ -230,6 +246,31 @@ TEST(TablesOfAPage, OfManyRecordsHaveARowForEach) {
   EXPECT_THAT(tables_html(lone_condition(), figure),
               AllOf(HasSubstr("<th scope=\"col\">0.25</th><th scope=\"col\">0.5</th></tr>"),
                     HasSubstr("<th scope=\"row\">a_3.at2</th><td>0</td><td>0.3</td>")));
+}
+
+TEST(TablesOfAPage, SetLevelsSideBySideThatHoldUntilTheNext) {
+  const Table first{.name = "a", .columns = {{"period", "when"}, {"share", ""}}, .rows = {{1.0, 0.0}, {4.0, 0.5}}};
+  const Table second{.name = "b", .columns = first.columns, .rows = {{2.0, 0.25}, {4.0, 1.0}, {9.0, 1.0}}};
+  const Table joined = side_by_side({first, second});
+  ASSERT_THAT(joined.columns, SizeIs(3));
+  EXPECT_EQ(joined.columns[0].meaning + joined.columns[1].meaning + joined.columns[2].meaning, "whenab");
+  const std::vector<std::vector<Cell>> rows{
+      {1.0, 0.0, std::monostate()}, {2.0, 0.0, 0.25}, {4.0, 0.5, 1.0}, {9.0, 0.5, 1.0}};
+  EXPECT_EQ(joined.rows, rows);
+}
+
+TEST(TheAnswer, DrawsEachModeButTheUnresolved) {
+  using rocking::section::periodic;
+  using rocking::section::ResponseKind;
+  std::set<std::string> drawings;
+  for (const auto& mode :
+       {periodic(1, 1), periodic(1, 3), periodic(2, 3), rocking::section::ResponseMode{ResponseKind::rest},
+        rocking::section::ResponseMode{ResponseKind::chaotic},
+        rocking::section::ResponseMode{ResponseKind::overturned}}) {
+    drawings.insert(mode_drawing(mode));
+  }
+  EXPECT_THAT(drawings, AllOf(SizeIs(6), Each(StartsWith("<svg class=\"mode\""))));
+  EXPECT_EQ(mode_drawing({}), "");
 }
 
 }  // namespace

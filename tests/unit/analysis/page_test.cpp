@@ -14,7 +14,6 @@
 #include "analysis/page/page.hpp"
 #include "analysis/page/sections.hpp"
 #include "analysis/page/tables.hpp"
-#include "analysis/page/words.hpp"
 #include "analysis/run_figures.hpp"
 #include "cli/program.hpp"
 #include "rocking/ensemble/run.hpp"
@@ -22,11 +21,12 @@
 #include "rocking/output/report.hpp"
 #include "rocking/text/files.hpp"
 #include "rocking/text/number_text.hpp"
-#include "support/sample_report.hpp"
 
 namespace {
 
 using rocking::Json;
+using rocking::Report;
+using rocking::report_in;
 using rocking::support::quick_experiment;
 using ::testing::AllOf;
 using ::testing::Each;
@@ -84,6 +84,18 @@ std::vector<std::string> between(const std::string& text, const std::string& ope
   return found;
 }
 
+/// Tests that the policy of a page has the hashes of its scripts and styles, and no others.
+void expect_hashes_of_all(const std::string& page) {
+  std::set<std::string> expected;
+  for (const std::string& text : between(page, "<script>", "</script>")) expected.insert(policy_hash(text));
+  for (const std::string& text : between(page, "<style>", "</style>")) expected.insert(policy_hash(text));
+  const auto policies = between(page, "<meta http-equiv=\"Content-Security-Policy\" content=\"", "\"");
+  ASSERT_THAT(policies, SizeIs(1));
+  const auto hashes = matches(policies[0], "('sha256-[^']*')");
+  EXPECT_EQ(std::set<std::string>(hashes.begin(), hashes.end()), expected);
+  EXPECT_GE(hashes.size(), 2U);
+}
+
 /// A page without its scripts and styles.
 std::string markup_of(std::string page) {
   for (const std::string tag : {"script", "style"}) {
@@ -118,12 +130,7 @@ TEST(Page, HasAPolicyThatKnowsItsScriptsAndStyleByTheirHashesAndNothingElse) {
   ASSERT_THAT(policies, SizeIs(1));
   EXPECT_THAT(policies[0],
               AllOf(StartsWith("default-src 'none'; "), Not(HasSubstr("unsafe")), HasSubstr("img-src data:;")));
-  std::set<std::string> expected;
-  for (const std::string& text : between(page, "<script>", "</script>")) expected.insert(policy_hash(text));
-  for (const std::string& text : between(page, "<style>", "</style>")) expected.insert(policy_hash(text));
-  const auto hashes = matches(policies[0], "('sha256-[^']*')");
-  EXPECT_EQ(std::set<std::string>(hashes.begin(), hashes.end()), expected);
-  EXPECT_GE(hashes.size(), 2U);
+  expect_hashes_of_all(page);
 }
 
 TEST(Page, HashesAsPublished) {
@@ -157,8 +164,6 @@ TEST(Page, LeadsNowhereThatItHasNot) {
     EXPECT_EQ(std::set<std::string>(places.begin(), places.end()).size(), places.size()) << "a name stands twice";
   }
 }
-
-TEST(Page, IsTheSameForTheSameReport) { EXPECT_EQ(page_of(quick_report()), page_of(quick_report())); }
 
 TEST(Page, SaysWhatTheReportSays) {
   const std::string page = page_of(quick_report());
@@ -298,50 +303,6 @@ TEST(Page, TellsWhereOverturningIsMostLikely) {
                     HasSubstr("most likely at <i>A<sub>h</sub></i> = 4.2: <strong>75.0 % [")));
 }
 
-TEST(Page, CountsTheConditionsThatShareTheLargestProbability) {
-  Json report = rocking::support::sample_report();
-  const Json probability = report["result"]["conditions"][1]["probabilities"]["overturned"];
-  for (Json& condition : report["result"]["conditions"]) {
-    condition["counts"]["overturned"] = 1;
-    condition["probabilities"]["overturned"] = probability;
-  }
-  EXPECT_THAT(overturning_in_brief(report_in(report)),
-              HasSubstr("; most likely in 3 of them, first at <i>A<sub>h</sub></i> = 3"));
-  Json& conditions = report["result"]["conditions"];
-  for (int i = 0; i < 8; ++i) {
-    conditions.push_back(conditions[1]);
-    conditions.back()["parameters"]["/friction"] = {{"static", 0.5 + 0.01 * i}, {"kinetic", 0.4}};
-  }
-  EXPECT_THAT(overturning_in_brief(report_in(report)), HasSubstr("; most likely in 14 of them, first at friction"));
-}
-
-TEST(Page, SummarisesOverturningWhereTheSweepHasManyCombinations) {
-  Json report = rocking::support::sample_report();
-  Json& conditions = report["result"]["conditions"];
-  const Json first = conditions[1];  // 1 of 30 realisations overturns
-  for (int i = 0; i < 8; ++i) {
-    conditions.push_back(first);
-    conditions.back()["parameters"]["/friction"] = {{"static", 0.5 + 0.01 * i}, {"kinetic", 0.4}};
-    conditions.back()["parameters"]["/excitation/amplitude"] = 3.5 + 0.1 * i;
-  }
-  EXPECT_THAT(overturning_in_brief(report_in(report)),
-              AllOf(StartsWith("<p>Seen in 13 of 14 conditions; the least base amplitude is at friction 0.4/0.35, base "
-                               "amplitude 3 = 0.735 g; most likely at friction 0.4/0.35, base amplitude 5.5 = 1.35 g: "
-                               "<strong>16.7 % [")));
-}
-
-TEST(Page, BeginsWithOverturningAndExplainsModesAtOnce) {
-  const std::string page = page_of(rocking::support::sample_report());
-  const std::size_t first_card = page.find("class=\"card\"");
-  ASSERT_NE(first_card, std::string::npos);
-  for (const char* text : {"<dt>Overturning</dt>", "<svg class=\"mode\"", "(<i>m</i>,<i>n</i>): the block rocks"})
-    EXPECT_LT(page.find(text), first_card) << text;
-}
-
-TEST(Page, HasOneTableOfResponses) {
-  EXPECT_THAT(between(page_of(quick_report()), "aria-label=\"Table: response modes\"", ">"), SizeIs(1));
-}
-
 TEST(Page, BoundsInItsTableWhatDidNotOccur) {
   Json report = changed("/result/conditions/1/counts/overturned", 3);
   EXPECT_THAT(mode_table_html(report_in(report)),
@@ -427,57 +388,13 @@ TEST(Page, AnimatesMotionsUnderTheSamePolicy) {
   EXPECT_EQ(motion["contacts"], Json({2, 2, 1, 1, 1}));
   EXPECT_EQ(motion["tilts"][3], 0.03);
   EXPECT_EQ(motion["slips"][0], 0.0);
-  for (const std::string& each : {page, animation_page_text("t", made_up_motion())}) {
-    std::set<std::string> expected;
-    for (const std::string& text : between(each, "<script>", "</script>")) expected.insert(policy_hash(text));
-    for (const std::string& text : between(each, "<style>", "</style>")) expected.insert(policy_hash(text));
-    const auto policy = between(each, "<meta http-equiv=\"Content-Security-Policy\" content=\"", "\"");
-    const auto hashes = matches(policy.at(0), "('sha256-[^']*')");
-    EXPECT_EQ(std::set<std::string>(hashes.begin(), hashes.end()), expected);
-  }
+  for (const std::string& each : {page, animation_page_text("t", made_up_motion())}) expect_hashes_of_all(each);
 }
 
 TEST(Page, SaysWhyItShowsNoMotion) {
   EXPECT_THAT(page_text(report_in(quick_report()), {}, {.explanation = "No realisation is shown.", .motions = {}}),
               HasSubstr("<p>No realisation is shown.</p>"));
   EXPECT_THAT(page_of(quick_report()), Not(HasSubstr("See it move")));
-}
-
-TEST(Page, DrawsEachModeButTheUnresolved) {
-  using rocking::section::periodic;
-  using rocking::section::ResponseKind;
-  std::set<std::string> drawings;
-  for (const auto& mode :
-       {periodic(1, 1), periodic(1, 3), periodic(2, 3), rocking::section::ResponseMode{ResponseKind::rest},
-        rocking::section::ResponseMode{ResponseKind::chaotic},
-        rocking::section::ResponseMode{ResponseKind::overturned}}) {
-    drawings.insert(mode_drawing(mode));
-  }
-  EXPECT_THAT(drawings, AllOf(SizeIs(6), Each(StartsWith("<svg class=\"mode\""))));
-  EXPECT_EQ(mode_drawing({}), "");
-}
-
-TEST(Page, SpeaksOfResponsesInWords) {
-  using rocking::section::periodic;
-  EXPECT_EQ(meaning_of(periodic(1, 1)), "rocks once in every period");
-  EXPECT_EQ(meaning_of(periodic(2, 3)), "rocks twice in three periods");
-  EXPECT_EQ(meaning_of(periodic(3, 14)), "rocks three times in 14 periods");
-}
-
-TEST(Page, SetsLevelsSideBySideThatHoldUntilTheNext) {
-  const Table first{.name = "a", .columns = {{"period", "when"}, {"share", ""}}, .rows = {{1.0, 0.0}, {4.0, 0.5}}};
-  const Table second{.name = "b", .columns = first.columns, .rows = {{2.0, 0.25}, {4.0, 1.0}, {9.0, 1.0}}};
-  const Table joined = side_by_side({first, second});
-  ASSERT_THAT(joined.columns, SizeIs(3));
-  EXPECT_EQ(joined.columns[0].meaning + joined.columns[1].meaning + joined.columns[2].meaning, "whenab");
-  const std::vector<std::vector<Cell>> rows{
-      {1.0, 0.0, std::monostate()}, {2.0, 0.0, 0.25}, {4.0, 0.5, 1.0}, {9.0, 0.5, 1.0}};
-  EXPECT_EQ(joined.rows, rows);
-}
-
-TEST(Page, SetsSymbolsLow) {
-  EXPECT_EQ(symbol_html("A_h"), "<i>A<sub>h</sub></i>");
-  EXPECT_EQ(symbol_html("a_s/b_k<"), "<i>a<sub>s</sub>/b<sub>k</sub>&lt;</i>");
 }
 
 }  // namespace

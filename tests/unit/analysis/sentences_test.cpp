@@ -10,6 +10,7 @@
 #include "analysis/page/html.hpp"
 #include "analysis/page/page.hpp"
 #include "analysis/page/sections.hpp"
+#include "analysis/page/words.hpp"
 #include "rocking/figures/sweep_view.hpp"
 #include "rocking/output/report.hpp"
 #include "support/sample_report.hpp"
@@ -17,6 +18,8 @@
 namespace {
 
 using rocking::Json;
+using rocking::Report;
+using rocking::report_in;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -183,6 +186,50 @@ TEST(Sentences, CallAMomentByTheNumberThatIsDrawn) {
   EXPECT_EQ(axis_of_parameter("/friction/static/normal/mean").quantity, "mean of static friction");
   EXPECT_EQ(axis_of_parameter("/friction/static/lognormal/sigma").quantity, "standard deviation of static friction");
   EXPECT_EQ(axis_of_parameter("mean").quantity, "mean");
+}
+
+TEST(Sentences, CountTheConditionsThatShareTheLargestProbability) {
+  Json report = rocking::support::sample_report();
+  const Json probability = report["result"]["conditions"][1]["probabilities"]["overturned"];
+  for (Json& condition : report["result"]["conditions"]) {
+    condition["counts"]["overturned"] = 1;
+    condition["probabilities"]["overturned"] = probability;
+  }
+  EXPECT_THAT(overturning_in_brief(report_in(report)),
+              HasSubstr("; most likely in 3 of them, first at <i>A<sub>h</sub></i> = 3"));
+  Json& conditions = report["result"]["conditions"];
+  for (int i = 0; i < 8; ++i) {
+    conditions.push_back(conditions[1]);
+    conditions.back()["parameters"]["/friction"] = {{"static", 0.5 + 0.01 * i}, {"kinetic", 0.4}};
+  }
+  EXPECT_THAT(overturning_in_brief(report_in(report)), HasSubstr("; most likely in 14 of them, first at friction"));
+}
+
+TEST(Sentences, SummariseOverturningWhereTheSweepHasManyCombinations) {
+  Json report = rocking::support::sample_report();
+  Json& conditions = report["result"]["conditions"];
+  const Json first = conditions[1];  // 1 of 30 realisations overturns
+  for (int i = 0; i < 8; ++i) {
+    conditions.push_back(first);
+    conditions.back()["parameters"]["/friction"] = {{"static", 0.5 + 0.01 * i}, {"kinetic", 0.4}};
+    conditions.back()["parameters"]["/excitation/amplitude"] = 3.5 + 0.1 * i;
+  }
+  EXPECT_THAT(overturning_in_brief(report_in(report)),
+              AllOf(StartsWith("<p>Seen in 13 of 14 conditions; the least base amplitude is at friction 0.4/0.35, base "
+                               "amplitude 3 = 0.735 g; most likely at friction 0.4/0.35, base amplitude 5.5 = 1.35 g: "
+                               "<strong>16.7 % [")));
+}
+
+TEST(Sentences, SpeakOfResponsesInWords) {
+  using rocking::section::periodic;
+  EXPECT_EQ(meaning_of(periodic(1, 1)), "rocks once in every period");
+  EXPECT_EQ(meaning_of(periodic(2, 3)), "rocks twice in three periods");
+  EXPECT_EQ(meaning_of(periodic(3, 14)), "rocks three times in 14 periods");
+}
+
+TEST(Sentences, SetSymbolsLow) {
+  EXPECT_EQ(symbol_html("A_h"), "<i>A<sub>h</sub></i>");
+  EXPECT_EQ(symbol_html("a_s/b_k<"), "<i>a<sub>s</sub>/b<sub>k</sub>&lt;</i>");
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "rocking/input/read_experiment.hpp"
+#include "rocking/scene/check_condition.hpp"
 #include "support/experiment_text.hpp"
 
 namespace {
@@ -292,6 +293,40 @@ TEST(BadExperiment, RefusesANormalTiltThatCanReachTheGround) {
   const auto problems = problems_of(tilted(R"({"normal": {"mean": 0.0, "sigma": 5.0}})"));
   ASSERT_EQ(problems.size(), 1U);
   EXPECT_EQ(problems[0].place, "/initial/tilt");
+}
+
+// A fraction of the mean may make a standard deviation that a condition may not have.
+TEST(BadExperiment, MayHaveARelativeScatterOfALargeStandardDeviation) {
+  const auto scattered = [](const char* share) {
+    return with(without(example_experiment(), "sweep"), "/fluctuation/amplitude",
+                "{\"relative_sigma\": " + std::string(share) + "}");
+  };
+  const Experiment read = experiment_in(scattered("1e5").dump());
+  EXPECT_NO_THROW(check_experiment(read));
+  const auto problems = problems_of(scattered("1e6"));
+  ASSERT_EQ(problems.size(), 1U);
+  EXPECT_EQ(problems[0].place, "/fluctuation/amplitude/relative_sigma");
+}
+
+TEST(CheckExperiment, TellsWhichConditionsAreBadAndNoMoreThanTwentyProblems) {
+  Experiment experiment = experiment_in(least_experiment().dump());
+  experiment.conditions.assign(40, experiment.conditions.front());
+  EXPECT_NO_THROW(check_experiment(experiment));
+  experiment.conditions[3].tolerance = 1.0;
+  const auto problems_of_it = [&]() -> std::vector<base::Problem> {
+    try {
+      check_experiment(experiment);
+    } catch (const base::InputError& error) {
+      return error.problems();
+    }
+    return {};
+  };
+  const auto problems = problems_of_it();
+  ASSERT_EQ(problems.size(), 1U);
+  EXPECT_EQ(problems[0].place, "/accuracy/tolerance");
+  EXPECT_THAT(problems[0].reason, ::testing::EndsWith(" (condition 3)"));
+  for (Condition& condition : experiment.conditions) condition.confidence = 2.0;
+  EXPECT_EQ(problems_of_it().size(), 20U);
 }
 
 }  // namespace

@@ -388,39 +388,4 @@ TEST(EsmFile, StatesItsTimeStepAndItsUnit) {
   EXPECT_EQ(read_record(esm_asc("0.01", "g", "2", "1\n2\nend of data\n")).warnings.size(), 1U);
 }
 
-TEST(ColumnsFile, HasTheUnitThatIsGiven) {
-  auto how = reading();
-  how.format = RecordFormat::columns;
-  const auto value = [&how](RecordUnit unit) {
-    how.unit = unit;
-    return read_record("0 0.3\n1 0.5\n", how).samples[1].horizontal;
-  };
-  EXPECT_EQ(value(RecordUnit::g), 0.5);
-  EXPECT_EQ(value(RecordUnit::m_s2), 0.5 / gravity_of_test);
-  EXPECT_EQ(value(RecordUnit::cm_s2), 0.5 / 100.0 / gravity_of_test);
-  EXPECT_EQ(value(RecordUnit::percent_g), 0.005);
-  EXPECT_THAT(read_record("0 0.3\n1 0.5\n", how).warnings, IsEmpty());
-}
-
-TEST(ColumnsFile, WithoutAUnitSaysThatOneIsAssumed) {
-  EXPECT_THAT(read_record("0 0.3\n1 0.5\n").warnings, ElementsAre(HasSubstr("m/s2 is assumed")));
-}
-
-TEST(VerticalComponent, ComesFromAFileOfItsOwn) {
-  Problems problems;
-  GroundMotion motion = read_record(peer_at2(three_values, ".01"));
-  ASSERT_TRUE(add_vertical(read_record(peer_at2({0.01, 0.02, 0.03, 0.04}, ".01")), motion, problems));
-  EXPECT_TRUE(motion.has_vertical);
-  ASSERT_EQ(motion.samples.size(), 4U);
-  EXPECT_EQ(motion.samples[1].horizontal, -0.25);
-  EXPECT_EQ(motion.samples[1].vertical, 0.02);
-  EXPECT_EQ(motion.samples[3].horizontal, 0.0);
-  EXPECT_EQ(motion.samples[3].vertical, 0.04);
-  EXPECT_THAT(motion.warnings, ElementsAre(HasSubstr("contains 3 samples, its vertical component r.at2 4")));
-
-  GroundMotion other = read_record(peer_at2(three_values, ".01"));
-  EXPECT_FALSE(add_vertical(read_record(peer_at2(three_values, ".02")), other, problems));
-  EXPECT_THAT(problems.back().reason, HasSubstr("other times than r.at2 from sample 2 on"));
-}
-
 }  // namespace

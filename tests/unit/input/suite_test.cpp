@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <map>
 #include <numbers>
-#include <sstream>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -247,14 +246,6 @@ TEST_F(Suite, HasEachRecordOnceWhateverItsName) {
               HasSubstr("/excitation/suite/1 = \"records/a.at2\": has the same content as \"copy.at2\""));
 }
 
-std::string columns_of(const std::vector<double>& values, double step, double factor, int digits) {
-  std::ostringstream text;
-  text.precision(digits);
-  for (std::size_t i = 0; i < values.size(); ++i)
-    text << step * static_cast<double>(i) << ' ' << factor * values[i] << '\n';
-  return text.str();
-}
-
 TEST_F(Suite, HasEachSeriesOnceWhateverItsFormatUnitOrName) {
   std::vector<double> values;
   for (int i = 0; i < 50; ++i) values.push_back(0.3 * std::sin(0.37 * i) * std::exp(-0.05 * i));
@@ -265,8 +256,8 @@ TEST_F(Suite, HasEachSeriesOnceWhateverItsFormatUnitOrName) {
                                            for (double& value : in_gal) value *= 980.665;
                                            return in_gal;
                                          }()));
-  files_["four.txt"] = columns_of(values, 0.01, 9.81, 4);
-  files_["five.txt"] = columns_of(values, 0.01, 1.0, 5);  // in g, but m/s2 is assumed
+  files_["four.txt"] = support::columns_text(values, 0.01, 9.81, 4);
+  files_["five.txt"] = support::columns_text(values, 0.01, 1.0, 5);  // in g, but m/s2 is assumed
   for (const char* name : {"two.at2", "three.asc", "four.txt", "five.txt"}) {
     EXPECT_THAT(
         refusal_of(experiment(R"(["v.at2", "one.at2", ")" + std::string(name) + "\"]")),

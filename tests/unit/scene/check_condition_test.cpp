@@ -394,29 +394,5 @@ TEST(CheckCondition, MissesAGroundMotion) {
   EXPECT_EQ(problems[0].place, "/excitation/file");
 }
 
-TEST(CheckExperiment, TellsWhichConditionsAreBadAndNoMoreThanTwentyProblems) {
-  Experiment experiment = read(full_document());
-  experiment.conditions.assign(40, experiment.conditions.front());
-  EXPECT_NO_THROW(check_experiment(experiment));
-  experiment.conditions[3].tolerance = 1.0;
-  const auto problems = problems_of([&] { check_experiment(experiment); });
-  ASSERT_EQ(problems.size(), 1U);
-  EXPECT_EQ(problems[0].place, "/accuracy/tolerance");
-  EXPECT_THAT(problems[0].reason, ::testing::EndsWith(" (condition 3)"));
-  for (Condition& condition : experiment.conditions) condition.confidence = 2.0;
-  EXPECT_EQ(problems_of([&] { check_experiment(experiment); }).size(), 20U);
-}
-
-// A fraction of the mean may make a standard deviation that a condition may not have.
-TEST(CheckExperiment, AcceptsWhatAFileOfRelativeScatterGives) {
-  auto document = full_document();
-  document["fluctuation"]["amplitude"] = Json::parse(R"({"relative_sigma": 1e5})");
-  EXPECT_NO_THROW(check_experiment(read(document)));
-  document["fluctuation"]["amplitude"] = Json::parse(R"({"relative_sigma": 1e6})");
-  const auto problems = problems_of([&] { static_cast<void>(read(document)); });
-  ASSERT_EQ(problems.size(), 1U);
-  EXPECT_EQ(problems[0].place, "/fluctuation/amplitude/relative_sigma");
-}
-
 }  // namespace
 }  // namespace rocking

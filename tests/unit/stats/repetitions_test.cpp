@@ -109,4 +109,19 @@ TEST(MeanOfRepetitions, HasTheExactIntervalWhereAllAreEqual) {
   EXPECT_EQ(mean.interval->high, 1.0);
 }
 
+TEST(MeanOfRepetitions, IsTheMeanWithStudentsIntervalOfItsLogarithm) {
+  const std::vector<double> estimates{1.5e-9, 1.5e-9, 3e-9};
+  const auto mean = mean_of_repetitions(estimates, 0.95);
+  EXPECT_DOUBLE_EQ(mean.mean, 2e-9);
+  ASSERT_TRUE(mean.relative_error && mean.interval);
+  EXPECT_NEAR(*mean.relative_error, 0.25, 1e-14) << "a lognormal law would have 0.240";
+  EXPECT_NEAR(std::log(mean.interval->high / 2e-9), 0.95 / std::sqrt(2.0 * 0.975 * 0.025) * 0.25, 1e-12);
+  EXPECT_NEAR(mean.interval->low * mean.interval->high, 4e-18, 1e-30);
+}
+
+TEST(MeanOfRepetitions, HasNoIntervalWithoutTheEventOrFromOneEstimate) {
+  EXPECT_FALSE(mean_of_repetitions(std::vector<double>{0.0, 0.0}, 0.95).interval);
+  EXPECT_FALSE(mean_of_repetitions(std::vector<double>{0.1}, 0.95).interval);
+}
+
 }  // namespace

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <fstream>
 #include <numbers>
@@ -22,7 +21,6 @@ using rocking::stats::fit_pooled;
 using rocking::stats::fit_suite;
 using rocking::stats::FragilityOutcome;
 using rocking::stats::Interval;
-using rocking::stats::percentile_interval;
 using rocking::stats::profile_interval;
 using rocking::stats::SuiteFit;
 using rocking::stats::SuiteLaw;
@@ -343,98 +341,6 @@ TEST(SuiteLaw, FindsTheLawOfRecordsThatMostlyAreSteps) {
   EXPECT_NEAR(law->within_record, 0.02, 0.002);
   EXPECT_NEAR(law->between_records, 0.4, 0.1);
   EXPECT_NEAR(law->median, 1.0, 0.12);
-}
-
-TEST(SuiteBootstrap, RepeatsAndNarrowsTheSpreadOfRecords) {
-  SplitMix random(7);
-  const SuiteLevels suite = MadeUpSuite{}.drawn(random);
-  const auto draws = [](std::uint64_t sample, std::uint64_t number) {
-    return SplitMix(1000 * sample + number + 1).uniform();
-  };
-  const auto once = bootstrap_records(suite, 60, draws);
-  const auto again = bootstrap_records(suite, 60, draws);
-  ASSERT_EQ(once.laws.size(), 60U);
-  ASSERT_EQ(once.pooled.size(), 60U);
-  std::vector<double> medians;
-  for (std::size_t i = 0; i < 60; ++i) {
-    EXPECT_EQ(once.laws[i].median, again.laws[i].median);
-    medians.push_back(once.laws[i].median);
-  }
-  const auto interval = percentile_interval(medians, 60, 0.9);
-  ASSERT_TRUE(interval);
-  EXPECT_LT(interval->low, 1.0);
-  EXPECT_GT(interval->high, 1.0);
-  EXPECT_LT(interval->high - interval->low, 0.6);
-  EXPECT_GT(interval->high - interval->low, 0.1);
-}
-
-TEST(SuiteBootstrap, DoesNotDependOnTheThreadsAndStopsIfAsked) {
-  SplitMix random(8);
-  const SuiteLevels suite = MadeUpSuite{}.drawn(random);
-  const auto draws = [](std::uint64_t sample, std::uint64_t number) {
-    return SplitMix(1000 * sample + number + 1).uniform();
-  };
-  std::size_t parts = 0;
-  const auto one = bootstrap_records(suite, 30, draws);
-  const auto several = bootstrap_records(suite, 30, draws, {.threads = 3, .on_part = [&parts] { ++parts; }});
-  EXPECT_EQ(parts, 30U);
-  ASSERT_EQ(several.laws.size(), one.laws.size());
-  for (std::size_t i = 0; i < one.laws.size(); ++i) {
-    EXPECT_EQ(several.laws[i].median, one.laws[i].median);
-    EXPECT_EQ(several.laws[i].between_records, one.laws[i].between_records);
-    EXPECT_EQ(several.pooled[i].dispersion, one.pooled[i].dispersion);
-  }
-  std::atomic<bool> stop{false};
-  parts = 0;
-  const auto stops = [&] { stop = ++parts == 4; };
-  EXPECT_THROW(static_cast<void>(bootstrap_records(suite, 30, draws, {.stop = &stop, .on_part = stops})),
-               rocking::base::Stopped);
-  EXPECT_EQ(parts, 4U);
-}
-
-// The whole suite is a sample in which each record is drawn once: the search from its own law returns that law.
-TEST(SuiteBootstrap, OfTheSuiteItselfIsItsLaw) {
-  SplitMix random(9);
-  const SuiteLevels suite = MadeUpSuite{}.drawn(random);
-  const auto each_once = [&suite](std::uint64_t, std::uint64_t number) {
-    // Further numbers are the shares of an unseen record.
-    const std::uint64_t record = number < suite.size() ? number : 0;
-    return (static_cast<double>(record) + 0.5) / static_cast<double>(suite.size());
-  };
-  const auto law = fit_suite(suite).law.value();
-  const auto found = bootstrap_records(suite, 1, each_once).laws.at(0);
-  EXPECT_NEAR(found.median, law.median, 1e-9);
-  EXPECT_NEAR(found.between_records, law.between_records, 1e-9);
-  EXPECT_NEAR(found.log_likelihood, law.log_likelihood, 1e-9 * std::abs(law.log_likelihood));
-}
-
-TEST(SuiteBootstrap, HasNoIntervalWhereATenthOfTheSamplesHasNoLaw) {
-  EXPECT_FALSE(percentile_interval(std::vector<double>(89, 1.0), 100, 0.95));
-  EXPECT_TRUE(percentile_interval(std::vector<double>(90, 1.0), 100, 0.95));
-  EXPECT_FALSE(percentile_interval({}, 0, 0.95));
-}
-
-// Of 1 ... 999 the share below 750 is 0.75, with z_0 = 0.674490: the percentiles are Phi(1.348980 -+ 1.959964).
-TEST(SuiteBootstrap, HasPercentilesCorrectedForTheBiasOfTheSamples) {
-  std::vector<double> values;
-  for (int i = 1; i <= 999; ++i) values.push_back(i);
-  const auto found = rocking::stats::bias_corrected_interval(values, 750.0, 999, 0.95);
-  EXPECT_NEAR(found->low, 270.6, 1.0);
-  EXPECT_NEAR(found->high, 998.9, 0.7);
-  const auto unbiased = rocking::stats::bias_corrected_interval(values, 500.0, 999, 0.95);
-  EXPECT_NEAR(unbiased->low, percentile_interval(values, 999, 0.95)->low, 1e-6);
-  EXPECT_FALSE(rocking::stats::bias_corrected_interval(values, 500.0, 2000, 0.95));
-  // Of two records the expanded percentiles are 0 and 1.
-  const auto all = rocking::stats::bias_corrected_interval(values, 750.0, 999, 1.0);
-  EXPECT_EQ(all->low, 1.0);
-  EXPECT_EQ(all->high, 999.0);
-}
-
-// t(9) at 97.5 % is 2.262157; times sqrt(10/9) it is 2.384523, and Phi(-2.384523) = 0.008551.
-TEST(ExpandedConfidence, GrowsForFewRecords) {
-  EXPECT_NEAR(rocking::stats::expanded_confidence(0.95, 10), 1.0 - 2.0 * 0.008551, 1e-6);
-  EXPECT_NEAR(rocking::stats::expanded_confidence(0.95, 1'000'000), 0.95, 1e-6);
-  EXPECT_EQ(rocking::stats::expanded_confidence(0.95, 1), 0.95);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include "rocking/studies/fragility/figure.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <variant>
@@ -10,7 +11,10 @@
 
 #include <gmock/gmock.h>
 
+#include "rocking/base/error.hpp"
 #include "rocking/stats/normal_law.hpp"
+#include "rocking/studies/output_figures.hpp"
+#include "rocking/text/json.hpp"
 
 namespace {
 
@@ -18,11 +22,13 @@ using namespace rocking::analysis;
 using rocking::FragilityEvent;
 using rocking::FragilityLevel;
 using rocking::FragilityReport;
+using rocking::Json;
 using rocking::PooledSuite;
 using rocking::RecordCurve;
 using rocking::ReportedCurve;
 using rocking::ReportedSuite;
 using rocking::SuiteLevel;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 double number(const Cell& cell) { return std::get<double>(cell); }
@@ -180,6 +186,82 @@ TEST(FragilityFigure, SaysWhichPointsAreRareEstimates) {
   EXPECT_THAT(figure.caption, HasSubstr("rocking rare"));
   report.curves = {suite({})};
   EXPECT_THAT(fragility_figure(report).caption, ::testing::Not(HasSubstr("rocking rare")));
+}
+
+Json sample_fragility() {
+  Json json = Json::parse(R"({ "format": "rocking.fragility/1", "curves": [ { "title": "t",
+    "sha256": "0123456789012345678901234567890123456789012345678901234567890123", "parameter": "/excitation/amplitude",
+    "others": {}, "confidence": 0.9, "event": "overturned", "least_uplift": null, "outcome": "rejected", "law": null,
+    "test": { "deviance": 40.5, "samples": 999, "as_large": 0, "p_value": 0.001 }, "missed_levels": null,
+    "levels": [] } ] })");
+  const std::vector<std::array<double, 5>> levels{
+      {1.0, 2, 0.02, 0.01, 0.1}, {2.0, 54, 0.5, 0.4, 0.6}, {4.0, 46, 0.5, 0.3, 0.7}};
+  for (const auto& [intensity, overturned, isotonic, low, high] : levels) {
+    json["curves"][0]["levels"].push_back({{"intensity", intensity},
+                                           {"realisations", 100},
+                                           {"overturned", static_cast<int>(overturned)},
+                                           {"estimate", overturned / 100.0},
+                                           {"exact", {low, high}},
+                                           {"simultaneous", {low, high}},
+                                           {"fitted", nullptr},
+                                           {"band", {low, high}},
+                                           {"isotonic", isotonic}});
+  }
+  return json;
+}
+
+TEST(FragilityFigure, DrawsTheIsotonicEstimateAsStepsWithTheBandBetweenLevels) {
+  const auto figures = output_figures({{"f.json", sample_fragility().dump()}}, {});
+  const Figure& figure = figures.at(0);
+  const auto& layers = figure.panels.at(0).layers;
+  ASSERT_EQ(layers.size(), 3U);
+  EXPECT_EQ(layers[0].kind, LayerKind::boxes);
+  EXPECT_THAT(layers[0].columns, ElementsAre(0U, 1U, 3U, 4U));
+  EXPECT_EQ(layers[1].kind, LayerKind::steps);
+  EXPECT_EQ(layers[2].kind, LayerKind::error_bars);
+  EXPECT_THAT(figure.tables.at(layers[0].table).rows,
+              ElementsAre(ElementsAre(Cell(1.0), Cell(2.0), Cell(0.02), Cell(0.01), Cell(0.6)),
+                          ElementsAre(Cell(2.0), Cell(4.0), Cell(0.5), Cell(0.4), Cell(0.7)),
+                          ElementsAre(Cell(4.0), Cell(4.0), Cell(0.5), Cell(0.3), Cell(0.7))));
+  EXPECT_THAT(figure.caption, HasSubstr("do not decrease"));
+  EXPECT_THAT(figure.description, HasSubstr("rejected"));
+}
+
+TEST(FragilityFigure, SaysThatAMedianIsExtrapolated) {
+  Json json = sample_fragility();
+  Json& curve = json["curves"][0];
+  curve["outcome"] = "fitted";
+  curve["missed_levels"] = 0;
+  curve["law"] = Json::parse(R"({ "median": { "value": 5.5, "interval": [4.5, null], "extrapolated": true },
+    "dispersion": { "value": 0.5, "interval": [0.25, 1.0] }, "centre": 0.7, "intercept": -1.0, "slope": 2.0,
+    "covariance": [0.01, 0.0, 0.01], "degrees_of_freedom": 40 })");
+  for (Json& level : curve["levels"]) {
+    level["fitted"] = level["isotonic"];
+    level["isotonic"] = nullptr;
+  }
+  const auto described = [](const Json& output) {
+    return output_figures({{"f.json", output.dump()}}, {}).at(0).description;
+  };
+  EXPECT_THAT(described(json), HasSubstr("median 5.5 [4.5, unbounded] (extrapolated"));
+  curve["law"]["median"]["extrapolated"] = false;
+  EXPECT_THAT(described(json), HasSubstr("median 5.5 [4.5, unbounded], dispersion"));
+}
+
+TEST(FragilityFigure, RefusesLevelsThatContradictThemselves) {
+  const auto refusal = [](const char* key, const Json& value) -> std::string {
+    Json json = sample_fragility();
+    json["curves"][0]["levels"][1][key] = value;
+    try {
+      static_cast<void>(output_figures({{"f.json", json.dump()}}, {}));
+    } catch (const rocking::base::InputError& error) {
+      return error.what();
+    }
+    return "accepted";
+  };
+  EXPECT_EQ(refusal("overturned", 100), "accepted");
+  EXPECT_THAT(refusal("overturned", 101), HasSubstr("/curves/0/levels/1/overturned"));
+  EXPECT_THAT(refusal("intensity", 1.0), HasSubstr("not greater than that of the previous level"));
+  EXPECT_THAT(refusal("exact", {0.6, 0.4}), HasSubstr("/curves/0/levels/1/exact"));
 }
 
 }  // namespace

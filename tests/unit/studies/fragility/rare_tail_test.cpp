@@ -3,25 +3,26 @@
 #include "rocking/studies/fragility/rare_tail.hpp"
 
 #include <cmath>
+#include <functional>
+#include <numeric>
 #include <vector>
 
+#include <boost/math/distributions/normal.hpp>
 #include <gtest/gtest.h>
 
 #include "rocking/stats/normal_law.hpp"
 #include "rocking/studies/fragility/fragility.hpp"
+#include "support/made_up_suite.hpp"
 
+namespace rocking {
 namespace {
 
-using rocking::annual_rate;
-using rocking::AnnualRate;
-using rocking::FragilityCurve;
-using rocking::HazardCurve;
-using rocking::RareLevel;
+using namespace support::six_records;
 
 constexpr double median = 1.0;
 constexpr double dispersion = 0.4;
 
-double lognormal(double x) { return rocking::stats::normal_cdf(std::log(x / median) / dispersion); }
+double lognormal(double x) { return stats::normal_cdf(std::log(x / median) / dispersion); }
 
 const HazardCurve& hazard_of_tails() {  // H = 1e-3 x^-3
   static const HazardCurve hazard{
@@ -32,7 +33,7 @@ const HazardCurve& hazard_of_tails() {  // H = 1e-3 x^-3
 /// A fitted lognormal law; at 0.2 and 0.4 too few events for a share.
 FragilityCurve curve_with_law() {
   FragilityCurve curve;
-  rocking::FittedLaw& law = curve.law.emplace();
+  FittedLaw& law = curve.law.emplace();
   law.function.intercept = 0.0;
   law.function.centre = std::log(median);
   law.function.slope = 1.0 / dispersion;
@@ -74,7 +75,7 @@ TEST(RareTail, ReplacesTheLawBelowTheLevels) {
   curve.rare = {rare_level(0.3, 2.0 * lognormal(0.3)), rare_level(0.9, 0.3)};
   const AnnualRate rate = annual_rate(curve, hazard_of_tails());
   double z_first = std::log(0.3 / median) / dispersion;
-  while (rocking::stats::normal_cdf(z_first) < 2.0 * lognormal(0.3)) z_first += 1e-6;
+  while (stats::normal_cdf(z_first) < 2.0 * lognormal(0.3)) z_first += 1e-6;
   const double z_last = std::log(0.8 / median) / dispersion;
   double expected = 0.0;
   constexpr int steps = 200'000;
@@ -82,7 +83,7 @@ TEST(RareTail, ReplacesTheLawBelowTheLevels) {
   for (int i = 0; i < steps; ++i) {
     const double y = low + (i + 0.5) * h;
     const double line = z_first + (z_last - z_first) * (y - first) / (last - first);
-    const double p = y < last ? rocking::stats::normal_cdf(line) : lognormal(std::exp(y));
+    const double p = y < last ? stats::normal_cdf(line) : lognormal(std::exp(y));
     expected += p * 3e-3 * std::exp(-3.0 * y) * h;
   }
   EXPECT_NEAR(rate.value / expected, 1.0, 1e-5);
@@ -97,7 +98,7 @@ TEST(RareTail, HasTheErrorOfItsEstimates) {
   const AnnualRate rate = annual_rate(curve, steep);
   ASSERT_TRUE(rate.interval);
   const double reach = std::log(rate.interval->high / rate.value);
-  const double expected = 0.1 * rocking::stats::two_sided_t_quantile(0.95, 15.0);
+  const double expected = 0.1 * stats::two_sided_t_quantile(0.95, 15.0);
   EXPECT_GT(reach, 0.8 * expected);
   EXPECT_LT(reach, 1.01 * expected);
   curve.rare.front().relative_error = 0.2;
@@ -170,4 +171,105 @@ TEST(RareTail, SaysThatItIsNotUsed) {
   EXPECT_FALSE(rate.rare_below);
 }
 
+TEST(RareTailOfASuite, IntegratesTheMeanOverTheRecords) {
+  const SuiteRate rate = annual_rate(with_rare(unlike), hazard());
+  EXPECT_EQ(rate.chosen.rare_below, 0.4);
+  const double low = 2.41e-4 / 6.0, high = 7.52e-3 / 6.0;
+  const std::vector<double> shares = shares_of();
+  const stats::SuiteLaw law = whole_curve().pooled->law();
+  const boost::math::normal_distribution<double> normal;
+  const auto with_tail = [&](const std::function<double(double)>& upper) {
+    return by_midpoints([&](double x) {
+      if (x >= 0.4) return upper(x);
+      const bool is_first = x < 0.3;
+      const double from = is_first ? 0.25 : 0.3, to = is_first ? 0.3 : 0.4;
+      const double z_from = quantile(normal, is_first ? low : high);
+      const double z_to = quantile(normal, is_first ? high : upper(0.4));
+      return stats::normal_cdf(z_from + (z_to - z_from) * std::log(x / from) / std::log(to / from));
+    });
+  };
+  const double by_law = with_tail([&](double x) { return law.probability(x); });
+  const double observed = with_tail([&](double x) { return interpolated(shares, x); });
+  EXPECT_NEAR(estimate(rate, RateSource::law), by_law, 1e-6 * by_law);
+  EXPECT_NEAR(rate.chosen.value, by_law, 1e-6 * by_law);
+  EXPECT_NEAR(estimate(rate, RateSource::observed), observed, 1e-6 * observed);
+  EXPECT_NEAR(estimate(rate, RateSource::at_least),
+              by_midpoints([&](double x) {
+                return x < 0.25 ? 0.0 : x < 0.3 ? low : x < 0.4 ? high : 0.0;
+              }) + estimate(annual_rate(whole_curve(), hazard()), RateSource::at_least) -
+                  7.0 / 60.0 * (hazard_at(0.3) - hazard_at(0.4)),
+              1e-4 * observed);
+  double sum = 0.0;
+  for (const RateInRange& range : rate.chosen.by_level) sum += range.rate;
+  EXPECT_NEAR(sum, rate.chosen.value, 1e-12 * sum);
+}
+
+/// Equal probabilities at both levels, and a hazard that ends below them: the rate is the mean over the records, and at
+/// most that with an unseen record that does what the worst one does at twice the intensity: 0.9 at 0.4.
+TEST(RareTailOfASuite, HasTheIntervalOfTheRecordsWithAnUnseenOne) {
+  const std::vector<double> of_record{0.0, 1e-5, 6e-4, 0.0, 2e-6, 1e-4};
+  std::vector<std::vector<double>> equal;
+  for (const double probability : of_record) equal.push_back({probability, probability});
+  const SuiteCurve found = with_rare(equal);
+  const HazardCurve below{.name = "", .intensity = "", .header_line = 0, .points = {{0.2, 1.0}, {0.24, 1e-12}}};
+  const SuiteRate rate = annual_rate(found, below);
+  std::vector<double> lows, highs;
+  for (const std::vector<double>& shares : found.bootstrap.with_unseen) {
+    lows.push_back(std::inner_product(of_record.begin(), of_record.end(), shares.begin(), 0.0));
+    highs.push_back(lows.back() + 0.9 * shares.back());
+  }
+  const double low = stats::percentile_interval(lows, lows.size(), 0.95)->low;
+  const double high = stats::percentile_interval(highs, highs.size(), 0.95)->high;
+  for (const RateSource source : {RateSource::isotonic, RateSource::observed, RateSource::at_most}) {
+    EXPECT_NEAR(estimate(rate, source), 7.12e-4 / 6.0, 1e-9);
+    const auto each = std::ranges::find(rate.estimates, source, &RateEstimate::source);
+    EXPECT_NEAR(each->interval->low, source == RateSource::at_most ? low : 0.0, 1e-9);
+    EXPECT_NEAR(each->interval->high, high, 1e-9);
+  }
+  EXPECT_NEAR(rate.chosen.value, 7.12e-4 / 6.0, 1e-9);
+  EXPECT_NEAR(rate.by_record[2].without.value(), 1.12e-4 / 5.0, 1e-9);
+  EXPECT_NEAR(rate.by_record[2].share, 6e-4 / 7.12e-4, 1e-6);
+}
+
+TEST(RareTailOfASuite, IsSharedOutAmongTheRecords) {
+  const SuiteRate rate = annual_rate(with_rare(unlike), hazard());
+  double sum = 0.0;
+  for (const RateOfRecord& record : rate.by_record) sum += record.rate;
+  EXPECT_NEAR(sum / 6.0, estimate(rate, RateSource::observed), 1e-12 * sum);
+}
+
+// Without them half of the range below the first event, 7 of 60 at 0.3, is open.
+TEST(RareTailOfASuite, IsLessOpen) {
+  EXPECT_LT(annual_rate(with_rare(unlike), hazard()).undecided_share,
+            annual_rate(whole_curve(), hazard()).undecided_share);
+}
+
+// The same for a suite of which no level has an event: the mean estimates, and from the highest one on that.
+TEST(RareTailOfASuite, IsThatOfTheEstimatesWhereNoLevelHasAnEvent) {
+  SuiteCurve found =
+      suite_curve(group_of(std::vector(outcomes.size(), std::vector<int>(intensities.size(), 0))), {}, 1);
+  for (std::size_t k = 0; k < rare_at.size(); ++k) {
+    for (std::size_t r = 0; r < unlike.size(); ++r) {
+      if (unlike[r][k] > 0.0)
+        found.records[r].curve.rare.push_back({.intensity = rare_at[k], .probability = unlike[r][k]});
+    }
+    found.rare.push_back({.intensity = rare_at[k], .probability = k == 0 ? 2.41e-4 / 6.0 : 7.52e-3 / 6.0});
+  }
+  const SuiteRate rate = annual_rate(found, hazard());
+  EXPECT_EQ(rate.chosen.rare_use, RareUse::up_to_highest);
+  EXPECT_EQ(rate.chosen.rare_below, 0.3);
+  const boost::math::normal_distribution<double> normal;
+  const double z_low = quantile(normal, 2.41e-4 / 6.0), z_high = quantile(normal, 7.52e-3 / 6.0);
+  const double expected = by_midpoints([&](double x) {
+    if (x >= 0.3) return 7.52e-3 / 6.0;
+    return stats::normal_cdf(z_low + (z_high - z_low) * std::log(x / 0.25) / std::log(0.3 / 0.25));
+  });
+  EXPECT_NEAR(estimate(rate, RateSource::observed), expected, 1e-6 * expected);
+  EXPECT_NEAR(rate.chosen.value, expected, 1e-6 * expected);
+  double sum = 0.0;
+  for (const RateOfRecord& record : rate.by_record) sum += record.rate / static_cast<double>(unlike.size());
+  EXPECT_NEAR(sum, expected, 1e-6 * expected);
+}
+
 }  // namespace
+}  // namespace rocking

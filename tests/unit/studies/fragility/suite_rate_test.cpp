@@ -4,101 +4,26 @@
 #include <functional>
 #include <numeric>
 
-#include <boost/math/distributions/normal.hpp>
 #include <gmock/gmock.h>
 
 #include "rocking/stats/fit_suite.hpp"
 #include "rocking/stats/normal_law.hpp"
 #include "rocking/studies/fragility/fragility.hpp"
 #include "rocking/studies/fragility/shares_and_hazard.hpp"
+#include "support/made_up_suite.hpp"
 
 namespace rocking {
 namespace {
 
+using namespace support::six_records;
 using ::testing::Each;
 using ::testing::IsEmpty;
 
-constexpr double uplift = 0.2;
-const std::vector<double> intensities{0.15, 0.3, 0.4, 0.6, 0.9};
-
-/// H = 1e-4 x^-2.
-double hazard_at(double x) { return 1e-4 / (x * x); }
-const HazardCurve& hazard() {
-  static const HazardCurve curve{
-      .name = "", .intensity = "", .header_line = 0, .points = {{0.1, 1e-2}, {0.25, 1.6e-3}, {2.0, 2.5e-5}}};
-  return curve;
-}
-
-/// Numbers of 10 trials that overturn, of each record at each intensity; the third record falls at 0.6.
-const std::vector<std::vector<int>> outcomes{{0, 0, 2, 7, 10}, {0, 1, 6, 10, 10}, {0, 4, 9, 6, 9},
-                                             {0, 0, 0, 3, 8},  {0, 2, 3, 8, 10},  {0, 0, 5, 9, 10}};
-
-StripeGroup group_of(const std::vector<std::vector<int>>& counts) {
-  StripeGroup group{.parameter = "/excitation/pga_g", .others = {}, .confidence = 0.95, .stripes = {}};
-  for (std::size_t r = 0; r < counts.size(); ++r) {
-    for (std::size_t k = 0; k < intensities.size(); ++k) {
-      Stripe& stripe = group.stripes.emplace_back();
-      stripe.record = "r" + std::to_string(r);
-      stripe.intensity = intensities[k];
-      for (int j = 0; j < 10; ++j) stripe.overturned.push_back(j < counts[r][k]);
-      stripe.peak_tilts.assign(10, 0.0);
-      stripe.uplift = uplift;
-    }
-  }
-  return group;
-}
-
-const SuiteCurve& curve() {
-  static const SuiteCurve found = suite_curve(group_of(outcomes), {}, 1);
-  return found;
-}
-
-double estimate(const SuiteRate& rate, RateSource source) {
-  for (const RateEstimate& each : rate.estimates) {
-    if (each.source == source) return each.value;
-  }
-  return NAN;
-}
-
-/// Integral of P |dH| from the least uplift on, by the midpoint rule in ln x.
-double by_midpoints(const std::function<double(double x)>& probability) {
-  constexpr int steps = 200000;
-  const double step = std::log(1e4 / uplift) / steps;
-  double rate = 0.0;
-  for (int i = 0; i < steps; ++i) {
-    const double low = uplift * std::exp(i * step), high = uplift * std::exp((i + 1) * step);
-    rate += probability(std::sqrt(low * high)) * (hazard_at(low) - hazard_at(high));
-  }
-  return rate;
-}
-
-/// The shares of all records, or of one.
-std::vector<double> shares_of(std::optional<std::size_t> record = std::nullopt) {
-  std::vector<double> shares(intensities.size(), 0.0);
-  for (std::size_t r = 0; r < outcomes.size(); ++r) {
-    if (record && r != *record) continue;
-    for (std::size_t k = 0; k < shares.size(); ++k) {
-      shares[k] += 0.1 * outcomes[r][k] / (record ? 1.0 : static_cast<double>(outcomes.size()));
-    }
-  }
-  return shares;
-}
-
-/// From 0 at the least uplift, linear in ln x, then as at the last level.
-double interpolated(const std::vector<double>& shares, double x) {
-  if (x >= intensities.back()) return shares.back();
-  std::size_t k = 1;
-  while (intensities[k] < x) ++k;
-  const double from = k == 1 ? uplift : intensities[k - 1];
-  const double before = k == 1 ? 0.0 : shares[k - 1];
-  return before + (shares[k] - before) * std::log(x / from) / std::log(intensities[k] / from);
-}
-
 TEST(SuiteRate, IsGivenByTheLawAndByShares) {
-  const SuiteRate rate = annual_rate(curve(), hazard());
-  ASSERT_EQ(curve().outcome, stats::FragilityOutcome::fitted);
+  const SuiteRate rate = annual_rate(whole_curve(), hazard());
+  ASSERT_EQ(whole_curve().outcome, stats::FragilityOutcome::fitted);
   EXPECT_EQ(rate.chosen.source, RateSource::law);
-  const stats::SuiteLaw law = curve().pooled->law();
+  const stats::SuiteLaw law = whole_curve().pooled->law();
   const double by_law = by_midpoints([&](double x) { return law.probability(x); });
   EXPECT_NEAR(estimate(rate, RateSource::law), by_law, 1e-6 * by_law);
   EXPECT_NEAR(rate.chosen.value, by_law, 1e-6 * by_law);
@@ -116,7 +41,7 @@ TEST(SuiteRate, IsGivenByTheLawAndByShares) {
 }
 
 TEST(SuiteRate, LiesBetweenTheBoundsOfItsLevels) {
-  const SuiteRate rate = annual_rate(curve(), hazard());
+  const SuiteRate rate = annual_rate(whole_curve(), hazard());
   const std::vector<double> shares = shares_of();
   const double at_least = by_midpoints([&](double x) {
     std::size_t k = 0;
@@ -133,7 +58,7 @@ TEST(SuiteRate, LiesBetweenTheBoundsOfItsLevels) {
 }
 
 TEST(SuiteRate, IsSharedOutAmongTheRecords) {
-  const SuiteRate rate = annual_rate(curve(), hazard());
+  const SuiteRate rate = annual_rate(whole_curve(), hazard());
   ASSERT_EQ(rate.by_record.size(), outcomes.size());
   double sum = 0.0, shares = 0.0;
   for (std::size_t r = 0; r < outcomes.size(); ++r) {
@@ -148,7 +73,7 @@ TEST(SuiteRate, IsSharedOutAmongTheRecords) {
 }
 
 TEST(SuiteRate, WithoutARecordIsThatOfTheSmallerSuite) {
-  const SuiteRate rate = annual_rate(curve(), hazard());
+  const SuiteRate rate = annual_rate(whole_curve(), hazard());
   double least = INFINITY, most = 0.0;
   for (std::size_t r = 0; r < outcomes.size(); ++r) {
     auto others = outcomes;
@@ -165,7 +90,7 @@ TEST(SuiteRate, WithoutARecordIsThatOfTheSmallerSuite) {
 }
 
 TEST(SuiteRate, OfARejectedLawIsThatOfTheIsotonicShares) {
-  SuiteCurve rejected = curve();
+  SuiteCurve rejected = whole_curve();
   rejected.outcome = stats::FragilityOutcome::rejected;
   const SuiteRate rate = annual_rate(rejected, hazard());
   EXPECT_EQ(rate.chosen.source, RateSource::isotonic);
@@ -195,103 +120,12 @@ TEST(SuiteRate, OfBlocksThatNeverOverturnHasAnUpperBound) {
 
 // The true rate lies within what the levels allow, and the interval contains that: it is not narrower with fewer levels.
 TEST(SuiteRate, ByIsotonicSharesContainsItsBounds) {
-  const SuiteRate rate = annual_rate(curve(), hazard());
+  const SuiteRate rate = annual_rate(whole_curve(), hazard());
   for (const RateEstimate& each : rate.estimates) {
     if (each.source != RateSource::isotonic && each.source != RateSource::observed) continue;
     EXPECT_LT(each.interval->low, estimate(rate, RateSource::at_least));
     EXPECT_GT(each.interval->high, estimate(rate, RateSource::at_most));
   }
-}
-
-/// Rare estimates at two levels, of each record; the level of ten events, 25 of 60, is 0.4.
-const std::vector<double> rare_at{0.25, 0.3};
-SuiteCurve with_rare(const std::vector<std::vector<double>>& of_records) {
-  SuiteCurve found = curve();
-  for (std::size_t k = 0; k < rare_at.size(); ++k) {
-    double mean = 0.0;
-    for (std::size_t r = 0; r < of_records.size(); ++r) {
-      const double probability = of_records[r][k];
-      mean += probability / static_cast<double>(of_records.size());
-      if (probability == 0.0) continue;
-      found.records[r].curve.rare.push_back({.intensity = rare_at[k], .probability = probability});
-    }
-    found.rare.push_back({.intensity = rare_at[k], .probability = mean});
-  }
-  return found;
-}
-const std::vector<std::vector<double>> unlike{{0.0, 0.0},  {0.0, 1e-4},  {2e-4, 6e-3},
-                                              {0.0, 2e-5}, {1e-6, 4e-4}, {4e-5, 1e-3}};
-
-TEST(SuiteRateWithRare, IntegratesTheMeanOverTheRecords) {
-  const SuiteRate rate = annual_rate(with_rare(unlike), hazard());
-  EXPECT_EQ(rate.chosen.rare_below, 0.4);
-  const double low = 2.41e-4 / 6.0, high = 7.52e-3 / 6.0;
-  const std::vector<double> shares = shares_of();
-  const stats::SuiteLaw law = curve().pooled->law();
-  const boost::math::normal_distribution<double> normal;
-  const auto with_tail = [&](const std::function<double(double)>& upper) {
-    return by_midpoints([&](double x) {
-      if (x >= 0.4) return upper(x);
-      const bool is_first = x < 0.3;
-      const double from = is_first ? 0.25 : 0.3, to = is_first ? 0.3 : 0.4;
-      const double z_from = quantile(normal, is_first ? low : high);
-      const double z_to = quantile(normal, is_first ? high : upper(0.4));
-      return stats::normal_cdf(z_from + (z_to - z_from) * std::log(x / from) / std::log(to / from));
-    });
-  };
-  const double by_law = with_tail([&](double x) { return law.probability(x); });
-  const double observed = with_tail([&](double x) { return interpolated(shares, x); });
-  EXPECT_NEAR(estimate(rate, RateSource::law), by_law, 1e-6 * by_law);
-  EXPECT_NEAR(rate.chosen.value, by_law, 1e-6 * by_law);
-  EXPECT_NEAR(estimate(rate, RateSource::observed), observed, 1e-6 * observed);
-  EXPECT_NEAR(estimate(rate, RateSource::at_least),
-              by_midpoints([&](double x) {
-                return x < 0.25 ? 0.0 : x < 0.3 ? low : x < 0.4 ? high : 0.0;
-              }) + estimate(annual_rate(curve(), hazard()), RateSource::at_least) -
-                  7.0 / 60.0 * (hazard_at(0.3) - hazard_at(0.4)),
-              1e-4 * observed);
-  double sum = 0.0;
-  for (const RateInRange& range : rate.chosen.by_level) sum += range.rate;
-  EXPECT_NEAR(sum, rate.chosen.value, 1e-12 * sum);
-}
-
-/// Equal probabilities at both levels, and a hazard that ends below them: the rate is the mean over the records, and at
-/// most that with an unseen record that does what the worst one does at twice the intensity: 0.9 at 0.4.
-TEST(SuiteRateWithRare, HasTheIntervalOfTheRecordsWithAnUnseenOne) {
-  const std::vector<double> of_record{0.0, 1e-5, 6e-4, 0.0, 2e-6, 1e-4};
-  std::vector<std::vector<double>> equal;
-  for (const double probability : of_record) equal.push_back({probability, probability});
-  const SuiteCurve found = with_rare(equal);
-  const HazardCurve below{.name = "", .intensity = "", .header_line = 0, .points = {{0.2, 1.0}, {0.24, 1e-12}}};
-  const SuiteRate rate = annual_rate(found, below);
-  std::vector<double> lows, highs;
-  for (const std::vector<double>& shares : found.bootstrap.with_unseen) {
-    lows.push_back(std::inner_product(of_record.begin(), of_record.end(), shares.begin(), 0.0));
-    highs.push_back(lows.back() + 0.9 * shares.back());
-  }
-  const double low = stats::percentile_interval(lows, lows.size(), 0.95)->low;
-  const double high = stats::percentile_interval(highs, highs.size(), 0.95)->high;
-  for (const RateSource source : {RateSource::isotonic, RateSource::observed, RateSource::at_most}) {
-    EXPECT_NEAR(estimate(rate, source), 7.12e-4 / 6.0, 1e-9);
-    const auto each = std::ranges::find(rate.estimates, source, &RateEstimate::source);
-    EXPECT_NEAR(each->interval->low, source == RateSource::at_most ? low : 0.0, 1e-9);
-    EXPECT_NEAR(each->interval->high, high, 1e-9);
-  }
-  EXPECT_NEAR(rate.chosen.value, 7.12e-4 / 6.0, 1e-9);
-  EXPECT_NEAR(rate.by_record[2].without.value(), 1.12e-4 / 5.0, 1e-9);
-  EXPECT_NEAR(rate.by_record[2].share, 6e-4 / 7.12e-4, 1e-6);
-}
-
-TEST(SuiteRateWithRare, IsSharedOutAmongTheRecords) {
-  const SuiteRate rate = annual_rate(with_rare(unlike), hazard());
-  double sum = 0.0;
-  for (const RateOfRecord& record : rate.by_record) sum += record.rate;
-  EXPECT_NEAR(sum / 6.0, estimate(rate, RateSource::observed), 1e-12 * sum);
-}
-
-// Without them half of the range below the first event, 7 of 60 at 0.3, is open.
-TEST(SuiteRateWithRare, IsLessOpen) {
-  EXPECT_LT(annual_rate(with_rare(unlike), hazard()).undecided_share, annual_rate(curve(), hazard()).undecided_share);
 }
 
 TEST(Undecided, OfRangesOutsideTheLevelsIsTheirBounds) {
@@ -348,9 +182,9 @@ std::vector<double> rates_with(const SuiteCurve& suite, const HazardCurve& hazar
 
 // Around the least uplift, where the shares begin at 0 whether the hazard begins above or below, and at random places.
 TEST(SuiteRate, DoesNotRiseWhereHazardIsTakenAway) {
-  SuiteCurve isotonic = curve();
+  SuiteCurve isotonic = whole_curve();
   isotonic.outcome = stats::FragilityOutcome::rejected;
-  SuiteCurve anywhere = curve();
+  SuiteCurve anywhere = whole_curve();
   anywhere.subject.least_uplift.reset();
   std::vector<double> cuts{0.1001, uplift * (1.0 - 1e-3), uplift, uplift * (1.0 + 1e-3), 0.25, 0.3, 0.95, 3.0};
   std::uint64_t state = 63;
@@ -359,7 +193,7 @@ TEST(SuiteRate, DoesNotRiseWhereHazardIsTakenAway) {
     cuts.push_back(0.1 * std::exp(3.0 * static_cast<double>(state >> 11) * 0x1p-53));
   }
   std::ranges::sort(cuts);
-  for (const SuiteCurve& suite : {curve(), isotonic, anywhere, with_rare(unlike)}) {
+  for (const SuiteCurve& suite : {whole_curve(), isotonic, anywhere, with_rare(unlike)}) {
     std::vector<double> before = rates_with(suite, hazard());
     for (const double cut : cuts) {
       const std::vector<double> after = rates_with(suite, without_below(cut));
@@ -428,7 +262,7 @@ TEST(SuiteRate, CoversBothOutcomesOfRealisationsWithoutAnAnswer) {
   EXPECT_FALSE(found.pooled);
   EXPECT_EQ(found.levels[3].unresolved, 5U);
   const SuiteRate open = annual_rate(found, hazard());
-  const SuiteRate least = annual_rate(curve(), hazard());
+  const SuiteRate least = annual_rate(whole_curve(), hazard());
   const SuiteRate most = annual_rate(suite_curve(more, {}, 1), hazard());
   EXPECT_EQ(open.chosen.source, RateSource::isotonic);
   const auto interval_of = [](const SuiteRate& rate) {
@@ -442,33 +276,6 @@ TEST(SuiteRate, CoversBothOutcomesOfRealisationsWithoutAnAnswer) {
   EXPECT_GT(open.undecided_share, least.undecided_share);
 }
 
-// The same for a suite of which no level has an event: the mean estimates, and from the highest one on that.
-TEST(SuiteRateWithRare, IsThatOfTheEstimatesWhereNoLevelHasAnEvent) {
-  SuiteCurve found =
-      suite_curve(group_of(std::vector(outcomes.size(), std::vector<int>(intensities.size(), 0))), {}, 1);
-  for (std::size_t k = 0; k < rare_at.size(); ++k) {
-    for (std::size_t r = 0; r < unlike.size(); ++r) {
-      if (unlike[r][k] > 0.0)
-        found.records[r].curve.rare.push_back({.intensity = rare_at[k], .probability = unlike[r][k]});
-    }
-    found.rare.push_back({.intensity = rare_at[k], .probability = k == 0 ? 2.41e-4 / 6.0 : 7.52e-3 / 6.0});
-  }
-  const SuiteRate rate = annual_rate(found, hazard());
-  EXPECT_EQ(rate.chosen.rare_use, RareUse::up_to_highest);
-  EXPECT_EQ(rate.chosen.rare_below, 0.3);
-  const boost::math::normal_distribution<double> normal;
-  const double z_low = quantile(normal, 2.41e-4 / 6.0), z_high = quantile(normal, 7.52e-3 / 6.0);
-  const double expected = by_midpoints([&](double x) {
-    if (x >= 0.3) return 7.52e-3 / 6.0;
-    return stats::normal_cdf(z_low + (z_high - z_low) * std::log(x / 0.25) / std::log(0.3 / 0.25));
-  });
-  EXPECT_NEAR(estimate(rate, RateSource::observed), expected, 1e-6 * expected);
-  EXPECT_NEAR(rate.chosen.value, expected, 1e-6 * expected);
-  double sum = 0.0;
-  for (const RateOfRecord& record : rate.by_record) sum += record.rate / static_cast<double>(unlike.size());
-  EXPECT_NEAR(sum, expected, 1e-6 * expected);
-}
-
 // Levels that end at a share of a half: above them it lies between that and 1, whatever the law says.
 TEST(SuiteRate, HasAnIntervalThatHoldsWhatTheLevelsLeaveUndecided) {
   StripeGroup low = group_of(outcomes);
@@ -476,7 +283,7 @@ TEST(SuiteRate, HasAnIntervalThatHoldsWhatTheLevelsLeaveUndecided) {
   const SuiteCurve few = suite_curve(low, {}, 1);
   ASSERT_EQ(few.outcome, stats::FragilityOutcome::fitted);
   const SuiteRate part = annual_rate(few, hazard());
-  const SuiteRate whole = annual_rate(curve(), hazard());
+  const SuiteRate whole = annual_rate(whole_curve(), hazard());
   EXPECT_FALSE(part.is_decided());
   const double above = hazard_at(0.4);
   double share = 0.0;
@@ -498,15 +305,15 @@ TEST(RateComparison, HasTheBasisOfTheRates) {
       {}, 1);
   ASSERT_EQ(other.outcome, stats::FragilityOutcome::fitted);
   const auto ratio = [&](RateBasis basis) {
-    return annual_rate(other, hazard(), basis).chosen.value / annual_rate(curve(), hazard(), basis).chosen.value;
+    return annual_rate(other, hazard(), basis).chosen.value / annual_rate(whole_curve(), hazard(), basis).chosen.value;
   };
-  const RateComparison by_law = compared_rates(curve(), other, hazard());
+  const RateComparison by_law = compared_rates(whole_curve(), other, hazard());
   EXPECT_EQ(by_law.source, RateSource::law);
   EXPECT_NEAR(*by_law.ratio, ratio(RateBasis::law_if_fitted), 1e-12);
   EXPECT_LT(by_law.ratio_interval->low, *by_law.ratio);
   EXPECT_GT(by_law.ratio_interval->high, *by_law.ratio);
   other.outcome = stats::FragilityOutcome::rejected;
-  const RateComparison by_shares = compared_rates(curve(), other, hazard());
+  const RateComparison by_shares = compared_rates(whole_curve(), other, hazard());
   EXPECT_EQ(by_shares.source, RateSource::isotonic);
   EXPECT_NEAR(*by_shares.ratio, ratio(RateBasis::isotonic), 1e-12);
 }
@@ -515,7 +322,7 @@ TEST(RateComparison, HasTheBasisOfTheRates) {
 TEST(RateComparison, IsNotCertainOfAnOptionThatNeverOverturned) {
   const SuiteCurve calm =
       suite_curve(group_of(std::vector(outcomes.size(), std::vector<int>(intensities.size(), 0))), {}, 1);
-  const RateComparison found = compared_rates(curve(), calm, hazard());
+  const RateComparison found = compared_rates(whole_curve(), calm, hazard());
   EXPECT_EQ(*found.ratio, 0.0);
   EXPECT_EQ(found.ratio_interval->low, 0.0);
   EXPECT_GT(found.ratio_interval->high, 0.4) << "0 of 6 records: up to 54 % at each level";

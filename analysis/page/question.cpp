@@ -15,7 +15,6 @@
 #include "rocking/figures/sweep_view.hpp"
 #include "rocking/input/quantities_in_text.hpp"
 #include "rocking/look/text_table.hpp"
-#include "rocking/output/impacts_text.hpp"
 #include "rocking/output/shaking_text.hpp"
 #include "rocking/text/number_text.hpp"
 

@@ -11,7 +11,6 @@
 #include "rocking/api/refuse.hpp"
 #include "rocking/api/run_store.hpp"
 #include "rocking/api/system_facts.hpp"
-#include "rocking/api/trajectory_extent.hpp"
 #include "rocking/output/report.hpp"
 #include "rocking/studies/output_figures.hpp"
 #include "rocking/studies/studies.hpp"

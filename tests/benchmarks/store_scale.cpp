@@ -10,7 +10,7 @@
 
 #include "rocking/ensemble/run.hpp"
 #include "rocking/ensemble/summary_bytes.hpp"
-#include "rocking/store/merge.hpp"
+#include "rocking/store/difference.hpp"
 
 namespace {
 

@@ -6,9 +6,7 @@
 #include <gmock/gmock.h>
 
 #include "rocking/ensemble/run.hpp"
-#include "rocking/ensemble/verification.hpp"
 #include "rocking/store/difference.hpp"
-#include "rocking/store/merge.hpp"
 #include "support/excitation.hpp"
 
 namespace rocking {

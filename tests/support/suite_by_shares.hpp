@@ -5,7 +5,7 @@
 #include <string>
 
 #include "rocking/random/draws.hpp"
-#include "rocking/stats/unseen_record.hpp"
+#include "rocking/stats/suite_bootstrap.hpp"
 #include "rocking/studies/fragility/suite_curve.hpp"
 
 namespace rocking::support {

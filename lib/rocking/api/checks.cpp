@@ -1,5 +1,7 @@
 #include "rocking/api/checks.hpp"
 
+#include <cstdint>
+#include <string>
 #include <utility>
 
 #include "rocking/api/question_check.hpp"
@@ -11,7 +13,7 @@
 #include "rocking/base/error.hpp"
 #include "rocking/base/number_text.hpp"
 #include "rocking/base/stop_request.hpp"
-#include "rocking/ensemble/verification.hpp"
+#include "rocking/ensemble/run.hpp"
 #include "rocking/input/read_experiment.hpp"
 #include "rocking/input/report_claims.hpp"
 #include "rocking/output/report_differences.hpp"
@@ -102,6 +104,20 @@ Trajectory checked_trajectory(const Experiment& experiment, const TrajectoryRequ
   return trajectory(experiment, request, execution);
 }
 
+stats::Proportion checked(std::uint64_t successes, std::uint64_t trials, double confidence) {
+  // Boost.Math finds the ends up to here.
+  constexpr double least_confidence = 1e-6;
+  constexpr std::uint64_t most_trials = 1'000'000'000;
+  if (!(confidence >= least_confidence && confidence < 1.0)) {
+    refuse("confidence", base::shortest(confidence), "must be at least 1e-6 and below 1");
+  }
+  if (trials > most_trials) refuse("trials", std::to_string(trials), "must be at most 1000000000");
+  if (successes > trials) {
+    refuse("successes", std::to_string(successes), "are more than the trials, " + std::to_string(trials));
+  }
+  return {.successes = successes, .trials = trials};
+}
+
 }  // namespace
 
 RunCheck verify(const StoredRun& stored, std::optional<std::uint64_t> sample, const Execution& execution) {
@@ -181,5 +197,13 @@ std::string lanes_in_use() {
 }
 
 std::vector<base::ArithmeticCheck> check_arithmetic() { return base::arithmetic_checks(); }
+
+stats::Interval clopper_pearson(std::uint64_t successes, std::uint64_t trials, double confidence) {
+  return stats::clopper_pearson(checked(successes, trials, confidence), confidence);
+}
+
+stats::Interval wilson(std::uint64_t successes, std::uint64_t trials, double confidence) {
+  return stats::wilson(checked(successes, trials, confidence), confidence);
+}
 
 }  // namespace rocking

@@ -6,7 +6,7 @@
 #include "rocking/api/refuse.hpp"
 #include "rocking/api/run.hpp"
 #include "rocking/base/build_info.hpp"
-#include "rocking/store/merge.hpp"
+#include "rocking/store/difference.hpp"
 #include "rocking/store/results_version.hpp"
 #include "rocking/text/number_text.hpp"
 

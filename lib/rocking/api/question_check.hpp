@@ -5,10 +5,28 @@
 #include <string_view>
 #include <vector>
 
-#include "rocking/api/questions.hpp"
+#include "rocking/api/trajectory.hpp"
 #include "rocking/base/error.hpp"
+#include "rocking/fields/container_types.hpp"
+#include "rocking/fields/struct_type.hpp"
 
 namespace rocking {
+
+/// The fields of what callers in C++ ask, with the rule of each.
+[[nodiscard]] const StructType& fields_of(const Execution*);
+[[nodiscard]] const StructType& fields_of(const Provenance*);
+[[nodiscard]] const StructType& fields_of(const TrajectoryRequest*);
+
+template <const StructType& (*fields)()>
+[[nodiscard]] const ValueType& struct_type() {
+  return fields();
+}
+
+/// A list of structs that have these fields in questions.
+template <class Item, const StructType& (*fields)()>
+[[nodiscard]] const ValueType& list_of() {
+  return the_only<ListType<std::vector<Item>, 0, struct_type<fields>>>();
+}
 
 /// Finds what is wrong with a question: first each number and text by the rule of its field, then what expect() is told.
 class QuestionCheck {

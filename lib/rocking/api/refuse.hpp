@@ -1,10 +1,14 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <utility>
 
+#include "rocking/api/trajectory.hpp"
 #include "rocking/base/error.hpp"
+#include "rocking/scene/experiment.hpp"
+#include "rocking/store/realisation_key.hpp"
 
 namespace rocking {
 
@@ -21,5 +25,14 @@ void expect(std::string_view name, Number value, Number least, Number largest) {
   refuse(name, std::to_string(value),
          "must be a whole number from " + std::to_string(least) + " to " + std::to_string(largest));
 }
+
+/// Throws base::InputError if the shard is no part of a whole, or if the experiment cannot be divided.
+void check_shard(const Experiment& experiment, const Shard& shard);
+
+/// Throws base::InputError if the experiment has no such condition, or a number is out of range.
+void check_request(const Experiment& experiment, const TrajectoryRequest& request);
+
+/// Excitation periods of a checked request.
+[[nodiscard]] std::int64_t periods_of(const Experiment& experiment, const TrajectoryRequest& request);
 
 }  // namespace rocking

@@ -8,17 +8,17 @@
 #include "rocking/api/refuse.hpp"
 #include "rocking/api/run_options.hpp"
 #include "rocking/api/run_store.hpp"
-#include "rocking/api/shard.hpp"
 #include "rocking/api/system_facts.hpp"
-#include "rocking/api/written_experiment.hpp"
 #include "rocking/base/build_info.hpp"
 #include "rocking/base/error.hpp"
 #include "rocking/base/stop_request.hpp"
 #include "rocking/ensemble/extension.hpp"
 #include "rocking/ensemble/run.hpp"
+#include "rocking/output/plan_text.hpp"
 #include "rocking/output/report.hpp"
 #include "rocking/output/report_differences.hpp"
 #include "rocking/output/run_table.hpp"
+#include "rocking/output/write_facts.hpp"
 #include "rocking/scene/check_condition.hpp"
 #include "rocking/store/results_version.hpp"
 #include "rocking/store/store.hpp"
@@ -187,5 +187,21 @@ std::string table(const Experiment& experiment, const RunResult& run, std::size_
 }
 
 std::string digest_of(const RunResult& run) { return base::to_hex(complete_result(run).digest); }
+
+Plan plan(const Experiment& experiment, const std::function<double()>& elapsed_seconds, const Execution& execution) {
+  check_experiment(experiment);
+  if (execution.shard) check_shard(experiment, *execution.shard);
+  const OptionsOfExecution asked(execution);
+  const Means means{.threads = asked.options().threads, .shard = execution.shard};
+  Plan found = plan_of(experiment, means);
+  if (!elapsed_seconds) return found;
+  found.time = estimate_time(experiment, means, {.elapsed_seconds = elapsed_seconds, .stop = asked.stop()});
+  asked.stop().check();
+  return found;
+}
+
+std::string describe(const Plan& plan) { return plan_text(plan); }
+
+std::string describe_as_json(const Plan& plan) { return facts_text(plan_facts(plan)); }
 
 }  // namespace rocking

@@ -2,7 +2,6 @@
 
 #include "rocking/api/question_check.hpp"
 #include "rocking/api/refuse.hpp"
-#include "rocking/api/trajectory_extent.hpp"
 #include "rocking/output/trajectory_report.hpp"
 #include "rocking/scene/check_condition.hpp"
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "rocking/stats/diversity.hpp"
+#include "rocking/stats/incidence.hpp"
 #include "rocking/stats/interval.hpp"
-#include "rocking/stats/survival.hpp"
 
 namespace rocking {
 namespace {

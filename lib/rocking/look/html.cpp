@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <cctype>
 
+#include "rocking/base/utf8.hpp"
 #include "rocking/look/markup.hpp"
 #include "rocking/look/table.hpp"
 
@@ -48,6 +50,48 @@ std::string to_html(const Table& table, const Caption& caption, std::size_t most
   if (shown == table.rows.size()) return text;
   return text + "<p class=\"limit\">The first " + std::to_string(shown) + " of " + std::to_string(table.rows.size()) +
          " rows. <code>rocking report DIR --format csv</code> writes all of them.</p>\n";
+}
+
+std::string escaped(std::string_view text) {
+  std::string html;
+  html.reserve(text.size());
+  for (std::size_t i = 0; i < text.size();) {
+    const std::string direction = base::direction_control_at(text, i);
+    switch (const char c = text[i]) {
+      case '&': html += "&amp;"; break;
+      case '<': html += "&lt;"; break;
+      case '>': html += "&gt;"; break;
+      case '"': html += "&quot;"; break;
+      case '\'': html += "&#39;"; break;
+      default:
+        if (direction.empty()) {
+          html += static_cast<unsigned char>(c) < ' ' && c != '\n' && c != '\t' ? ' ' : c;
+        } else {
+          html += direction;
+        }
+    }
+    i += direction.empty() ? 1 : base::utf8_length_at(text, i);
+  }
+  return html;
+}
+
+std::string lowered(std::string_view text) {
+  std::string html;
+  bool low = false;
+  for (const char c : text) {
+    const bool goes_on = std::isalnum(static_cast<unsigned char>(c)) != 0;
+    if (c == '_') {
+      html += "<sub>";
+      low = true;
+    } else {
+      if (low && !goes_on) {
+        html += "</sub>";
+        low = false;
+      }
+      html += escaped({&c, 1});
+    }
+  }
+  return html + (low ? "</sub>" : "");
 }
 
 }  // namespace rocking::look

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "rocking/fields/container_types.hpp"
-#include "rocking/output/provenance_fields.hpp"
+#include "rocking/output/provenance.hpp"
 #include "rocking/output/stats_fields.hpp"
 
 namespace rocking {

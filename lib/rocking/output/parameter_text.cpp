@@ -1,6 +1,12 @@
 #include "rocking/output/parameter_text.hpp"
 
+#include <algorithm>
+#include <cstddef>
+#include <set>
+#include <string_view>
+
 #include "rocking/input/quantities_in_text.hpp"
+#include "rocking/output/mode_table.hpp"
 #include "rocking/text/json.hpp"
 #include "rocking/text/number_text.hpp"
 
@@ -16,6 +22,45 @@ std::string digits_of(double number) {
     if (text != "1" || number >= 1.0) break;
   }
   return text;
+}
+
+constexpr std::size_t longest_name = 112;  // without the number of a later one of two
+
+bool is_letter_or_digit(char c) { return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || ('0' <= c && c <= '9'); }
+
+std::string in_safe_letters(std::string text) {
+  const auto is_unsafe = [](char c) { return !is_letter_or_digit(c) && c != '.' && c != '+' && c != '-'; };
+  std::ranges::replace_if(text, is_unsafe, '_');
+  return text;
+}
+
+std::string in_lower_case(std::string text) {
+  std::ranges::transform(text, text.begin(),
+                         [](char c) { return 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  return text;
+}
+
+/// `sigma` of `/fluctuation/friction/sigma`, or `friction_sigma` if another parameter has that last key.
+std::string key_of(const std::string& pointer, const std::vector<Parameter>& all) {
+  const std::string last = last_key(pointer);
+  const auto has_last = [&last](const Parameter& other) { return last_key(other.pointer) == last; };
+  const std::size_t parent = pointer.rfind('/');
+  if (std::ranges::count_if(all, has_last) < 2 || parent == 0 || parent == std::string::npos) return last;
+  return last_key(std::string_view(pointer).substr(0, parent)) + '_' + last;
+}
+
+/// A text in full, also the folder of a file; otherwise as in tables.
+std::string value_in_name(const Parameter& parameter) {
+  const auto* word = std::get_if<std::string>(&parameter.value);
+  return word != nullptr ? *word : short_value(parameter);
+}
+
+std::string name_of(const std::vector<Parameter>& parameters) {
+  std::string name;
+  for (const Parameter& parameter : parameters) {
+    name += (name.empty() ? "" : "_") + key_of(parameter.pointer, parameters) + '_' + value_in_name(parameter);
+  }
+  return in_safe_letters(name.substr(0, longest_name));
 }
 
 }  // namespace
@@ -57,6 +102,20 @@ look::Row row_of(const std::vector<Parameter>& parameters, const look::Row& furt
   for (const Parameter& parameter : parameters) row.emplace_back(short_value(parameter));
   append(row, further);
   return row;
+}
+
+std::vector<std::string> parameter_names(std::span<const std::vector<Parameter>> parts) {
+  std::vector<std::string> names;
+  std::set<std::string> taken;
+  for (const std::vector<Parameter>& parameters : parts) {
+    const std::string wanted = name_of(parameters);
+    std::string name = wanted;
+    for (std::size_t number = 2; !taken.insert(in_lower_case(name)).second; ++number) {
+      name = wanted + '_' + std::to_string(number);
+    }
+    names.push_back(std::move(name));
+  }
+  return names;
 }
 
 }  // namespace rocking

@@ -5,7 +5,7 @@
 #include "rocking/fields/converted_type.hpp"
 #include "rocking/input/report_claims.hpp"
 #include "rocking/output/ensemble_fields.hpp"
-#include "rocking/output/provenance_fields.hpp"
+#include "rocking/output/provenance.hpp"
 #include "rocking/output/report.hpp"
 #include "rocking/output/shaking_text.hpp"
 

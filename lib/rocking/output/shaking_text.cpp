@@ -8,6 +8,10 @@
 #include "rocking/base/error.hpp"
 #include "rocking/fields/container_types.hpp"
 #include "rocking/fields/converted_type.hpp"
+#include "rocking/input/quantities_in_text.hpp"
+#include "rocking/scene/experiment.hpp"
+#include "rocking/scene/rate_ratios.hpp"
+#include "rocking/scene/restitution.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking {
@@ -54,6 +58,12 @@ void set_given(const Given& read, const ReadingPlace& place, Shaking& shaking) {
 }
 
 using GivenType = ConvertedType<Shaking, Given, given_of, set_given>;
+
+Restitution restitution_in(const Json& written) {
+  if (written.is_string()) return Jy25Restitution{};
+  if (written.is_object() && written.contains("rate_ratio")) return RateRatio{quantity_in(written.at("rate_ratio"))};
+  return quantity_in(written);
+}
 
 }  // namespace
 
@@ -129,6 +139,14 @@ const StructType& fields_of(const Shaking*) {
       field<&Shaking::period_s>("period_s", "[s]", rule::not_negative),
   };
   return fields;
+}
+
+std::string impacts_text(const std::vector<ReportedImpact>& impacts) {
+  RateRatios ratios;
+  for (const ReportedImpact& impact : impacts) {
+    ratios.add(impact.block, mean_restitution(restitution_in(impact.restitution), impact.block));
+  }
+  return ratios.text();
 }
 
 }  // namespace rocking

@@ -1,12 +1,9 @@
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <vector>
 
-#include "rocking/base/many_parts.hpp"
 #include "rocking/stats/fragility.hpp"
 
 /// Laws of the capacities of a suite of records, from counts.
@@ -57,31 +54,11 @@ struct SuiteFit {
 /// By maximum likelihood. Absent where the likelihood has no maximum or does not rise.
 [[nodiscard]] std::optional<PooledLaw> fit_pooled(const SuiteLevels& suite);
 
-/// A uniform number in [0, 1) for draw `number` of bootstrap sample `sample`; a pure function of both, called by several
-/// threads.
-using RecordDraws = std::function<double(std::uint64_t sample, std::uint64_t number)>;
-
-/// Laws of bootstrap samples. A sample is a part.
-[[nodiscard]] RecordBootstrap bootstrap_records(const SuiteLevels& suite, std::uint64_t samples,
-                                                const RecordDraws& draws, const base::ManyParts& how = {});
-
-/// The part of bootstrap samples that must have a law for an interval of them.
-inline constexpr double least_share_with_law = 0.9;
-
-/// Percentiles (1 -+ confidence)/2 of these numbers (Efron & Tibshirani 1993, An Introduction to the Bootstrap, section
-/// 13.3); absent where fewer than nine tenths of the samples have one.
-[[nodiscard]] std::optional<Interval> percentile_interval(std::vector<double> values, std::uint64_t samples,
-                                                          double confidence);
-
-/// The same with bias-corrected percentiles, Phi(2 z_0 -+ z), where Phi(z_0) is the share of the samples below the
-/// estimate: a bootstrap of few records underestimates their scatter (Efron & Tibshirani 1993, section 14.3, without
-/// acceleration).
-[[nodiscard]] std::optional<Interval> bias_corrected_interval(std::vector<double> values, double estimate,
-                                                              std::uint64_t samples, double confidence);
-
-/// The confidence at which percentiles of bootstrap samples of so many records are taken, so that few records do not give
-/// too narrow intervals: 2 Phi(q) - 1 with q = sqrt(n/(n - 1)) times the quantile of Student's distribution with n - 1
-/// degrees of freedom. Source: Hesterberg (2015), The American Statistician 69, 371-386 (expanded percentiles).
-[[nodiscard]] double expanded_confidence(double confidence, std::size_t records);
+/// The law of a suite with ln median = a + slope c, with the number c of each record, by maximum likelihood. The test
+/// compares the root of twice the gain of ln likelihood with Student's distribution with (records - 2) degrees of freedom.
+///
+/// Absent with fewer than four records, where the numbers are equal, or without a law.
+[[nodiscard]] std::optional<SuiteCovariate> suite_covariate(const SuiteLevels& suite,
+                                                            const std::vector<double>& numbers);
 
 }  // namespace rocking::stats

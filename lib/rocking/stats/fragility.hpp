@@ -146,7 +146,7 @@ struct RecordBootstrap {
   std::vector<std::size_t> samples_with_law;  ///< the sample of each of them
   std::vector<PooledLaw> pooled;              ///< of the samples that have one
   std::vector<std::vector<double>> weights;   ///< of each sample: how many times each record is in it
-  /// Of each sample shares of the records and, last, of a record that the suite does not have (unseen_record.hpp).
+  /// Of each sample shares of the records and, last, of a record that the suite does not have (suite_bootstrap.hpp).
   std::vector<std::vector<double>> with_unseen;
 };
 

@@ -10,6 +10,7 @@
 #include "rocking/base/many_parts.hpp"
 #include "rocking/stats/fit_suite.hpp"
 #include "rocking/stats/fragility.hpp"
+#include "rocking/stats/suite_bootstrap.hpp"
 
 namespace rocking::stats {
 

@@ -45,4 +45,15 @@ std::vector<std::string> differing_fields(const Summary& a, const Summary& b) {
   return names;
 }
 
+std::vector<Difference> merge(Store& into, const Store& from) {
+  std::vector<Difference> conflicts;
+  from.for_each([&](const RealisationKey& key, const Summary& summary) {
+    const auto known = into.find(key);
+    if (!known) return into.add(key, summary);
+    const auto fields = differing_fields(*known, summary);
+    if (!fields.empty()) conflicts.push_back({key, fields});
+  });
+  return conflicts;
+}
+
 }  // namespace rocking

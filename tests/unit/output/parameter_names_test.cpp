@@ -1,6 +1,6 @@
 // Names of the files of a grid.
 
-#include "rocking/output/parameter_names.hpp"
+#include "rocking/output/parameter_text.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

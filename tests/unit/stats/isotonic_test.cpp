@@ -1,6 +1,6 @@
 // Probabilities that do not decrease: the regression is the most likely one, and the band covers every such truth.
 
-#include "rocking/stats/isotonic.hpp"
+#include "rocking/stats/record_shares.hpp"
 
 #include <algorithm>
 #include <array>

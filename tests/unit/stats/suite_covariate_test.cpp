@@ -1,6 +1,6 @@
 // How the capacities of a suite depend on a number of its records.
 
-#include "rocking/stats/suite_covariate.hpp"
+#include "rocking/stats/fit_suite.hpp"
 
 #include <cmath>
 #include <vector>

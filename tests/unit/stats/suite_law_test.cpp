@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "rocking/stats/fit_suite.hpp"
+#include "rocking/stats/suite_bootstrap.hpp"
 #include "support/made_up_suite.hpp"
 
 namespace {

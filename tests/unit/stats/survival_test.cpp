@@ -1,6 +1,6 @@
 // Quantiles of a survival curve, and its continuation: against counting, against a geometric law, at the edges.
 
-#include "rocking/stats/survival.hpp"
+#include "rocking/stats/incidence.hpp"
 
 #include <cmath>
 #include <vector>

@@ -1,6 +1,6 @@
 // Confidence limits of a mean over records, with one more record than there are, and samples of records.
 
-#include "rocking/stats/unseen_record.hpp"
+#include "rocking/stats/suite_bootstrap.hpp"
 
 #include <array>
 #include <atomic>

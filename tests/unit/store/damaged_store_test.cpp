@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <sqlite3.h>
 
-#include "rocking/ensemble/verification.hpp"
+#include "rocking/ensemble/run.hpp"
 #include "rocking/store/difference.hpp"
 #include "rocking/store/salvage.hpp"
 #include "rocking/store/store.hpp"

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "rocking/ensemble/verification.hpp"
+#include "rocking/ensemble/run.hpp"
 #include "rocking/realisation/continuation.hpp"
 #include "rocking/realisation/realisation_result.hpp"
 #include "rocking/realisation/trajectory.hpp"

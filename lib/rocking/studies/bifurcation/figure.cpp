@@ -9,7 +9,6 @@
 
 #include "rocking/figures/palette.hpp"
 #include "rocking/figures/sweep_view.hpp"
-#include "rocking/output/parameter_names.hpp"
 #include "rocking/output/parameter_text.hpp"
 
 namespace rocking::analysis {

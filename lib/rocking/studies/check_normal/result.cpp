@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "rocking/fields/container_types.hpp"
-#include "rocking/output/provenance_fields.hpp"
+#include "rocking/output/provenance.hpp"
 #include "rocking/output/stats_fields.hpp"
 
 namespace rocking {

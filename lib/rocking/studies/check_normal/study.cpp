@@ -13,7 +13,7 @@
 #include "rocking/api/refuse.hpp"
 #include "rocking/base/number_text.hpp"
 #include "rocking/fields/named_type.hpp"
-#include "rocking/output/provenance_fields.hpp"
+#include "rocking/output/provenance.hpp"
 #include "rocking/random/draws.hpp"
 #include "rocking/random/sampler.hpp"
 #include "rocking/stats/law_check.hpp"

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "rocking/api/run_store.hpp"
-#include "rocking/api/written_experiment.hpp"
+#include "rocking/api/system_facts.hpp"
 #include "rocking/store/store.hpp"
 #include "rocking/text/number_text.hpp"
 

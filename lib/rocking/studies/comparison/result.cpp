@@ -4,7 +4,7 @@
 
 #include "rocking/fields/container_types.hpp"
 #include "rocking/output/mode_table.hpp"
-#include "rocking/output/provenance_fields.hpp"
+#include "rocking/output/provenance.hpp"
 #include "rocking/output/report_differences.hpp"
 #include "rocking/output/stats_fields.hpp"
 

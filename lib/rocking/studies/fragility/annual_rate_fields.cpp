@@ -1,6 +1,6 @@
 #include "rocking/fields/container_types.hpp"
 #include "rocking/fields/named_type.hpp"
-#include "rocking/output/provenance_fields.hpp"
+#include "rocking/output/provenance.hpp"
 #include "rocking/output/stats_fields.hpp"
 #include "rocking/studies/fragility/fields.hpp"
 

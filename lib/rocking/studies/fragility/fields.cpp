@@ -7,7 +7,7 @@
 #include "rocking/fields/converted_type.hpp"
 #include "rocking/fields/named_type.hpp"
 #include "rocking/input/suite.hpp"
-#include "rocking/output/provenance_fields.hpp"
+#include "rocking/output/provenance.hpp"
 #include "rocking/output/shaking_text.hpp"
 #include "rocking/output/stats_fields.hpp"
 

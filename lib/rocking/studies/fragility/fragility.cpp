@@ -4,9 +4,9 @@
 
 #include "rocking/base/error.hpp"
 #include "rocking/random/draws.hpp"
-#include "rocking/stats/isotonic.hpp"
 #include "rocking/stats/lack_of_fit.hpp"
 #include "rocking/stats/mean_share.hpp"
+#include "rocking/stats/record_shares.hpp"
 
 namespace rocking {
 namespace {

@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "rocking/base/error.hpp"
-#include "rocking/stats/suite_covariate.hpp"
+#include "rocking/stats/fit_suite.hpp"
 
 namespace rocking {
 namespace {

@@ -4,7 +4,7 @@
 #include "rocking/api/refuse.hpp"
 #include "rocking/api/run_options.hpp"
 #include "rocking/api/run_store.hpp"
-#include "rocking/api/written_experiment.hpp"
+#include "rocking/api/system_facts.hpp"
 #include "rocking/base/error.hpp"
 #include "rocking/base/number_text.hpp"
 #include "rocking/input/read_hazard.hpp"

@@ -3,7 +3,7 @@
 #include <set>
 #include <utility>
 
-#include "rocking/api/questions.hpp"
+#include "rocking/api/question_check.hpp"
 #include "rocking/api/run_options.hpp"
 #include "rocking/base/error.hpp"
 #include "rocking/base/number_text.hpp"

@@ -9,6 +9,7 @@
 #include "rocking/stats/lack_of_fit.hpp"
 #include "rocking/stats/mean_share.hpp"
 #include "rocking/stats/record_shares.hpp"
+#include "rocking/stats/suite_bootstrap.hpp"
 
 namespace rocking {
 namespace {

@@ -6,7 +6,7 @@
 #include "rocking/base/error.hpp"
 #include "rocking/stats/normal_law.hpp"
 #include "rocking/stats/record_shares.hpp"
-#include "rocking/stats/unseen_record.hpp"
+#include "rocking/stats/suite_bootstrap.hpp"
 #include "rocking/studies/fragility/counted_hazard.hpp"
 #include "rocking/studies/fragility/rare_tail.hpp"
 #include "rocking/studies/fragility/shares_and_hazard.hpp"

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "rocking/base/error.hpp"
-#include "rocking/output/provenance_fields.hpp"
+#include "rocking/output/provenance.hpp"
 #include "rocking/studies/infer/study.hpp"
 #include "rocking/text/number_text.hpp"
 

@@ -1,6 +1,6 @@
 #include "rocking/studies/infer/study.hpp"
 
-#include "rocking/api/questions.hpp"
+#include "rocking/api/question_check.hpp"
 
 namespace rocking {
 namespace {

@@ -1,6 +1,6 @@
 #include "rocking/studies/orbits/study.hpp"
 
-#include "rocking/output/provenance_fields.hpp"
+#include "rocking/output/provenance.hpp"
 
 namespace rocking {
 namespace {

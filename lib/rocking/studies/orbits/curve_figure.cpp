@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "rocking/figures/sweep_view.hpp"
-#include "rocking/output/parameter_names.hpp"
+#include "rocking/output/parameter_text.hpp"
 
 namespace rocking::analysis {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "rocking/api/questions.hpp"
+#include "rocking/api/question_check.hpp"
 
 namespace rocking {
 namespace {

@@ -8,6 +8,7 @@
 
 #include "rocking/stats/fit_suite.hpp"
 #include "rocking/stats/normal_law.hpp"
+#include "rocking/stats/suite_bootstrap.hpp"
 #include "rocking/studies/fragility/fragility.hpp"
 #include "rocking/studies/fragility/shares_and_hazard.hpp"
 #include "support/made_up_suite.hpp"

@@ -1,4 +1,4 @@
-#include "rocking/api/study_check.hpp"
+#include "rocking/api/system_facts.hpp"
 
 #include "rocking/input/report_claims.hpp"
 #include "rocking/text/files.hpp"

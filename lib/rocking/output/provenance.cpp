@@ -1,4 +1,4 @@
-#include "rocking/output/provenance_fields.hpp"
+#include "rocking/output/provenance.hpp"
 
 #include <algorithm>
 #include <cstdint>

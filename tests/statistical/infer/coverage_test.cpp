@@ -174,7 +174,7 @@ InferenceQuestion of_two_unknowns() {
 
 TEST(InferredAnswer, HasTheSameBitsOverThreads) {
   const InferenceQuestion two = of_two_unknowns();
-  EXPECT_EQ(numbers(infer_unknowns(two, {.threads = 1})), numbers(infer_unknowns(two, {.threads = 3})));
+  EXPECT_EQ(numbers(infer_unknowns(two, {}, {.threads = 1})), numbers(infer_unknowns(two, {}, {.threads = 3})));
 }
 
 TEST(InferredAnswer, IsTheSameAfterInterruptions) {
@@ -191,7 +191,7 @@ TEST(InferredAnswer, IsTheSameAfterInterruptions) {
   for (int part = 0; part < 100; ++part) {
     stop = false;
     const std::size_t before = found.design.size();
-    found = infer_unknowns(two, {.earlier = found.design, .stop = base::StopRequest(&stop)});
+    found = infer_unknowns(two, {.tests = {}, .earlier = found.design}, {.stop = base::StopRequest(&stop)});
     if (found.end == InferEnd::settled) break;
     EXPECT_EQ(found.end, InferEnd::stopped);
     EXPECT_GT(found.design.size(), before);
@@ -205,12 +205,12 @@ TEST(InferredAnswer, IsTheSameAfterAnInterruptionWhileItIsWorkedOut) {
   std::atomic<bool> stop = false;
   std::uint64_t made_up = 0;
   const Inference part = infer_unknowns(
-      two, {.threads = 2, .stop = base::StopRequest(&stop), .on_made_up = [&] { stop = ++made_up >= 20; }});
+      two, {}, {.threads = 2, .stop = base::StopRequest(&stop), .on_part = [&] { stop = ++made_up >= 20; }});
   EXPECT_EQ(part.end, InferEnd::stopped);
   EXPECT_FALSE(part.answer.has_value());
   EXPECT_LE(made_up, 21U) << "two threads";
   made_up = 0;
-  const Inference whole = infer_unknowns(two, {.earlier = part.design, .on_made_up = [&] { ++made_up; }});
+  const Inference whole = infer_unknowns(two, {.tests = {}, .earlier = part.design}, {.on_part = [&] { ++made_up; }});
   EXPECT_EQ(made_up, made_up_sets(two));
   EXPECT_EQ(whole.design.size(), part.design.size());
   EXPECT_EQ(numbers(whole), numbers(infer_unknowns(two, {})));
@@ -224,7 +224,7 @@ TEST(InferredAnswer, StopsWhenTheTimeIsOver) {
     now += 10.0;
     return simulate(points);
   };
-  const auto found = infer_unknowns(one, {.seconds = 35.0, .elapsed_seconds = [&] { return now; }});
+  const auto found = infer_unknowns(one, {.tests = {}, .seconds = 35.0, .elapsed_seconds = [&] { return now; }});
   EXPECT_EQ(found.end, InferEnd::out_of_time);
   EXPECT_EQ(found.design.size(), 16U);  // of 8, 4 and 4 points
   EXPECT_TRUE(found.answer.has_value());

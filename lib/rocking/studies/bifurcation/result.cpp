@@ -8,11 +8,6 @@
 
 namespace rocking {
 
-template <>
-struct TypeOf<Branch> {
-  static const ValueType& get() { return the_only<NamedType<Branch, branch_names>>(); }
-};
-
 constexpr std::array all_starts{std::string_view("initial"), std::string_view("continued")};
 
 namespace {
@@ -51,7 +46,8 @@ static const StructType& fields_of(const ReportedStep*) {
       field<&Reported::value>("value", "of the parameter"),
       field<&Reported::branch>("branch",
                                "`initial`: from the initial state of the file; `upwards`, `downwards`: by "
-                               "continuation, with increasing or decreasing parameter"),
+                               "continuation, with increasing or decreasing parameter",
+                               the_only<NamedType<Branch, branch_names>>()),
       field<step, &DiagramStep::continued>(
           "start",
           "`continued`: from the end of the previous step of the branch; `initial`: from the initial state of the "

@@ -7,11 +7,6 @@
 
 namespace rocking {
 
-template <>
-struct TypeOf<Assurance> {
-  static const ValueType& get() { return the_only<NamedType<Assurance, assurance_names>>(); }
-};
-
 /// Flips at a tolerance beside those at the floor.
 struct ExcessOverFloor {
   std::uint64_t here_only = 0;
@@ -164,7 +159,8 @@ const StructType& recommendation_fields() {
           "tolerance", "that is recommended; null: none", rule::positive),
       derived<[](const Cost& cost) { return tolerance_at(cost, cost.recommendation.coarsest); }>(
           "coarsest", "tolerance that suffices; null: none", rule::positive),
-      field<&Cost::recommendation, &Recommendation::assurance>("assurance", "how good the evidence is"),
+      field<&Cost::recommendation, &Recommendation::assurance>("assurance", "how good the evidence is",
+                                                               the_only<NamedType<Assurance, assurance_names>>()),
       field<&Cost::yardstick, &Yardstick::half_width>("half_width", "mean of the intervals; null: nothing is random",
                                                       rule::not_negative),
       field<&Cost::recommendation, &Recommendation::bearable>("bearable", "share of flips that is too small to matter",

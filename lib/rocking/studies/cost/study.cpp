@@ -24,16 +24,17 @@ namespace {
 constexpr double timing_share = 1.0 / 3.0;
 constexpr double few_seconds = 5.0;
 
-double time_for_sample(const CostBudget& budget) { return budget.seconds / (1.0 + timing_share); }
+/// Wall-clock time for the sample [s], where the number of its realisations is not given.
+double time_for_sample(const CostRequest& request) { return request.seconds / (1.0 + timing_share); }
 
 /// Realisations that a measurement will reach in its time, judged by those that are done.
-std::uint64_t expected_sample(const CostBudget& budget, std::uint64_t done, double elapsed_seconds) {
-  const double all = static_cast<double>(done) * time_for_sample(budget) / std::max(elapsed_seconds, 1e-9);
+std::uint64_t expected_sample(const CostRequest& request, std::uint64_t done, double elapsed_seconds) {
+  const double all = static_cast<double>(done) * time_for_sample(request) / std::max(elapsed_seconds, 1e-9);
   return std::max(done, static_cast<std::uint64_t>(std::min(all, static_cast<double>(largest_cost_sample))));
 }
 
-}  // namespace
-
+/// `asked` and those of all conditions, falling; the usual ones (tolerance_ladder) if none are asked for. A measurement
+/// needs at least three: the last is the reference, the one before it the floor.
 std::vector<double> cost_tolerances(const Experiment& experiment, std::span<const double> asked) {
   if (asked.empty()) return tolerance_ladder(experiment);
   std::set<double, std::greater<>> all(asked.begin(), asked.end());
@@ -42,29 +43,7 @@ std::vector<double> cost_tolerances(const Experiment& experiment, std::span<cons
   return {all.begin(), all.end()};
 }
 
-std::optional<Cost> cost_within(const Experiment& experiment, std::span<const double> tolerances,
-                                const CostBudget& budget, const CostClocks& clocks, const RunOptions& options) {
-  CostPlan plan{.tolerances = {tolerances.begin(), tolerances.end()},
-                .sample = budget.sample.value_or(largest_cost_sample)};
-  const double time = time_for_sample(budget);
-  if (!budget.sample) plan.is_enough = [&clocks, time] { return clocks.elapsed_seconds() >= time; };
-  RunOptions sampling = options;
-  if (options.on_progress && !budget.sample) {
-    sampling.on_progress = [&](std::uint64_t done, std::uint64_t all) {
-      options.on_progress(done, std::min(all, expected_sample(budget, done, clocks.elapsed_seconds())));
-    };
-  }
-  const auto sample = measure_cost(experiment, plan, sampling);
-  const double spent = clocks.elapsed_seconds();
-  const double spare = std::min(few_seconds, budget.sample ? budget.seconds : budget.seconds - spent);
-  const double end = spent + std::max(timing_share * spent, spare);
-  auto timing = time_cost(
-      experiment, tolerances,
-      {.processor_seconds = clocks.processor_seconds, .seconds_left = [&] { return end - clocks.elapsed_seconds(); }},
-      options);
-  if (options.stop_requested.is_made()) return std::nullopt;
-  return cost_of(experiment, tolerances, sample, std::move(timing));
-}
+}  // namespace
 
 void check_request(const Experiment& experiment, const CostRequest& request) {
   if (!request.elapsed_seconds || !request.processor_seconds) {
@@ -81,14 +60,28 @@ void check_request(const Experiment& experiment, const CostRequest& request) {
 
 Cost cost(const Experiment& experiment, const CostRequest& request, const Execution& execution) {
   check_request(experiment, request);
-  const std::vector<double> tolerances = cost_tolerances(experiment, request.tolerances);
+  const OptionsOfExecution asked(execution);
+  const RunOptions& options = asked.options();
   const double start = request.elapsed_seconds();
-  auto found = cost_within(experiment, tolerances, {.seconds = request.seconds, .sample = request.sample},
-                           {.elapsed_seconds = [&] { return request.elapsed_seconds() - start; },
-                            .processor_seconds = request.processor_seconds},
-                           OptionsOfExecution(execution).options());
-  if (!found) throw base::Stopped();
-  return std::move(*found);
+  const auto elapsed = [&] { return request.elapsed_seconds() - start; };
+  CostPlan plan{.tolerances = cost_tolerances(experiment, request.tolerances),
+                .sample = request.sample.value_or(largest_cost_sample)};
+  if (!request.sample) plan.is_enough = [&] { return elapsed() >= time_for_sample(request); };
+  RunOptions sampling = options;
+  if (options.on_progress && !request.sample) {
+    sampling.on_progress = [&](std::uint64_t done, std::uint64_t all) {
+      options.on_progress(done, std::min(all, expected_sample(request, done, elapsed())));
+    };
+  }
+  const auto sample = measure_cost(experiment, plan, sampling);
+  const double spent = elapsed();
+  const double spare = std::min(few_seconds, request.sample ? request.seconds : request.seconds - spent);
+  const double end = spent + std::max(timing_share * spent, spare);
+  auto timing = time_cost(
+      experiment, plan.tolerances,
+      {.processor_seconds = request.processor_seconds, .seconds_left = [&] { return end - elapsed(); }}, options);
+  asked.stop().check();
+  return cost_of(experiment, plan.tolerances, sample, std::move(timing));
 }
 
 std::string cost_text(const Experiment& experiment, const Cost& cost, const Provenance& provenance) {

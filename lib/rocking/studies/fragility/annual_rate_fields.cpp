@@ -11,11 +11,6 @@ struct TypeOf<RateSource> {
   static const ValueType& get() { return the_only<NamedType<RateSource, rate_source_names>>(); }
 };
 
-template <>
-struct TypeOf<RareUse> {
-  static const ValueType& get() { return the_only<NamedType<RareUse, rare_use_names>>(); }
-};
-
 static const StructType& fields_of(const RateInRange*) {
   static const StructType fields{
       "RateInRange",
@@ -61,7 +56,7 @@ const StructType& fields_of(const AnnualRate*) {
           "with `--rare`: `below_sure_level`, the lowest with ten events; where no level has so many: "
           "`below_best_level`, that above the estimates with the most, or `up_to_highest` estimate; "
           "or `not_used`",
-          {}, WithoutValue::omitted),
+          the_only<NamedType<RareUse, rare_use_names>>(), rule::none, WithoutValue::omitted),
       field<&Rate::extrapolated_hazard>("extrapolated_hazard",
                                         "share of `value` from beyond the last point of the hazard curve, where it is "
                                         "continued",
@@ -123,8 +118,6 @@ const StructType& fields_of(const SuiteRate*) {
       field<&Rate::by_record>("by_record", "disaggregation by record"),
       field<&Rate::leave_one_out>("leave_one_out", "smallest and largest rate without one record; null: none",
                                   rule::not_negative),
-      field<&Rate::jackknife>("jackknife", "interval of ln rate by leaving out one record at a time; null: none",
-                              rule::not_negative),
   };
   return fields;
 }

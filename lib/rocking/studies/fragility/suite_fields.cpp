@@ -7,11 +7,6 @@
 
 namespace rocking {
 
-template <>
-struct TypeOf<IntensityMeasure> {
-  static const ValueType& get() { return the_only<NamedType<IntensityMeasure, intensity_measure_names>>(); }
-};
-
 static const StructType& fields_of(const SuiteEstimate*) {
   using Found = SuiteEstimate;
   static const StructType fields{
@@ -142,16 +137,12 @@ static const StructType& covariate_fields() {
   return fields;
 }
 
-template <>
-struct TypeOf<stats::SuiteCovariate> {
-  static const ValueType& get() { return covariate_fields(); }
-};
-
 static const StructType& fields_of(const RankedMeasure*) {
   using Ranked = RankedMeasure;
   static const StructType fields{
       "RankedMeasure",
-      field<&Ranked::measure>("measure", "of intensity"),
+      field<&Ranked::measure>("measure", "of intensity",
+                              the_only<NamedType<IntensityMeasure, intensity_measure_names>>()),
       field<&Ranked::median>("median", "of the law in this measure; null with the following ones: none fitted",
                              rule::not_negative),
       field<&Ranked::dispersion>("dispersion", "of the same law", rule::not_negative),
@@ -160,10 +151,10 @@ static const StructType& fields_of(const RankedMeasure*) {
       field<&Ranked::deviance>("deviance", "-2 ln likelihood, without binomial coefficients"),
       field<&Ranked::aic>("aic", "deviance + 6 (Akaike)"),
       field<&Ranked::by_magnitude>("by_magnitude",
-                                   "with `--metadata`: dependence of the capacity on the magnitude of the records", {},
-                                   WithoutValue::omitted),
-      field<&Ranked::by_distance>("by_distance", "the same on the logarithm of their distance", {},
-                                  WithoutValue::omitted),
+                                   "with `--metadata`: dependence of the capacity on the magnitude of the records",
+                                   covariate_fields(), rule::none, WithoutValue::omitted),
+      field<&Ranked::by_distance>("by_distance", "the same on the logarithm of their distance", covariate_fields(),
+                                  rule::none, WithoutValue::omitted),
   };
   return fields;
 }

@@ -6,16 +6,6 @@
 
 namespace rocking {
 
-template <>
-struct TypeOf<ReachedBound> {
-  static const ValueType& get() { return the_only<NamedType<ReachedBound, reached_bound_names>>(); }
-};
-
-template <>
-struct TypeOf<InferEnd> {
-  static const ValueType& get() { return the_only<NamedType<InferEnd, infer_end_names>>(); }
-};
-
 namespace {
 
 /// `true`, or the reason why not.
@@ -39,11 +29,6 @@ class IdentifiedType final : public ValueType {
 };
 
 }  // namespace
-
-template <>
-struct TypeOf<Identified> {
-  static const ValueType& get() { return the_only<IdentifiedType>(); }
-};
 
 static const StructType& fields_of(const UnknownPosterior*) {
   using Type = UnknownPosterior;
@@ -69,37 +54,6 @@ static const StructType& fields_of(const ProfilePoint*) {
   return fields;
 }
 
-}  // namespace infer
-
-static const StructType& fields_of(const ReportedUnknown*) {
-  using Type = ReportedUnknown;
-  static const StructType fields{
-      "Unknown",
-      field<&Type::parameter>("parameter", "JSON pointer into the experiment"),
-      field<&Type::from>("from", "smallest value, in the unit of the parameter"),
-      field<&Type::to>("to", "largest value"),
-      field<&Type::estimate>(
-          "estimate", "where the likelihood is largest; null: the first design was not finished, or it was stopped"),
-      field<&Type::interval>("interval", "by the profile likelihood; null as the estimate"),
-      field<&Type::reaches>("reaches", "ends of the range that the interval reaches; null as the estimate"),
-      field<&Type::profile>("profile", "likelihood, at the values of the grid of `region`"),
-      field<&Type::posterior>("posterior", "with the priors of the experiment; null: it has none"),
-  };
-  return fields;
-}
-
-static const StructType& fields_of(const InferenceFit*) {
-  using Type = InferenceFit;
-  static const StructType fields{
-      "InferenceFit",
-      field<&Type::statistic>("statistic", "deviance of the counts from the shares at the estimate"),
-      field<&Type::p_value>("p_value", "share of made-up data sets with a larger one", rule::share),
-  };
-  return fields;
-}
-
-namespace infer {
-
 static const StructType& fields_of(const RegionPoint*) {
   using Type = RegionPoint;
   static const StructType fields{
@@ -121,6 +75,34 @@ static const StructType& fields_of(const DesignPoint*) {
 }
 
 }  // namespace infer
+
+static const StructType& fields_of(const ReportedUnknown*) {
+  using Type = ReportedUnknown;
+  static const StructType fields{
+      "Unknown",
+      field<&Type::parameter>("parameter", "JSON pointer into the experiment"),
+      field<&Type::from>("from", "smallest value, in the unit of the parameter"),
+      field<&Type::to>("to", "largest value"),
+      field<&Type::estimate>(
+          "estimate", "where the likelihood is largest; null: the first design was not finished, or it was stopped"),
+      field<&Type::interval>("interval", "by the profile likelihood; null as the estimate"),
+      field<&Type::reaches>("reaches", "ends of the range that the interval reaches; null as the estimate",
+                            the_only<NamedType<ReachedBound, reached_bound_names>>()),
+      field<&Type::profile>("profile", "likelihood, at the values of the grid of `region`"),
+      field<&Type::posterior>("posterior", "with the priors of the experiment; null: it has none"),
+  };
+  return fields;
+}
+
+static const StructType& fields_of(const InferenceFit*) {
+  using Type = InferenceFit;
+  static const StructType fields{
+      "InferenceFit",
+      field<&Type::statistic>("statistic", "deviance of the counts from the shares at the estimate"),
+      field<&Type::p_value>("p_value", "share of made-up data sets with a larger one", rule::share),
+  };
+  return fields;
+}
 
 static const StructType& fields_of(const ReportedTests*) {
   using Type = ReportedTests;
@@ -169,7 +151,7 @@ const StructType& fields_of(const InferReport*) {
       field<&File::seed>("seed", "of the experiment", seed_type()),
       of_owner<File>("settings", "of the answer", settings_fields()),
       field<&File::unknowns>("unknowns", "what the tests say of each"),
-      field<&File::identified>("identified", "true, or why the tests cannot tell"),
+      field<&File::identified>("identified", "true, or why the tests cannot tell", the_only<IdentifiedType>()),
       field<&File::log_likelihood>("log_likelihood", "probability of the counts at the estimate, its logarithm"),
       field<&File::fit>("fit", "whether the estimate explains the counts"),
       field<&File::region_limit>("region_limit", "least likelihood ratio in the joint region", rule::share),
@@ -178,7 +160,8 @@ const StructType& fields_of(const InferReport*) {
       field<&File::tests>("tests", "conditions that were tested"),
       field<&File::candidates>("candidates", "conditions that may be tested next"),
       field<&File::realisations>("realisations", "of all points of the design and all conditions"),
-      field<&File::end>("ended", "why no more points were added to the design"),
+      field<&File::end>("ended", "why no more points were added to the design",
+                        the_only<NamedType<InferEnd, infer_end_names>>()),
       field<&File::design>("design", "values of the unknowns at which was simulated"),
   };
   return fields;

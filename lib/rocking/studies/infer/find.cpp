@@ -139,13 +139,9 @@ Inference infer_unknowns(const Experiment& experiment, const InferRequest& reque
   InferSimulation simulation(experiment, request.tests, seen_from(request.folder), asked.options());
   const InferenceQuestion question = inference_question(experiment, request.tests, request.next_tests, simulation);
   simulation.expect_sets(made_up_sets(question));
-  InferenceSettings settings{.threads = asked.options().threads, .stop = asked.stop()};
-  settings.on_made_up = [&simulation] { simulation.tell_set(); };
-  settings.seconds = request.seconds;
-  settings.elapsed_seconds = request.elapsed_seconds;
-  settings.earlier = request.earlier;
-  settings.keep = request.keep;
-  Inference found = infer_unknowns(question, settings);
+  Inference found = infer_unknowns(
+      question, request,
+      {.threads = asked.options().threads, .stop = asked.stop(), .on_part = [&simulation] { simulation.tell_set(); }});
   if (found.end == InferEnd::stopped && !request.keeps_when_stopped) throw base::Stopped();
   return found;
 }

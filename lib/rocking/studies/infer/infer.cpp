@@ -45,11 +45,8 @@ Survey survey_of(const InferenceQuestion& question, const std::vector<ShareModel
 
 class Study {
  public:
-  Study(const InferenceQuestion& question, const InferenceSettings& settings)
-      : question_(&question),
-        settings_(&settings),
-        how_{.threads = settings.threads, .stop = settings.stop, .on_part = settings.on_made_up},
-        scale_(question.unknowns) {}
+  Study(const InferenceQuestion& question, const InferRequest& request, const base::ManyParts& how)
+      : question_(&question), request_(&request), how_(how), scale_(question.unknowns) {}
 
   [[nodiscard]] Inference inference() {
     try {
@@ -98,7 +95,7 @@ class Study {
     }
     CountsAtPoints found;
     if (!missing.empty()) {
-      settings_->stop.check();
+      how_.stop.check();
       if (!has_time()) {
         end_ = InferEnd::out_of_time;
         return false;
@@ -110,20 +107,20 @@ class Study {
     auto next = found.begin();
     for (const std::vector<double>& at : values) {
       const std::size_t place = design_.size();
-      design_.push_back({.at = at, .counts = is_known(place, at) ? settings_->earlier[place].counts : *next++});
+      design_.push_back({.at = at, .counts = is_known(place, at) ? request_->earlier[place].counts : *next++});
       points_.push_back(scale_.point(at));
     }
-    if (settings_->keep && !missing.empty()) settings_->keep(design_);
+    if (request_->keep && !missing.empty()) request_->keep(design_);
     return true;
   }
 
   [[nodiscard]] bool is_known(std::size_t place, const std::vector<double>& at) const {
-    return place < settings_->earlier.size() && settings_->earlier[place].at == at;
+    return place < request_->earlier.size() && request_->earlier[place].at == at;
   }
 
-  [[nodiscard]] double elapsed() const { return settings_->elapsed_seconds ? settings_->elapsed_seconds() : 0.0; }
+  [[nodiscard]] double elapsed() const { return request_->elapsed_seconds ? request_->elapsed_seconds() : 0.0; }
 
-  [[nodiscard]] bool has_time() const { return !settings_->seconds || elapsed() + longest_ < *settings_->seconds; }
+  [[nodiscard]] bool has_time() const { return !request_->seconds || elapsed() + longest_ < *request_->seconds; }
 
   /// Fits the models to the design.
   void look() {
@@ -156,7 +153,7 @@ class Study {
   }
 
   const InferenceQuestion* question_;
-  const InferenceSettings* settings_;
+  const InferRequest* request_;
   base::ManyParts how_;
   Scale scale_;
   std::vector<Eigen::VectorXd> points_;  ///< of the design, in the unit cube
@@ -192,9 +189,9 @@ std::uint64_t made_up_sets(const InferenceQuestion& question) { return infer::se
 
 void check_priors(const std::vector<Unknown>& unknowns) { static_cast<void>(infer::reach_of_priors(unknowns)); }
 
-Inference infer_unknowns(const InferenceQuestion& question, const InferenceSettings& settings) {
+Inference infer_unknowns(const InferenceQuestion& question, const InferRequest& request, const base::ManyParts& how) {
   check_priors(question.unknowns);
-  return infer::Study(question, settings).inference();
+  return infer::Study(question, request, how).inference();
 }
 
 }  // namespace rocking

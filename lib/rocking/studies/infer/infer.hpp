@@ -22,29 +22,17 @@ struct InferenceQuestion {
   std::function<CountsAtPoints(const std::vector<std::vector<double>>& points)> simulate;
 };
 
-struct InferenceSettings {
-  unsigned threads = 1;
-  /// Time [s] on the clock of `elapsed_seconds`, after which no points are added. Absent: no limit.
-  std::optional<double> seconds = {};
-  std::function<double()> elapsed_seconds = {};
-  /// Points of an earlier call with the same question, in its order: they are not simulated again.
-  std::vector<infer::DesignPoint> earlier = {};
-  base::StopRequest stop = {};
-  /// Called with the design so far when some of its points have been simulated.
-  std::function<void(const std::vector<infer::DesignPoint>& design)> keep = {};
-  /// Called after each data set that is made up for the answer, by one thread at a time.
-  std::function<void()> on_made_up = {};
-};
-
 /// Throws base::InputError if a prior has no weight in the range of its unknown.
 void check_priors(const std::vector<Unknown>& unknowns);
 
 /// The answer of the tests. Points are added to the design until no interval moves by more than a tenth of its width.
 /// It does not depend on the number of threads. When it is asked to stop, it returns the points that are finished,
-/// without an answer.
+/// without an answer. Uses the limits, `earlier` and `keep` of the request. Each data set that is made up for the answer
+/// is a part of `how`.
 ///
 /// Throws as check_priors.
-[[nodiscard]] Inference infer_unknowns(const InferenceQuestion& question, const InferenceSettings& settings);
+[[nodiscard]] Inference infer_unknowns(const InferenceQuestion& question, const InferRequest& request,
+                                       const base::ManyParts& how = {});
 
 /// The same from a design, whose last points were not followed by others for the reason `end`: answered if the first
 /// design is finished, and `end` is not that it was stopped. It depends on these arguments alone, but for `how`, of which

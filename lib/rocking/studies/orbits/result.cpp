@@ -90,14 +90,6 @@ struct TypeOf<ContactState> {
   static const ValueType& get() { return the_only<NamedType<ContactState, contacts_of_an_orbit>>(); }
 };
 template <>
-struct TypeOf<FoundBy> {
-  static const ValueType& get() { return the_only<NamedType<FoundBy, found_by_names>>(); }
-};
-template <>
-struct TypeOf<OrbitKind> {
-  static const ValueType& get() { return the_only<NamedType<OrbitKind, orbit_kind_names>>(); }
-};
-template <>
 struct TypeOf<BifurcationKind> {
   static const ValueType& get() { return the_only<NamedType<BifurcationKind, bifurcation_kind_names>>(); }
 };
@@ -153,13 +145,15 @@ static const StructType& fields_of(const Orbit*) {
         const bool is_known = orbit.stability.kind != OrbitKind::not_differentiable;
         return is_known ? std::optional(orbit.stability.is_stable()) : std::nullopt;
       }>("stable", "whether all are inside the unit circle; null: there is no derivative"),
-      field<&Orbit::stability, &Stability::kind>("kind", "how motions nearby approach or leave it"),
+      field<&Orbit::stability, &Stability::kind>("kind", "how motions nearby approach or leave it",
+                                                 the_only<NamedType<OrbitKind, orbit_kind_names>>()),
       field<&Orbit::is_symmetric>("symmetric", "whether it is its own mirror image"),
       field<&Orbit::mirror>("mirror", "place of its mirror image in the list; absent on branches and curves",
                             rule::none, WithoutValue::omitted),
       field<&Orbit::found_by>("found_by",
                               "what the search started from: the `run`, a start of the `grid`, the `mirror` image of "
-                              "another orbit, or by `continuation` a branch that passes the condition"),
+                              "another orbit, or by `continuation` a branch that passes the condition",
+                              the_only<NamedType<FoundBy, found_by_names>>()),
       field<&Orbit::points>("points", "[tilt, tilt_rate, slip_rate] at the n instants, from `state` on",
                             the_only<PointsType>()),
   };

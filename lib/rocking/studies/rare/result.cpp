@@ -8,21 +8,6 @@
 
 namespace rocking {
 
-template <>
-struct TypeOf<RareMethod> {
-  static const ValueType& get() { return the_only<NamedType<RareMethod, rare_method_names>>(); }
-};
-
-template <>
-struct TypeOf<RareEnd> {
-  static const ValueType& get() { return the_only<NamedType<RareEnd, rare_end_names>>(); }
-};
-
-template <>
-struct TypeOf<RareDiagnosis> {
-  static const ValueType& get() { return the_only<NamedType<RareDiagnosis, rare_diagnosis_names>>(); }
-};
-
 namespace {
 
 /// `[estimate, work, ancestors]`, and `unresolved` where it is not 0.
@@ -199,9 +184,12 @@ static const StructType& fields_of(const ReportedRare*) {
           "crude_work",
           "realisations that plain sampling needs for the same relative error, (1 - P)/(P error^2); null: unknown",
           rule::not_negative),
-      field<estimate, &Found::method>("method", "`twisted_run` where numbers are drawn along the way"),
-      field<estimate, &Found::end>("ended", "why no more repetitions were made"),
-      field<estimate, &Found::diagnosis>("diagnosis", "what stands in the way of trusting the interval"),
+      field<estimate, &Found::method>("method", "`twisted_run` where numbers are drawn along the way",
+                                      the_only<NamedType<RareMethod, rare_method_names>>()),
+      field<estimate, &Found::end>("ended", "why no more repetitions were made",
+                                   the_only<NamedType<RareEnd, rare_end_names>>()),
+      field<estimate, &Found::diagnosis>("diagnosis", "what stands in the way of trusting the interval",
+                                         the_only<NamedType<RareDiagnosis, rare_diagnosis_names>>()),
       field<estimate, &Found::levels>(
           "levels", "of abs(Theta) in the search for the event, rising; empty for a twisted run", rule::not_negative),
       field<estimate, &Found::reached>(

@@ -171,7 +171,7 @@ TEST_F(Suite, IsScaledToASpectralAcceleration) {
   EXPECT_NEAR(spectral(strongest("sa_g", "period_s", 0.7), 0.7), 0.6, 1e-14);
   EXPECT_THAT(strongest("sa_g", "period_s", 0.7).measure_periods, ElementsAre(0.7));
   const Recorded absolute = strongest("sa_absolute_g", "period_s", 0.7);
-  EXPECT_NEAR(point(absolute, 0.7).sa_m_s2 * mean_of(absolute.scale), 0.6, 1e-14);
+  EXPECT_NEAR(point(absolute, 0.7).sa_absolute_g * mean_of(absolute.scale), 0.6, 1e-14);
   EXPECT_LT(mean_of(absolute.scale), mean_of(strongest("sa_g", "period_s", 0.7).scale));
   const Recorded own = strongest("sa_p_g", "", {});
   const dynamics::Block block = mean_block(read(experiment(R"("records/*.at2")")).conditions.front().scene);

@@ -199,9 +199,46 @@ RunFragility run_fragility(const Experiment& experiment, const std::vector<Strip
 
 namespace {
 
+/// Reports the numbers of a rare estimate that are none.
+void check_level(const RareLevel& level, const std::string& place, QuestionCheck& check) {
+  const auto expect = [&](bool holds, const char* key, double value, const char* reason) {
+    check.expect(holds, place + '/' + key, base::shortest(value), reason);
+  };
+  expect(level.intensity > 0.0 && std::isfinite(level.intensity), "intensity", level.intensity, "must be positive");
+  expect(level.probability > 0.0 && level.probability < 1.0, "probability", level.probability,
+         "must be between 0 and 1");
+  for (const auto& [key, end] : {std::pair{"low", level.interval.low}, std::pair{"high", level.interval.high}}) {
+    expect(end >= 0.0 && end <= 1.0, key, end, "must be a share");
+  }
+  // All of the sum in one repetition gives 1, but for rounding.
+  expect(level.relative_error > 0.0 && level.relative_error <= 1.000001, "relative_error", level.relative_error,
+         "must be positive and at most 1");
+  expect(level.degrees_of_freedom >= 1.0 && std::isfinite(level.degrees_of_freedom), "degrees_of_freedom",
+         level.degrees_of_freedom, "must be at least 1");
+}
+
 void check(const FragilityQuestion& question) {
   QuestionCheck check(question);
   if (question.hazard) check.add(problems_of(*question.hazard));
+  for (std::size_t i = 0; i < question.rare.size(); ++i) {
+    const RareOfCurve& rare = question.rare[i];
+    const std::string place = "rare/" + std::to_string(i);
+    const double tilt = rare.event.peak_tilt.value_or(1.0);
+    check.expect(tilt > 0.0 && std::isfinite(tilt), place + "/peak_tilt", base::shortest(tilt), "must be positive");
+    check_level(rare.level, place + "/level", check);
+    for (std::size_t k = 0; k < rare.records.size(); ++k) {
+      check_level(rare.records[k].level, place + "/records/" + std::to_string(k) + "/level", check);
+    }
+  }
+  for (std::size_t i = 0; i < question.metadata.size(); ++i) {
+    const auto& [file, magnitude, distance_km] = question.metadata[i];
+    const std::string place = "metadata/" + std::to_string(i);
+    check.expect(std::isfinite(magnitude.value_or(0.0)), place + "/magnitude", base::shortest(magnitude.value_or(0.0)),
+                 "must be a number");
+    const double distance = distance_km.value_or(1.0);
+    check.expect(distance > 0.0 && std::isfinite(distance), place + "/distance_km", base::shortest(distance),
+                 "must be positive");
+  }
   check.finish();
   if (const auto second = second_estimate(question.rare)) {
     const std::string intensity = base::shortest(question.rare[*second].level.intensity);

@@ -92,9 +92,8 @@ Written write_sheet(const StoredRun& stored, const RunFragility& found, const Ha
   std::string text = analysis::sheet_text({.run = run,
                                            .suites = std::move(suites),
                                            .comparisons = of_overturning(report),
-                                           .hazard = {.file = hazard.name,
-                                                      .in_words = hazard_in_words(hazard),
-                                                      .periods = measure_periods(stored.experiment)},
+                                           .hazard = hazard,
+                                           .periods = measure_periods(stored.experiment),
                                            .curve_png = std::move(picture),
                                            .program = base::code_identity(),
                                            .command = command});

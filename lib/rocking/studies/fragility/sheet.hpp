@@ -5,22 +5,16 @@
 
 namespace rocking::analysis {
 
-/// A hazard curve.
-struct ShownHazard {
-  std::string file;
-  std::string in_words;         ///< how it was read
-  std::vector<double> periods;  ///< of the spectral acceleration [s]; empty: none
-};
-
 /// What a sheet tells. The suites are about overturning and have a rate; the first is the object as it stands.
 struct SheetContent {
   const Report& run;
   std::vector<ReportedSuite> suites;
   std::vector<ReportedComparison> comparisons;
-  ShownHazard hazard;
-  std::string curve_png;  ///< picture of the curve; empty if it could not be drawn
-  std::string program;    ///< version and revision
-  std::string command;    ///< that makes the sheet again
+  const HazardCurve& hazard;
+  std::vector<double> periods;  ///< of the spectral acceleration [s]; empty: none
+  std::string curve_png;        ///< picture of the curve; empty if it could not be drawn
+  std::string program;          ///< version and revision
+  std::string command;          ///< that makes the sheet again
 };
 
 /// One page of A4 as HTML without scripts and external resources: the object to scale, the question, the hazard and the

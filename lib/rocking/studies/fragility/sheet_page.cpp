@@ -141,8 +141,8 @@ std::string motions(const SheetContent& sheet) {
   return fmt::format(
              "<h2>Hazard and records</h2>\n<p>{}: {}.{}</p>\n<p class=\"small\">{} records, each scaled to {} levels "
              "from {} to {}: {}.</p>\n",
-             escaped(last_part(sheet.hazard.file)), escaped(sheet.hazard.in_words),
-             periods_sentence(sheet.hazard.periods), records.size(), sheet.suites.front().curve.levels.size(),
+             escaped(last_part(sheet.hazard.name)), escaped(hazard_in_words(sheet.hazard)),
+             periods_sentence(sheet.periods), records.size(), sheet.suites.front().curve.levels.size(),
              significant(sheet.suites.front().curve.levels.front().intensity, 3),
              significant(sheet.suites.front().curve.levels.back().intensity, 3), names) +
          (missing ? fmt::format("<p class=\"small\">{}.</p>\n", escaped(*missing)) : "");

@@ -19,52 +19,6 @@ namespace {
 
 const Rule tilt_rule{.least = 1e-9, .most = 1e9};
 
-const StructType& rare_level_fields() {
-  static const StructType fields{
-      "RareLevel",
-      field<&RareLevel::intensity>("intensity", "of the excitation", rule::positive),
-      field<&RareLevel::probability>("probability", "of the event", rule::confidence),
-      field<&RareLevel::interval, &stats::Interval::low>("low", "of the probability", rule::share),
-      field<&RareLevel::interval, &stats::Interval::high>("high", "of the probability", rule::share),
-      // All of the sum in one repetition gives 1, but for rounding.
-      field<&RareLevel::relative_error>("relative_error", "standard error over the probability",
-                                        Rule{.above = 0.0, .most = 1.000001}),
-      field<&RareLevel::degrees_of_freedom>("degrees_of_freedom", "of the error", Rule{.least = 1.0}),
-  };
-  return fields;
-}
-
-const StructType& rare_record_fields() {
-  using OfRecord = RareOfCurve::OfRecord;
-  static const StructType fields{
-      "RareOfRecord",
-      field<&OfRecord::name>("name", "of the ground motion"),
-      field<&OfRecord::level>("level", "under it", rare_level_fields()),
-  };
-  return fields;
-}
-
-const StructType& rare_of_curve_fields() {
-  static const StructType fields{
-      "RareOfCurve",
-      field<&RareOfCurve::event, &FragilityEvent::peak_tilt>("peak_tilt", "of the event; absent: overturning",
-                                                             tilt_rule),
-      field<&RareOfCurve::level>("level", "of a suite the mean over the records", rare_level_fields()),
-      field<&RareOfCurve::records>("records", "of a suite", list_of<RareOfCurve::OfRecord, rare_record_fields>()),
-  };
-  return fields;
-}
-
-const StructType& metadata_fields() {
-  static const StructType fields{
-      "RecordMetadata",
-      field<&RecordMetadata::file>("file", "as in the experiment, or its last part"),
-      field<&RecordMetadata::magnitude>("magnitude", "moment magnitude"),
-      field<&RecordMetadata::distance_km>("distance_km", "from the source", rule::positive),
-  };
-  return fields;
-}
-
 }  // namespace
 
 const StructType& fields_of(const FragilityQuestion*) {
@@ -75,9 +29,6 @@ const StructType& fields_of(const FragilityQuestion*) {
                 "peak_tilts", "Also the probability that the peak of abs(theta)/psi exceeds A; several: 0.3,0.5,1",
                 tilt_rule),
             {.names = "--peak-tilt", .letter = "A,A", .kind = FlagKind::commas}),
-      field<&Type::rare>("rare", "small probabilities of the same blocks",
-                         list_of<RareOfCurve, rare_of_curve_fields>()),
-      field<&Type::metadata>("metadata", "of the records of suites", list_of<RecordMetadata, metadata_fields>()),
       asked(
           field<&Type::incremental>(
               "incremental",

@@ -23,14 +23,14 @@ constexpr std::array<SeriesPanel, 3> series_panels{
 
 /// A panel of the spectra, likewise.
 struct SpectrumPanel {
-  double SpectrumEntry::*number;
+  double SpectralPoint::*number;
   const char* key;
   const char* quantity;
   const char* unit;
 };
 constexpr std::array<SpectrumPanel, 2> spectrum_panels{
-    {{&SpectrumEntry::sa_g, "sa_g", "spectral pseudo-acceleration", "g"},
-     {&SpectrumEntry::sv_m_s, "sv_m_s", "spectral velocity", "m/s"}}};
+    {{&SpectralPoint::sa_g, "sa_g", "spectral pseudo-acceleration", "g"},
+     {&SpectralPoint::sv_m_s, "sv_m_s", "spectral velocity", "m/s"}}};
 
 Table series_table(const ReportedMotion& motion) {
   Table table{.name = motion.facts.file, .columns = {{"time_s", "time [s]"}}, .rows = {}};
@@ -82,7 +82,7 @@ Table spectrum_table(const ReportedMotion& motion) {
   for (const SpectrumPanel& panel : spectrum_panels) {
     table.columns.push_back({panel.key, std::string(panel.quantity) + " [" + panel.unit + ']'});
   }
-  for (const SpectrumEntry& entry : motion.series->spectrum) {
+  for (const SpectralPoint& entry : motion.series->spectrum) {
     table.rows.push_back({entry.period_s});
     for (const SpectrumPanel& panel : spectrum_panels) table.rows.back().emplace_back(entry.*panel.number);
   }

@@ -126,10 +126,15 @@ IntensityMeasures intensity_measures(const GroundMotionSamples& samples, double 
 SpectralPoint spectral_point(const std::vector<dynamics::GroundMotionSample>& samples, double gravity, double period_s,
                              double damping) {
   const OscillatorPeaks peaks = oscillator_peaks(samples, period_s, damping);
+  constexpr double two_pi = 0x1.921fb54442d18p+2;
+  const double omega = two_pi / period_s;
+  const double displacement = peaks.displacement * gravity;
   return {.period_s = period_s,
-          .sd_m = peaks.displacement * gravity,
+          .sa_g = omega * omega * displacement / gravity,
+          .sa_absolute_g = peaks.acceleration * gravity / gravity,  // with the bits of an acceleration in m/s^2
           .sv_m_s = peaks.velocity * gravity,
-          .sa_m_s2 = peaks.acceleration * gravity};
+          .sd_m = displacement,
+          .psv_m_s = omega * displacement};
 }
 
 std::vector<double> spaced_periods(double first, double last, int count) {

@@ -14,10 +14,12 @@ namespace rocking {
 
 /// Largest response of a linear oscillator on a base that moves horizontally.
 struct SpectralPoint {
-  double period_s = 0.0;  ///< undamped
-  double sd_m = 0.0;      ///< largest abs(u), displacement relative to the base
-  double sv_m_s = 0.0;    ///< largest abs(u'), velocity relative to the base
-  double sa_m_s2 = 0.0;   ///< largest absolute acceleration, abs(u'' + a)
+  double period_s = 0.0;       ///< undamped
+  double sa_g = 0.0;           ///< omega^2 sd, over gravity: the pseudo-acceleration
+  double sa_absolute_g = 0.0;  ///< largest absolute acceleration, abs(u'' + a), over gravity
+  double sv_m_s = 0.0;         ///< largest abs(u'), velocity relative to the base
+  double sd_m = 0.0;           ///< largest abs(u), displacement relative to the base
+  double psv_m_s = 0.0;        ///< omega sd
 };
 
 /// Of the horizontal component, from the first sample to the last.

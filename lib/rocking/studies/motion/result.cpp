@@ -4,8 +4,8 @@
 
 namespace rocking {
 
-static const StructType& fields_of(const SpectrumEntry*) {
-  using Entry = SpectrumEntry;
+static const StructType& fields_of(const SpectralPoint*) {
+  using Entry = SpectralPoint;
   static const StructType fields{
       "SpectrumEntry",
       field<&Entry::period_s>("period_s", "of the undamped oscillator [s]", rule::positive),
@@ -121,18 +121,6 @@ const DocumentOf<MotionReport>& motion_document() {
 
 namespace {
 
-constexpr double two_pi = 0x1.921fb54442d18p+2;
-
-SpectrumEntry entry_of(const SpectralPoint& point, double gravity) {
-  const double omega = two_pi / point.period_s;
-  return {.period_s = point.period_s,
-          .sa_g = omega * omega * point.sd_m / gravity,
-          .sa_absolute_g = point.sa_m_s2 / gravity,
-          .sv_m_s = point.sv_m_s,
-          .sd_m = point.sd_m,
-          .psv_m_s = omega * point.sd_m};
-}
-
 MotionSeries series_of(const GroundMotion& motion, const MotionQuestion& question) {
   MotionSeries series;
   for (const BasePoint& point : base_motion_of(motion.samples, question.gravity)) {
@@ -143,8 +131,7 @@ MotionSeries series_of(const GroundMotion& motion, const MotionQuestion& questio
   }
   constexpr int periods_of_a_curve = 120;
   for (const double period : spaced_periods(0.02, 10.0, periods_of_a_curve)) {
-    const SpectralPoint point = spectral_point(motion.samples, question.gravity, period, question.damping);
-    series.spectrum.push_back(entry_of(point, question.gravity));
+    series.spectrum.push_back(spectral_point(motion.samples, question.gravity, period, question.damping));
   }
   return series;
 }
@@ -156,11 +143,10 @@ ReportedMotion reported(const MeasuredMotion& found, const MotionQuestion& quest
                           .measures = found.measures,
                           .vertical_pga_g = {},
                           .uplift_scale = {},
-                          .spectrum = {},
+                          .spectrum = found.spectrum,
                           .series = {}};
   if (motion.has_vertical) reported.vertical_pga_g = found.measures.vertical_pga_g;
   if (question.block) reported.uplift_scale = found.uplift_scale;
-  for (const SpectralPoint& point : found.spectrum) reported.spectrum.push_back(entry_of(point, question.gravity));
   if (detail == MotionDetail::series) reported.series = series_of(motion, question);
   return reported;
 }

@@ -45,20 +45,10 @@ struct BasePoint {
 [[nodiscard]] MeasuredMotion measured(std::shared_ptr<const GroundMotion> motion, std::string sha256,
                                       const MotionQuestion& question);
 
-/// Largest responses of a linear oscillator on a moving base.
-struct SpectrumEntry {
-  double period_s = 0.0;
-  double sa_g = 0.0;           ///< omega^2 sd, over gravity: the pseudo-acceleration
-  double sa_absolute_g = 0.0;  ///< largest absolute acceleration
-  double sv_m_s = 0.0;
-  double sd_m = 0.0;
-  double psv_m_s = 0.0;  ///< omega sd
-};
-
 /// A motion of the base at its samples, and its response spectrum at many periods.
 struct MotionSeries {
   std::vector<double> time_s, acceleration_g, velocity_m_s, displacement_m;
-  std::vector<SpectrumEntry> spectrum;
+  std::vector<SpectralPoint> spectrum;
 };
 
 /// A ground motion as `rocking motion` reports it.
@@ -68,7 +58,7 @@ struct ReportedMotion {
   IntensityMeasures measures;
   std::optional<double> vertical_pga_g;
   std::optional<std::optional<double>> uplift_scale;  ///< absent: no block; null: no scale
-  std::vector<SpectrumEntry> spectrum;
+  std::vector<SpectralPoint> spectrum;
   std::optional<MotionSeries> series;
 };
 

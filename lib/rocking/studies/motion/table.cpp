@@ -69,7 +69,7 @@ look::Table spectrum_table(const std::vector<ReportedMotion>& motions) {
   look::Table table;
   add_columns(table, {"file", "T [s]", "PSa [g]", "Sv [m/s]", "Sd [m]", "PSv [m/s]", "absolute Sa [g]"});
   for (const ReportedMotion& motion : motions) {
-    for (const SpectrumEntry& entry : motion.spectrum) {
+    for (const SpectralPoint& entry : motion.spectrum) {
       look::Row& row = table.rows.emplace_back(look::Row{motion.facts.file});
       for (const double value :
            {entry.period_s, entry.sa_g, entry.sv_m_s, entry.sd_m, entry.psv_m_s, entry.sa_absolute_g}) {

@@ -87,8 +87,7 @@ std::string rare_probabilities_text(const Experiment& experiment, const RareRequ
   if (found.size() > experiment.conditions.size()) {
     refuse("found", std::to_string(found.size()) + " estimates", "are those of an experiment with more conditions");
   }
-  return rare_document().text(
-      rare_report(experiment, {.question = request.question, .particles = request.particles}, found));
+  return rare_document().text(rare_report(experiment, request, found));
 }
 
 namespace {
@@ -147,9 +146,7 @@ RunCheck verify_rare(const std::filesystem::path& folder, std::optional<std::uin
       rare_estimates_again(*experiment, request, progress.settings(), sample.value_or(of_each * conditions));
   check.checked = again.repetitions;
   check.different = differing_repetitions(request.earlier, again.estimates);
-  const RareReport right =
-      rare_report(*experiment, {.question = claimed.question, .particles = claimed.particles}, again.estimates);
-  check.findings = report_differences(text, rare_document().text(right));
+  check.findings = report_differences(text, rare_document().text(rare_report(*experiment, request, again.estimates)));
   for (std::string& finding : check.findings) finding.insert(0, "rare.json: ");
   return check;
 }

@@ -323,11 +323,12 @@ std::vector<RareEstimate> estimates_for(const RareReport& asked, const RareRepor
   return all;
 }
 
-RareReport rare_report(const Experiment& experiment, const RareMeans& means, const std::vector<RareEstimate>& found) {
+RareReport rare_report(const Experiment& experiment, const RareRequest& request,
+                       const std::vector<RareEstimate>& found) {
   RareReport report{.input = input_of(experiment),
-                    .question = means.question,
+                    .question = request.question,
                     .seed = experiment.seed,
-                    .particles = means.particles,
+                    .particles = request.particles,
                     .conditions = {},
                     .suites = {}};
   for (std::size_t i = 0; i < found.size(); ++i) {

@@ -57,17 +57,13 @@ const StructType& fields_of(const RareRequest*) {
 
 namespace {
 
-RareReport report_on(const Subject& subject, const RareRequest& request, const std::vector<RareEstimate>& found) {
-  return rare_report(subject.experiment, {.question = request.question, .particles = request.particles}, found);
-}
-
 void check(const Subject& subject, RareRequest& request) {
   request.elapsed_seconds = [] { return 0.0; };
   check_request(subject.experiment, request);
 }
 
 void resume(const Subject& subject, RareRequest& request, const Json& earlier) {
-  request.earlier = estimates_for(report_on(subject, request, {}), rare_document().read(earlier));
+  request.earlier = estimates_for(rare_report(subject.experiment, request, {}), rare_document().read(earlier));
 }
 
 Answer find(const Subject& subject, const RareRequest& asked, const Circumstances& circumstances) {
@@ -76,11 +72,11 @@ Answer find(const Subject& subject, const RareRequest& asked, const Circumstance
   if (circumstances.keep) {
     request.keeps_when_stopped = true;
     request.keep = [&](const std::function<std::vector<RareEstimate>()>& so_far) {
-      circumstances.keep([&] { return rare_document().text(report_on(subject, request, so_far())); });
+      circumstances.keep([&] { return rare_document().text(rare_report(subject.experiment, request, so_far())); });
     };
   }
-  const RareReport report =
-      report_on(subject, request, rare_probabilities(subject.experiment, request, circumstances.execution));
+  const RareReport report = rare_report(subject.experiment, request,
+                                        rare_probabilities(subject.experiment, request, circumstances.execution));
   const bool is_stopped =
       std::ranges::any_of(report.conditions, [](const auto& one) { return one.estimate.end == RareEnd::stopped; });
   return {.document = rare_document().text(report),

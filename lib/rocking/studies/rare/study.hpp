@@ -31,13 +31,7 @@ struct RareReport {
   [[nodiscard]] base::Sha256 digest() const;
 };
 
-/// How the probabilities were estimated, beside the experiment.
-struct RareMeans {
-  RareQuestion question;
-  std::size_t particles;  ///< of a repetition
-};
-
-[[nodiscard]] RareReport rare_report(const Experiment& experiment, const RareMeans& means,
+[[nodiscard]] RareReport rare_report(const Experiment& experiment, const RareRequest& request,
                                      const std::vector<RareEstimate>& found);
 
 /// The estimates of an earlier report by condition, of whose repetitions `asked` wants more. Throws base::InputError if it

@@ -140,7 +140,7 @@ TEST(ResponseSpectrum, OfALongPushIsThatOfAStep) {
       const double phase = std::atan2(root, damping);
       expect_close(found.sv_m_s, a / omega * std::exp(-damping * phase / root), 1e-10);
       // A/a = 1 - exp(-z w t) (cos(w_d t) - z/sqrt(1 - z^2) sin(w_d t)), which turns at twice that phase.
-      expect_close(found.sa_m_s2, a * (1.0 + std::exp(-damping * (2.0 * phase) / root)), 1e-10);
+      expect_close(found.sa_absolute_g, a * (1.0 + std::exp(-damping * (2.0 * phase) / root)), 1e-10);
     }
   }
 }
@@ -171,7 +171,7 @@ TEST(ResponseSpectrum, OfAShortPushIsThatOfFreeVibrationAfterIt) {
     const auto found = spectral_point(rectangle(a, length), 1.0, period, 0.0);
     expect_close(found.sd_m, swing / omega, 1e-10);
     expect_close(found.sv_m_s, swing, 1e-10);
-    expect_close(found.sa_m_s2, omega * swing, 1e-10);
+    expect_close(found.sa_absolute_g, omega * swing, 1e-10);
   }
 }
 
@@ -197,7 +197,7 @@ TEST(ResponseSpectrum, DoesNotChangeWhereAPieceIsDivided) {
     const auto many = spectral_point(fine, 1.0, period, 0.05);
     expect_close(many.sd_m, one.sd_m, 1e-12);
     expect_close(many.sv_m_s, one.sv_m_s, 1e-12);
-    expect_close(many.sa_m_s2, one.sa_m_s2, 1e-12);
+    expect_close(many.sa_absolute_g, one.sa_absolute_g, 1e-12);
   }
 }
 
@@ -222,7 +222,7 @@ SpectralPoint by_runge_kutta(const MotionSamples& samples, double period, double
       v += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
       most.sd_m = std::max(most.sd_m, std::abs(u));
       most.sv_m_s = std::max(most.sv_m_s, std::abs(v));
-      most.sa_m_s2 = std::max(most.sa_m_s2, std::abs(2.0 * damping * omega * v + omega * omega * u));
+      most.sa_absolute_g = std::max(most.sa_absolute_g, std::abs(2.0 * damping * omega * v + omega * omega * u));
     }
   };
   for (std::size_t i = 0; i + 1 < samples.size(); ++i) {
@@ -247,7 +247,7 @@ TEST(ResponseSpectrum, AgreesWithASeparateIntegrationOfAnIrregularMotion) {
       // Between two steps it misses at most (omega h)^2/8 of a peak.
       expect_close(expected.sd_m, found.sd_m, 1e-6);
       expect_close(expected.sv_m_s, found.sv_m_s, 1e-6);
-      expect_close(expected.sa_m_s2, found.sa_m_s2, 1e-6);
+      expect_close(expected.sa_absolute_g, found.sa_absolute_g, 1e-6);
       if (damping != 0.05) continue;
       const double omega = 2.0 * pi / period;
       expect_close(spectral_acceleration(samples, period, OscillatorAcceleration::pseudo),

@@ -12,7 +12,7 @@
 #include "drawing.hpp"
 #include "interrupt.hpp"
 #include "output.hpp"
-#include "rocking/studies/output_figures.hpp"
+#include "rocking/studies/studies.hpp"
 
 namespace rocking::program {
 namespace {

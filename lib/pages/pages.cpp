@@ -12,7 +12,6 @@
 #include "rocking/api/run_store.hpp"
 #include "rocking/api/system_facts.hpp"
 #include "rocking/output/report.hpp"
-#include "rocking/studies/output_figures.hpp"
 #include "rocking/studies/studies.hpp"
 #include "rocking/text/files.hpp"
 

@@ -15,7 +15,7 @@
 #include "rocking/input/report_claims.hpp"
 #include "rocking/output/report.hpp"
 #include "rocking/output/report_differences.hpp"
-#include "rocking/studies/output_figures.hpp"
+#include "rocking/studies/studies.hpp"
 
 /// Reading of files that rocking wrote and that may have been changed, as in the commands, without drawing and without
 /// files.

@@ -1,4 +1,4 @@
-#include "rocking/studies/output_figures.hpp"
+#include "rocking/studies/studies.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -8,7 +8,6 @@
 #include "rocking/base/error.hpp"
 #include "rocking/figures/trajectory_figures.hpp"
 #include "rocking/output/trajectory_report.hpp"
-#include "rocking/studies/studies.hpp"
 #include "rocking/text/json.hpp"
 #include "rocking/text/locate.hpp"
 

@@ -7,9 +7,12 @@
 #include <vector>
 
 #include "rocking/fields/document.hpp"
+#include "rocking/figures/figure.hpp"
+#include "rocking/figures/trajectory_file.hpp"
 #include "rocking/study/study.hpp"
 
-/// The kinds of files that rocking reads and writes.
+/// The list of the studies, and of the files that rocking reads and writes. Who adds a study adds a line to studies.cpp, and
+/// its folder to CMakeLists.txt.
 namespace rocking {
 
 /// Those that rocking writes.
@@ -27,11 +30,6 @@ namespace rocking {
 /// Its keys as a table in Markdown, as in lib/docs/formats.md; absent likewise.
 [[nodiscard]] std::optional<std::string> keys_of(std::string_view name);
 
-}  // namespace rocking
-
-/// The list of the studies. Who adds one adds a line to studies.cpp, and its folder to CMakeLists.txt.
-namespace rocking {
-
 /// All studies, in the order of `rocking --help`.
 [[nodiscard]] std::span<const Study* const> studies();
 
@@ -39,3 +37,19 @@ namespace rocking {
 [[nodiscard]] std::vector<analysis::Figure> figures_of_studies(const RunShown& run);
 
 }  // namespace rocking
+
+namespace rocking::analysis {
+
+/// A file that a command of rocking wrote or printed.
+struct OutputFile {
+  std::string path;
+  std::string text;
+};
+
+/// The figures of the outputs of `rocking trajectory`, `replay`, `bifurcation`, `cost --json`, `fragility --json`,
+/// `rare`, `infer` and `check-normal --json`. Each trajectory with a history has `time_history`; several of them also
+/// have `responses`; all trajectories together have `poincare`. The other outputs have their own figures. Repeated
+/// names are numbered. Throws base::InputError with the path of a file that is none of these.
+[[nodiscard]] std::vector<Figure> output_figures(const std::vector<OutputFile>& files, const Window& window);
+
+}  // namespace rocking::analysis

@@ -15,7 +15,7 @@
 #include "rocking/studies/bifurcation/study.hpp"
 #include "rocking/studies/check_normal/study.hpp"
 #include "rocking/studies/cost/study.hpp"
-#include "rocking/studies/output_figures.hpp"
+#include "rocking/studies/studies.hpp"
 #include "rocking/text/number_text.hpp"
 #include "support/sample_report.hpp"
 

@@ -94,23 +94,6 @@ std::vector<Path> typical_paths(const BlockPaths& paths, const Estimator& estima
   return all;
 }
 
-random::DrawHistory draws_of(const Path& path) {
-  random::DrawHistory draws;
-  for (const Path::Given& given : path.given) {
-    const auto found = std::ranges::find(random::source_names, given.source);
-    ROCKING_EXPECT(found != random::source_names.end());
-    const auto place = static_cast<std::size_t>(found - random::source_names.begin());
-    draws.given.push_back({static_cast<random::Source>(place + 1), given.number});
-  }
-  for (const Path::Branch& branch : path.branches) {
-    random::FirstUnused from{};
-    ROCKING_EXPECT(branch.from.size() == from.size());
-    std::ranges::copy(branch.from, from.begin());
-    draws.branches.push_back({.number = branch.number, .from = from});
-  }
-  return draws;
-}
-
 Path path_of(const BlockPaths& paths, std::uint64_t number, const random::DrawHistory& history) {
   const Condition& condition = *paths.condition;
   Path path;

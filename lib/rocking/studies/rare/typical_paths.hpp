@@ -13,9 +13,6 @@ namespace rocking::rare {
 [[nodiscard]] std::vector<Path> typical_paths(const BlockPaths& paths, const Estimator& estimator,
                                               const std::vector<Repetition>& repetitions);
 
-/// The draws of a path in the form in which a realisation takes them.
-[[nodiscard]] random::DrawHistory draws_of(const Path& path);
-
 /// A path of these draws, from the start to the event; if it does not happen, to the horizon.
 [[nodiscard]] Path path_of(const BlockPaths& paths, std::uint64_t number, const random::DrawHistory& draws);
 

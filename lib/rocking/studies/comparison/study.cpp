@@ -80,7 +80,9 @@ std::vector<ComparedMode> compared_modes(const Comparison& found, Extent extent)
 
 }  // namespace
 
-std::string comparison_table(const Comparison& found, const Experiment& first, Extent extent) {
+/// The comparison as text: differences between the experiments, how many realisations changed their response mode, and a row
+/// for each condition and mode; on one screen the rows of smallest p. `first`: the experiment of the first run.
+static std::string comparison_table(const Comparison& found, const Experiment& first, Extent extent) {
   std::string text;
   for (const std::string& difference : found.settings) {
     text += "first run: " + difference + " as in the second\n";

@@ -38,11 +38,6 @@ struct ComparedRun {
 [[nodiscard]] Comparison comparison_of(const Experiment& first, const Experiment& second,
                                        std::vector<ConditionComparison> conditions);
 
-/// The comparison as text: differences between the experiments, how many realisations changed their response mode, and a row
-/// for each condition and mode; on one screen the rows of smallest p. `first`: the experiment of the first run.
-[[nodiscard]] std::string comparison_table(const Comparison& found, const Experiment& first,
-                                           Extent extent = Extent::all);
-
 [[nodiscard]] const Study& comparison_study();
 
 }  // namespace rocking

@@ -139,7 +139,8 @@ std::string added_levels_in_words(const SuiteRate& rate) {
   return text + " (those below " + significant(*end, 6) + " by `rocking rare`)";
 }
 
-std::string rare_use_in_words(const AnnualRate& rate) {
+/// How far the rare estimates give its probabilities, as a line; empty without any.
+static std::string rare_use_in_words(const AnnualRate& rate) {
   if (!rate.rare_use) return "";
   const std::string end = rate.rare_below ? significant(*rate.rare_below, 6) : "";
   switch (*rate.rare_use) {

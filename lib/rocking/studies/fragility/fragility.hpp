@@ -66,10 +66,6 @@ inline constexpr std::uint64_t suite_samples = 499;
                                                          const std::vector<RecordMetadata>& metadata = {},
                                                          const base::ManyParts& how = {});
 
-/// The metadata of the records of a suite, in their order. Throws base::InputError where a record has none or several.
-[[nodiscard]] std::vector<RecordMetadata> metadata_of(const std::vector<std::string>& records,
-                                                      const std::vector<RecordMetadata>& metadata);
-
 /// The place of an estimate of a probability that one before it has estimated too: a curve would join them. Absent if there
 /// is none.
 [[nodiscard]] std::optional<std::size_t> second_estimate(const std::vector<RareOfCurve>& rare);

@@ -70,8 +70,9 @@ stats::SuiteLevels levels_of_records(const std::vector<Stripe>& stripes, const F
   return suite;
 }
 
-std::vector<RecordMetadata> metadata_of(const std::vector<std::string>& records,
-                                        const std::vector<RecordMetadata>& metadata) {
+/// The metadata of the records of a suite, in their order. Throws base::InputError where a record has none or several.
+static std::vector<RecordMetadata> metadata_of(const std::vector<std::string>& records,
+                                               const std::vector<RecordMetadata>& metadata) {
   std::vector<RecordMetadata> ordered;
   std::vector<base::Problem> problems;
   for (const std::string& name : records) {

@@ -26,7 +26,9 @@ double rate_between(const LevelShare& low, const LevelShare& high, const std::ve
 
 }  // namespace
 
-double lognormal_less_linear(const LevelShare& low, const LevelShare& high, const HazardCurve& hazard) {
+/// The rate between two levels of the lognormal curve through their shares, less that of the curve linear in ln x; 0 where
+/// the shares do not rise.
+static double lognormal_less_linear(const LevelShare& low, const LevelShare& high, const HazardCurve& hazard) {
   const double rise = probit(high) - probit(low);
   const double length = std::log(high.intensity / low.intensity);
   if (!(rise > 0.0) || !(length > 0.0)) return 0.0;

@@ -22,10 +22,6 @@ struct UndecidedRange {
   double rate = 0.0;         ///< [1/year]
 };
 
-/// The rate between two levels of the lognormal curve through their shares, less that of the curve linear in ln x; 0 where
-/// the shares do not rise.
-[[nodiscard]] double lognormal_less_linear(const LevelShare& low, const LevelShare& high, const HazardCurve& hazard);
-
 /// What the levels leave open of the rate from `start` on, by ranges: below the first level and above the last one the
 /// difference between the least and the largest possible rate of a probability that does not decrease; between two levels
 /// the difference between two curves through their shares, linear in ln x and lognormal (linear in the probit). Levels by

@@ -45,9 +45,6 @@ void add_unresolved(const Levels& levels, std::size_t step, look::Table& table) 
 /// The rate in a line, `mean annual rate of overturning: 5.0e-4 [..], once in 2000 years`, and where it comes from.
 [[nodiscard]] std::string annual_rate_in_words(const AnnualRate& rate, const FragilityEvent& event);
 
-/// How far the rare estimates give its probabilities, as a line; empty without any.
-[[nodiscard]] std::string rare_use_in_words(const AnnualRate& rate);
-
 /// What the rate consists of; on one screen without its parts by range of intensity.
 [[nodiscard]] std::string annual_rate_table(const AnnualRate& rate, const CurveSubject& subject, Extent extent);
 [[nodiscard]] std::string annual_rate_table(const SuiteRate& rate, const CurveSubject& subject, Extent extent);

@@ -156,7 +156,9 @@ void add_pair(const InferReport& report, std::size_t x, std::size_t y, Figure& f
 
 }  // namespace
 
-Figure profile_figure(const InferReport& report) {
+/// The likelihood over the largest one against each unknown, with the intervals and the estimate; a panel for each
+/// unknown. Needs an answer.
+static Figure profile_figure(const InferReport& report) {
   Figure figure;
   figure.name = "infer_profile";
   figure.title = "Which values explain the counted tests?";
@@ -175,7 +177,9 @@ Figure profile_figure(const InferReport& report) {
   return figure;
 }
 
-Figure region_figure(const InferReport& report) {
+/// The joint region of two or three unknowns as a map of the likelihood over the largest one, with the estimate; a
+/// panel for each pair. Needs an answer.
+static Figure region_figure(const InferReport& report) {
   Figure figure;
   figure.name = "infer_region";
   figure.title = "Which values together explain the counted tests?";

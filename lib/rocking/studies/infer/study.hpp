@@ -110,14 +110,6 @@ namespace rocking::analysis {
 /// answer; nothing without candidates.
 [[nodiscard]] std::optional<Figure> candidates_figure(const InferReport& report);
 
-/// The likelihood over the largest one against each unknown, with the intervals and the estimate; a panel for each
-/// unknown. Needs an answer.
-[[nodiscard]] Figure profile_figure(const InferReport& report);
-
-/// The joint region of two or three unknowns as a map of the likelihood over the largest one, with the estimate; a
-/// panel for each pair. Needs an answer.
-[[nodiscard]] Figure region_figure(const InferReport& report);
-
 /// What counted tests say of unknown numbers: the likelihood of each, their joint region, whether the estimate explains
 /// the counts, and which test would tell most. Empty without an answer.
 [[nodiscard]] std::vector<Figure> infer_figures(const InferReport& report);

@@ -147,7 +147,8 @@ std::optional<PoincareImage> image_of(const CriticalFamily& family, const PlaneU
   return MapFamily(line, family.ranges[0], family.orbits).image({at[0], at[1], at[2], at[3]});
 }
 
-CriticalBorder border_of(const CriticalFamily& family, const PoincareImage& image) {
+/// The singular vectors of M - sign I that belong to its smallest singular value.
+static CriticalBorder border_of(const CriticalFamily& family, const PoincareImage& image) {
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(critical_matrix(family, image),
                                               Eigen::ComputeFullU | Eigen::ComputeFullV);
   const Eigen::VectorXd left = svd.matrixU().col(2);

@@ -54,9 +54,6 @@ struct PlaneSection {
 /// The map of the family at a state and two shares; absent where the motion ends before.
 [[nodiscard]] std::optional<PoincareImage> image_of(const CriticalFamily& family, const PlaneUnknowns& at);
 
-/// The singular vectors of M - sign I that belong to its smallest singular value.
-[[nodiscard]] CriticalBorder border_of(const CriticalFamily& family, const PoincareImage& image);
-
 /// The orbit with the critical multiplier on a hyperplane, by Newton's method from `through` for
 ///
 ///     H(z, p) = z,   g(z, p) = 0,   normal . (u - through) = 0,

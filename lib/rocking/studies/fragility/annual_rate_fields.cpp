@@ -11,6 +11,11 @@ struct TypeOf<RateSource> {
   static const ValueType& get() { return the_only<NamedType<RateSource, rate_source_names>>(); }
 };
 
+template <>
+struct TypeOf<RareUse> {
+  static const ValueType& get() { return the_only<NamedType<RareUse, rare_use_names>>(); }
+};
+
 static const StructType& fields_of(const RateInRange*) {
   static const StructType fields{
       "RateInRange",
@@ -56,7 +61,7 @@ const StructType& fields_of(const AnnualRate*) {
           "with `--rare`: `below_sure_level`, the lowest with ten events; where no level has so many: "
           "`below_best_level`, that above the estimates with the most, or `up_to_highest` estimate; "
           "or `not_used`",
-          the_only<NamedType<RareUse, rare_use_names>>(), rule::none, WithoutValue::omitted),
+          {}, WithoutValue::omitted),
       field<&Rate::extrapolated_hazard>("extrapolated_hazard",
                                         "share of `value` from beyond the last point of the hazard curve, where it is "
                                         "continued",

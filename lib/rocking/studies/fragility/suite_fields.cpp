@@ -137,6 +137,11 @@ static const StructType& covariate_fields() {
   return fields;
 }
 
+template <>
+struct TypeOf<stats::SuiteCovariate> {
+  static const ValueType& get() { return covariate_fields(); }
+};
+
 static const StructType& fields_of(const RankedMeasure*) {
   using Ranked = RankedMeasure;
   static const StructType fields{
@@ -151,10 +156,10 @@ static const StructType& fields_of(const RankedMeasure*) {
       field<&Ranked::deviance>("deviance", "-2 ln likelihood, without binomial coefficients"),
       field<&Ranked::aic>("aic", "deviance + 6 (Akaike)"),
       field<&Ranked::by_magnitude>("by_magnitude",
-                                   "with `--metadata`: dependence of the capacity on the magnitude of the records",
-                                   covariate_fields(), rule::none, WithoutValue::omitted),
-      field<&Ranked::by_distance>("by_distance", "the same on the logarithm of their distance", covariate_fields(),
-                                  rule::none, WithoutValue::omitted),
+                                   "with `--metadata`: dependence of the capacity on the magnitude of the records", {},
+                                   WithoutValue::omitted),
+      field<&Ranked::by_distance>("by_distance", "the same on the logarithm of their distance", {},
+                                  WithoutValue::omitted),
   };
   return fields;
 }

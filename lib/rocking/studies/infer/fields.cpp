@@ -6,6 +6,11 @@
 
 namespace rocking {
 
+template <>
+struct TypeOf<ReachedBound> {
+  static const ValueType& get() { return the_only<NamedType<ReachedBound, reached_bound_names>>(); }
+};
+
 namespace {
 
 /// `true`, or the reason why not.
@@ -86,8 +91,7 @@ static const StructType& fields_of(const ReportedUnknown*) {
       field<&Type::estimate>(
           "estimate", "where the likelihood is largest; null: the first design was not finished, or it was stopped"),
       field<&Type::interval>("interval", "by the profile likelihood; null as the estimate"),
-      field<&Type::reaches>("reaches", "ends of the range that the interval reaches; null as the estimate",
-                            the_only<NamedType<ReachedBound, reached_bound_names>>()),
+      field<&Type::reaches>("reaches", "ends of the range that the interval reaches; null as the estimate"),
       field<&Type::profile>("profile", "likelihood, at the values of the grid of `region`"),
       field<&Type::posterior>("posterior", "with the priors of the experiment; null: it has none"),
   };

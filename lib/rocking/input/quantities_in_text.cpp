@@ -47,6 +47,17 @@ std::vector<DrawnPlace> collected_places() {
   return places;
 }
 
+/// Reads a value that stands alone: `read(keys, key)`.
+template <class Read>
+void read_alone(const Json& value, const Read& read) {
+  Problems problems;
+  const Json object = {{"value", value}};
+  ObjectReader reader(object, "", problems);
+  ReadingKeys keys(reader, {.sweep = nullptr, .files = nullptr});
+  read(keys, Key{"value", ""});
+  if (!problems.empty()) throw base::InputError(std::move(problems));
+}
+
 template <class... Kinds>
 std::string_view words_of(std::string_view name, std::variant<Kinds...>*) {
   std::string_view words;
@@ -79,14 +90,16 @@ bool has_law(const Json& value) {
 }
 
 Quantity quantity_in(const Json& value) {
-  Problems problems;
-  const Json object = {{"quantity", value}};
-  ObjectReader reader(object, "", problems);
-  ReadingKeys keys(reader, {.sweep = nullptr, .files = nullptr});
   Quantity quantity = 0.0;
-  keys.quantity({"quantity", ""}, quantity, any_number, Absent::error);
-  if (!problems.empty()) throw base::InputError(std::move(problems));
+  read_alone(value,
+             [&quantity](Keys& keys, const Key& key) { keys.quantity(key, quantity, any_number, Absent::error); });
   return quantity;
+}
+
+Restitution restitution_in(const Json& value) {
+  Restitution restitution;
+  read_alone(value, [&restitution](Keys& keys, const Key& key) { key_of(keys, key, restitution, Absent::error); });
+  return restitution;
 }
 
 dynamics::Block mean_block_in(const Json& block) {

@@ -18,6 +18,9 @@ namespace rocking {
 /// Whether it is an object that gives a law.
 [[nodiscard]] bool has_law(const Json& value);
 
+/// A restitution as an experiment has it. Throws base::InputError where it is none.
+[[nodiscard]] Restitution restitution_in(const Json& value);
+
 /// A number or a law. Throws base::InputError where it is neither.
 [[nodiscard]] Quantity quantity_in(const Json& value);
 

@@ -59,12 +59,6 @@ void set_given(const Given& read, const ReadingPlace& place, Shaking& shaking) {
 
 using GivenType = ConvertedType<Shaking, Given, given_of, set_given>;
 
-Restitution restitution_in(const Json& written) {
-  if (written.is_string()) return Jy25Restitution{};
-  if (written.is_object() && written.contains("rate_ratio")) return RateRatio{quantity_in(written.at("rate_ratio"))};
-  return quantity_in(written);
-}
-
 }  // namespace
 
 std::string_view other_form_of(std::string_view key) {

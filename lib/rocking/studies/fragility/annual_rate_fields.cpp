@@ -123,6 +123,8 @@ const StructType& fields_of(const SuiteRate*) {
       field<&Rate::by_record>("by_record", "disaggregation by record"),
       field<&Rate::leave_one_out>("leave_one_out", "smallest and largest rate without one record; null: none",
                                   rule::not_negative),
+      field<&Rate::jackknife>("jackknife", "interval of ln rate by leaving out one record at a time; null: none",
+                              rule::not_negative),
   };
   return fields;
 }

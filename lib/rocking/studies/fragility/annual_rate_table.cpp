@@ -72,7 +72,9 @@ std::string record_share_text(const SuiteRate& rate) {
   text += '\n';
   if (rate.leave_one_out) {
     text += "without one record the rate is between " + significant(rate.leave_one_out->low, 3) + " and " +
-            significant(rate.leave_one_out->high, 3) + '\n';
+            significant(rate.leave_one_out->high, 3);
+    if (rate.jackknife) text += "; jackknife interval " + interval_in_words(*rate.jackknife);
+    text += '\n';
   }
   return text;
 }

@@ -92,6 +92,7 @@ struct SuiteRate {
   std::vector<double> add_levels;  ///< intensities that would settle it; empty if nothing is open and the rates agree
   std::vector<RateOfRecord> by_record;
   std::optional<stats::Interval> leave_one_out;  ///< smallest and largest rate without one record
+  std::optional<stats::Interval> jackknife;      ///< of ln rate (Efron & Tibshirani 1993, chapter 11)
 
   [[nodiscard]] bool do_estimates_agree() const { return disagreement && *disagreement <= most_disagreement; }
   [[nodiscard]] bool is_decided() const { return undecided_share <= most_undecided_share; }

@@ -274,7 +274,7 @@ class SuiteRates {
     set_leave_one_out(found);
   }
 
-  static void set_leave_one_out(SuiteRate& found) {
+  void set_leave_one_out(SuiteRate& found) const {
     std::vector<double> rates;
     for (const RateOfRecord& record : found.by_record) {
       if (record.without) rates.push_back(*record.without);
@@ -282,6 +282,15 @@ class SuiteRates {
     if (rates.size() < 2 || rates.size() < found.by_record.size()) return;
     const auto [least, most] = std::ranges::minmax(rates);
     found.leave_one_out = stats::Interval{.low = least, .high = most};
+    if (!(least > 0.0) || !(found.chosen.value > 0.0)) return;
+    double mean = 0.0, squares = 0.0;
+    const auto count = static_cast<double>(rates.size());
+    for (const double rate : rates) mean += std::log(rate) / count;
+    for (const double rate : rates) squares += (std::log(rate) - mean) * (std::log(rate) - mean);
+    const double error = std::sqrt((count - 1.0) / count * squares);
+    if (error <= rounding_of_rate) return;  // equal rates say nothing of their scatter
+    const double factor = std::exp(stats::two_sided_t_quantile(curve_.subject.confidence, count - 1.0) * error);
+    found.jackknife = stats::Interval{.low = found.chosen.value / factor, .high = found.chosen.value * factor};
   }
 
   void set_undecided(SuiteRate& found) const {

@@ -86,6 +86,8 @@ TEST(SuiteRate, WithoutARecordIsThatOfTheSmallerSuite) {
   }
   EXPECT_NEAR(rate.leave_one_out->low, least, 1e-5 * least);
   EXPECT_NEAR(rate.leave_one_out->high, most, 1e-5 * most);
+  EXPECT_LT(rate.jackknife->low, rate.chosen.value);
+  EXPECT_GT(rate.jackknife->high, rate.leave_one_out->high);
 }
 
 TEST(SuiteRate, OfARejectedLawIsThatOfTheIsotonicShares) {

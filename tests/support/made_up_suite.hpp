@@ -9,9 +9,7 @@
 #include <vector>
 
 #include "rocking/stats/fit_suite.hpp"
-#include "rocking/studies/fragility/run_fragility.hpp"
-#include "rocking/studies/fragility/suite_fragility.hpp"
-#include "rocking/studies/fragility/suite_rate.hpp"
+#include "rocking/studies/fragility/fragility.hpp"
 #include "support/split_mix.hpp"
 
 namespace rocking::support {

@@ -9,8 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "analytic/orbits/slender_orbit.hpp"
-#include "rocking/studies/orbits/bifurcation_curves.hpp"
-#include "rocking/studies/orbits/branches.hpp"
+#include "rocking/studies/orbits/branch.hpp"
 #include "rocking/studies/orbits/fixed_point.hpp"
 #include "rocking/studies/orbits/orbit.hpp"
 #include "rocking/studies/orbits/orbits.hpp"

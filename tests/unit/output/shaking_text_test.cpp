@@ -135,7 +135,8 @@ TEST(ModeTableOfShaking, HasTheOtherFormBesideTheSweptOne) {
 }
 
 TEST(ShortValue, NamesARateRatio) {
-  EXPECT_EQ(short_value({.pointer = "/restitution", .value = WrittenPart{R"({"rate_ratio":0.93})"}}), "rate ratio 0.93");
+  EXPECT_EQ(short_value({.pointer = "/restitution", .value = WrittenPart{R"({"rate_ratio":0.93})"}}),
+            "rate ratio 0.93");
 }
 
 }  // namespace

@@ -13,7 +13,7 @@
 
 #include "rocking/base/error.hpp"
 #include "rocking/stats/normal_law.hpp"
-#include "rocking/studies/output_figures.hpp"
+#include "rocking/studies/studies.hpp"
 #include "rocking/text/json.hpp"
 
 namespace {

@@ -12,13 +12,9 @@
 namespace rocking {
 namespace {
 
-// Steps as in trace.cpp, with the shares of both ranges. The tangent is known to about 1e-11/1e-9 where differences need
-// the shortest step (fold_and_flip.cpp), so that steps below 1e-7 tell nothing of its direction.
-constexpr double first_curve_step = 0.004;
-constexpr double largest_curve_step = 0.02;
+// Steps are as in trace.hpp, with the shares of both ranges. The tangent is known to about 1e-11/1e-9 where differences
+// need the shortest step (fold_and_flip.cpp), so that steps below 1e-7 tell nothing of its direction.
 constexpr double least_curve_step = 1e-7;
-constexpr double least_curve_cosine = 0.9;
-constexpr int few_curve_corrections = 5;
 
 /// Distance up to which a bifurcation is on a curve: as those of one bifurcation in branches.cpp.
 constexpr double same_orbit = 1e-2;
@@ -37,7 +33,7 @@ class CriticalTrace {
   [[nodiscard]] TracedCriticalCurve from(const CriticalPoint& start) const {
     TracedCriticalCurve curve;
     CriticalPoint at = start;
-    double step = first_curve_step;
+    double step = first_step;
     while (curve.points.size() < question_->most_points) {
       auto next = step_from(at, step);
       if (!next) {
@@ -54,7 +50,7 @@ class CriticalTrace {
       curve.points.push_back(next->point);
       if (question_->on_point) question_->on_point();
       if (next->is_at_end) return curve;
-      if (next->point.steps <= few_curve_corrections) step = std::min(1.5 * step, largest_curve_step);
+      if (next->point.steps <= few_newton_steps) step = std::min(1.5 * step, largest_step);
       at = std::move(next->point);
     }
     curve.end = BranchEnd::points;
@@ -92,19 +88,10 @@ class CriticalTrace {
       if (point->at[unknown] < 0.0 || point->at[unknown] > 1.0) return std::nullopt;
     }
     const double away = norm(plus(point->at, -1.0, sought));
-    const bool is_accepted = away < 0.5 * step && dot(at.tangent, point->tangent) > least_curve_cosine &&
+    const bool is_accepted = away < 0.5 * step && dot(at.tangent, point->tangent) > least_cosine &&
                              is_same_contact(family_->orbits, at.image, point->image);
     if (!is_accepted) return std::nullopt;
     return Next{std::move(*point), is_beyond};
-  }
-
-  [[nodiscard]] static bool comes_back(const CriticalPoint& start, const CriticalPoint& at, const CriticalPoint& next) {
-    const PlaneUnknowns along = plus(next.at, -1.0, at.at);
-    const double length = norm(along);
-    const double share = dot(plus(start.at, -1.0, at.at), along) / (length * length);
-    if (!(share >= 0.0 && share <= 1.0)) return false;
-    return norm(plus(plus(at.at, share, along), -1.0, start.at)) < 0.1 * length &&
-           dot(start.tangent, next.tangent) > least_curve_cosine;
   }
 
   /// A motion just beyond the last orbit shows by its changes of contact why there is no further one.

@@ -10,18 +10,8 @@
 namespace rocking {
 namespace {
 
-// Steps are lengths in (Theta, Theta', V, share of the range), in which a curve of orbits has a curvature of order 1. From
-// a step h Newton's method starts with an error of h^2/2: 2e-4 for the largest step, which it squares to rounding in
-// three or four corrections. Five or fewer let the step grow. The first step is a fifth of the largest one, so that a
-// curve may be bent more sharply where it starts.
-constexpr double first_step = 0.004;
-constexpr double largest_step = 0.02;
-constexpr int few_newton_steps = 5;
 /// A thousand times the residual that is left: a shorter step does not leave the orbit from which it starts.
 constexpr double least_step = 1e-10;
-/// The tangents before and after a step make an angle of at most 26 degrees: 0.45/h is then the largest curvature, and
-/// another curve, reached by mistake, rarely has such a direction.
-constexpr double least_cosine = 0.9;
 /// Below it the tangent may jump at a change of contact: a smooth curve with such an angle would have a curvature of
 /// 4.5e4. Forty successive steps below it, 4e-4 in all, lead nowhere.
 constexpr double kink_step = 1e-5;
@@ -39,7 +29,7 @@ constexpr double cause_distance = 1e-9;
 class CurveTrace {
  public:
   CurveTrace(const MapFamily& family, const TraceLimits& limits, base::StopRequest stop)
-      : family_(&family), limits_(&limits), stop_(stop), search_(family, limits.wanted, stop) {}
+      : family_(&family), limits_(&limits), stop_(stop) {}
 
   [[nodiscard]] TracedCurve from(const CurvePoint& start) {
     CurvePoint at = start;
@@ -47,7 +37,7 @@ class CurveTrace {
     while (true) {
       if (curve_.points.size() >= limits_->most_points) return ended(BranchEnd::points);
       auto next = step_from(at, step);
-      const Passage passage = next ? search_.between(at, next->point) : Passage{};
+      const Passage passage = next ? passage_between(at, next->point, *family_, limits_->wanted, stop_) : Passage{};
       if (!next || passage.is_broken) {
         step *= 0.5;
         if (step < least_step) return ended(why_lost(start, at));
@@ -116,15 +106,6 @@ class CurveTrace {
     return passage.is_joined ? std::optional(BranchEnd::joins) : std::nullopt;
   }
 
-  [[nodiscard]] static bool comes_back(const CurvePoint& start, const CurvePoint& at, const CurvePoint& next) {
-    const Unknowns along = plus(next.at, -1.0, at.at);
-    const double length = norm(along);
-    const double share = dot(plus(start.at, -1.0, at.at), along) / (length * length);
-    if (!(share >= 0.0 && share <= 1.0)) return false;
-    return norm(plus(plus(at.at, share, along), -1.0, start.at)) < 0.1 * length &&
-           dot(start.tangent, next.tangent) > least_cosine;
-  }
-
   /// A grazing next to the last orbits, or a change of contact just beyond the last one, shows why there is none further.
   BranchEnd why_lost(const CurvePoint& start, const CurvePoint& at) {
     std::vector<CurvePoint> last{start};
@@ -166,7 +147,6 @@ class CurveTrace {
   const MapFamily* family_;
   const TraceLimits* limits_;
   base::StopRequest stop_;
-  PassageSearch search_;
   TracedCurve curve_;
   int crawls_ = 0;
 };

@@ -57,35 +57,30 @@ struct Passage {
 /// parameter between them. Each bifurcation is bracketed to 1e-9 in the parameter by a change of sign of its test
 /// function, or by a change of the contact sequence. The error of a bracket is its width and the errors of its two orbits.
 /// A grazing in it is located by graze().
-class PassageSearch {
- public:
-  PassageSearch(const MapFamily& family, const std::vector<double>& wanted, base::StopRequest stop)
-      : family_(&family), wanted_(&wanted), stop_(stop) {}
+[[nodiscard]] Passage passage_between(const CurvePoint& a, const CurvePoint& b, const MapFamily& family,
+                                      const std::vector<double>& wanted, base::StopRequest stop);
 
-  [[nodiscard]] Passage between(const CurvePoint& a, const CurvePoint& b) const;
+// Steps are lengths in (Theta, Theta', V, share of the range), in which a curve of orbits has a curvature of order 1. From
+// a step h Newton's method starts with an error of h^2/2: 2e-4 for the largest step, which it squares to rounding in
+// three or four corrections. Five or fewer let the step grow. The first step is a fifth of the largest one, so that a
+// curve may be bent more sharply where it starts.
+inline constexpr double first_step = 0.004;
+inline constexpr double largest_step = 0.02;
+inline constexpr int few_newton_steps = 5;
+/// The tangents before and after a step make an angle of at most 26 degrees: 0.45/h is then the largest curvature, and
+/// another curve, reached by mistake, rarely has such a direction.
+inline constexpr double least_cosine = 0.9;
 
- private:
-  struct Pair {
-    CurvePoint before, after;
-  };
-
-  void pass(const CurvePoint& a, const CurvePoint& b, int depth, Passage& passage) const;
-  void pass_smoothly(const CurvePoint& a, const CurvePoint& b, Passage& passage) const;
-  void add_wanted(const CurvePoint& a, const CurvePoint& b, std::vector<CurvePoint>& points) const;
-  [[nodiscard]] Pair change_of_contact(const CurvePoint& a, const CurvePoint& b) const;
-  [[nodiscard]] std::optional<LocatedBifurcation> located(const CurvePoint& a, const Pair& pair,
-                                                          const CurvePoint& b) const;
-  template <class Test>
-  [[nodiscard]] std::optional<LocatedBifurcation> locate(const CurvePoint& a, const CurvePoint& b, BifurcationKind kind,
-                                                         Test&& test, Passage& passage) const;
-  [[nodiscard]] std::optional<CurvePoint> at_share(const CurvePoint& a, const CurvePoint& b, double share) const;
-  [[nodiscard]] double width(const CurvePoint& a, const CurvePoint& b) const;
-  [[nodiscard]] bool is_near(const CurvePoint& a, const CurvePoint& b, double most_apart) const;
-
-  const MapFamily* family_;
-  const std::vector<double>* wanted_;
-  base::StopRequest stop_;
-};
+/// Whether the step from `at` to `next` passes the start of the curve.
+template <class Point>
+[[nodiscard]] bool comes_back(const Point& start, const Point& at, const Point& next) {
+  const auto along = plus(next.at, -1.0, at.at);
+  const double length = norm(along);
+  const double share = dot(plus(start.at, -1.0, at.at), along) / (length * length);
+  if (!(share >= 0.0 && share <= 1.0)) return false;
+  return norm(plus(plus(at.at, share, along), -1.0, start.at)) < 0.1 * length &&
+         dot(start.tangent, next.tangent) > least_cosine;
+}
 
 /// A curve of orbits from a start on in one direction.
 struct TracedCurve {

@@ -1,4 +1,4 @@
-#include "analysis/data_file.hpp"
+#include "analysis/figure_scripts.hpp"
 
 #include <algorithm>
 

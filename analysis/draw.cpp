@@ -8,7 +8,6 @@
 #include <sys/wait.h>
 
 #include "analysis/child_process.hpp"
-#include "analysis/data_file.hpp"
 #include "analysis/figure_scripts.hpp"
 #include "rocking/text/files.hpp"
 

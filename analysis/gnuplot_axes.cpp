@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/data_file.hpp"
+#include "analysis/figure_scripts.hpp"
 #include "analysis/gnuplot_text.hpp"
 #include "rocking/look/text_table.hpp"
 

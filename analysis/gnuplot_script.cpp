@@ -4,7 +4,6 @@
 #include <cmath>
 #include <vector>
 
-#include "analysis/data_file.hpp"
 #include "analysis/gnuplot_axes.hpp"
 #include "analysis/gnuplot_text.hpp"
 #include "analysis/layout.hpp"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "analysis/data_file.hpp"
+#include "analysis/figure_scripts.hpp"
 #include "rocking/base/utf8.hpp"
 #include "rocking/look/text_table.hpp"
 

@@ -3,7 +3,6 @@
 #include <array>
 #include <cstddef>
 
-#include "analysis/data_file.hpp"
 #include "analysis/gnuplot_text.hpp"
 #include "rocking/text/json.hpp"
 #include "rocking/text/number_text.hpp"

@@ -6,7 +6,6 @@
 #include <set>
 #include <vector>
 
-#include "analysis/data_file.hpp"
 #include "analysis/gnuplot_axes.hpp"
 #include "analysis/gnuplot_text.hpp"
 #include "analysis/layout.hpp"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "analysis/data_file.hpp"
+#include "analysis/figure_scripts.hpp"
 #include "rocking/figures/palette.hpp"
 #include "rocking/figures/sweep_view.hpp"
 #include "rocking/output/mode_table.hpp"

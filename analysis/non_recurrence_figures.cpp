@@ -2,7 +2,7 @@
 #include <array>
 #include <map>
 
-#include "analysis/data_file.hpp"
+#include "analysis/figure_scripts.hpp"
 #include "analysis/run_figures.hpp"
 #include "rocking/figures/palette.hpp"
 #include "rocking/figures/sweep_view.hpp"

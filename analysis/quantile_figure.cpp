@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-#include "analysis/data_file.hpp"
+#include "analysis/figure_scripts.hpp"
 #include "rocking/figures/palette.hpp"
 #include "rocking/figures/sweep_view.hpp"
 #include "rocking/text/number_text.hpp"

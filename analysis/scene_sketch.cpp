@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "analysis/data_file.hpp"
+#include "analysis/figure_scripts.hpp"
 #include "analysis/quantity.hpp"
 #include "rocking/figures/sweep_view.hpp"
 #include "rocking/input/quantities_in_text.hpp"

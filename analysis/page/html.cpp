@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 #include <openssl/evp.h>
 
-#include "analysis/page/assets.hpp"
 #include "rocking/base/digest.hpp"
 #include "rocking/base/utf8.hpp"
 

@@ -1,8 +1,8 @@
 #include <memory>
 #include <string>
 
-#include "commands.hpp"
 #include "output.hpp"
+#include "program.hpp"
 #include "usage.hpp"
 
 namespace rocking::program {

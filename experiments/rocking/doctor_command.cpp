@@ -3,9 +3,9 @@
 #include <string_view>
 #include <vector>
 
-#include "commands.hpp"
 #include "machine.hpp"
 #include "output.hpp"
+#include "program.hpp"
 #include "rocking/rocking.hpp"
 
 namespace rocking::program {

@@ -8,10 +8,10 @@
 #include <fmt/ranges.h>
 
 #include "arguments.hpp"
-#include "commands.hpp"
 #include "drawing.hpp"
 #include "interrupt.hpp"
 #include "output.hpp"
+#include "program.hpp"
 #include "rocking/studies/studies.hpp"
 
 namespace rocking::program {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "campaign.hpp"
-#include "commands.hpp"
+#include "program.hpp"
 
 namespace rocking::program {
 namespace {

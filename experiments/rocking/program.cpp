@@ -16,7 +16,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "commands.hpp"
 #include "interrupt.hpp"
 #include "output.hpp"
 #include "rocking/base/build_info.hpp"

@@ -1,10 +1,10 @@
 #include <memory>
 #include <string>
 
-#include "commands.hpp"
+#include "arguments.hpp"
 #include "output.hpp"
+#include "program.hpp"
 #include "rocking/rocking.hpp"
-#include "trajectory_output.hpp"
 
 namespace rocking::program {
 namespace {

@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "commands.hpp"
+#include "program.hpp"
 #include "report_again.hpp"
 #include "usage.hpp"
 

@@ -2,7 +2,7 @@
 #include <string>
 
 #include "campaign.hpp"
-#include "commands.hpp"
+#include "program.hpp"
 
 namespace rocking::program {
 namespace {

@@ -7,9 +7,9 @@
 #include "arguments.hpp"
 #include "before_run.hpp"
 #include "campaign.hpp"
-#include "commands.hpp"
 #include "machine.hpp"
 #include "output.hpp"
+#include "program.hpp"
 #include "rocking/base/build_info.hpp"
 #include "rocking/rocking.hpp"
 

@@ -2,8 +2,8 @@
 #include <string>
 #include <vector>
 
-#include "commands.hpp"
 #include "output.hpp"
+#include "program.hpp"
 #include "rocking/rocking.hpp"
 #include "rocking/studies/studies.hpp"
 #include "usage.hpp"

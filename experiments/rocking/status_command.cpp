@@ -1,8 +1,8 @@
 #include <memory>
 #include <string>
 
-#include "commands.hpp"
 #include "output.hpp"
+#include "program.hpp"
 #include "rocking/api/checks.hpp"
 #include "study_file.hpp"
 

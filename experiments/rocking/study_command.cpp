@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "arguments.hpp"
-#include "commands.hpp"
+#include "program.hpp"
 #include "study_call.hpp"
 #include "study_flags.hpp"
 

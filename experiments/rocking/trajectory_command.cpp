@@ -2,11 +2,10 @@
 #include <string>
 
 #include "arguments.hpp"
-#include "commands.hpp"
 #include "output.hpp"
+#include "program.hpp"
 #include "rocking/pages.hpp"
 #include "rocking/rocking.hpp"
-#include "trajectory_output.hpp"
 
 namespace rocking::program {
 namespace {

@@ -4,9 +4,9 @@
 
 #include "arguments.hpp"
 #include "before_run.hpp"
-#include "commands.hpp"
 #include "machine.hpp"
 #include "output.hpp"
+#include "program.hpp"
 #include "rocking/rocking.hpp"
 
 namespace rocking::program {

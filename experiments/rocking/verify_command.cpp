@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "commands.hpp"
 #include "folder_check.hpp"
+#include "program.hpp"
 #include "study_file.hpp"
 
 namespace rocking::program {

@@ -5,7 +5,6 @@
 #include <string_view>
 #include <vector>
 
-#include "analysis/data_file.hpp"
 #include "analysis/figure_scripts.hpp"
 #include "analysis/page/page.hpp"
 #include "analysis/run_figures.hpp"

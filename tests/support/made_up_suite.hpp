@@ -98,7 +98,7 @@ inline double estimate(const SuiteRate& rate, RateSource source) {
 }
 
 /// Integral of P |dH| from the least uplift on, by the midpoint rule in ln x.
-inline double by_midpoints(const std::function<double(double x)>& probability) {
+inline double midpoint_rate(const std::function<double(double x)>& probability) {
   constexpr int steps = 200000;
   const double step = std::log(1e4 / uplift) / steps;
   double rate = 0.0;

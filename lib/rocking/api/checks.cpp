@@ -7,7 +7,6 @@
 #include "rocking/api/question_check.hpp"
 #include "rocking/api/refuse.hpp"
 #include "rocking/api/run_folder.hpp"
-#include "rocking/api/run_options.hpp"
 #include "rocking/api/run_store.hpp"
 #include "rocking/base/build_info.hpp"
 #include "rocking/base/error.hpp"

@@ -7,7 +7,7 @@
 
 #include "rocking/base/build_info.hpp"
 #include "rocking/ensemble/extension.hpp"
-#include "rocking/store/results_version.hpp"
+#include "rocking/store/store_identity.hpp"
 #include "rocking/text/files.hpp"
 #include "rocking/text/locate.hpp"
 #include "rocking/text/number_text.hpp"

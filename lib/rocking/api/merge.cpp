@@ -7,7 +7,7 @@
 #include "rocking/api/run.hpp"
 #include "rocking/base/build_info.hpp"
 #include "rocking/store/difference.hpp"
-#include "rocking/store/results_version.hpp"
+#include "rocking/store/store_identity.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking {

@@ -6,7 +6,6 @@
 
 #include "rocking/api/folder_run.hpp"
 #include "rocking/api/refuse.hpp"
-#include "rocking/api/run_options.hpp"
 #include "rocking/api/run_store.hpp"
 #include "rocking/api/system_facts.hpp"
 #include "rocking/base/build_info.hpp"
@@ -20,8 +19,8 @@
 #include "rocking/output/run_table.hpp"
 #include "rocking/output/write_facts.hpp"
 #include "rocking/scene/check_condition.hpp"
-#include "rocking/store/results_version.hpp"
 #include "rocking/store/store.hpp"
+#include "rocking/store/store_identity.hpp"
 
 namespace rocking {
 namespace {

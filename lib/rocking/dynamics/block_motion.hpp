@@ -6,11 +6,10 @@
 #include <optional>
 
 #include "rocking/dynamics/armed_guards.hpp"
-#include "rocking/dynamics/displacement.hpp"
 #include "rocking/dynamics/motion_course.hpp"
 #include "rocking/dynamics/prepared_step.hpp"
 #include "rocking/dynamics/resting.hpp"
-#include "rocking/dynamics/steps_elsewhere.hpp"
+#include "rocking/dynamics/tangent.hpp"
 
 namespace rocking::dynamics {
 
@@ -167,7 +166,7 @@ class BlockMotion {
     return done;
   }
 
-  /// For steps that the lanes compute (steps_elsewhere.hpp).
+  /// For steps that the lanes compute (StepsElsewhere).
   [[nodiscard]] MotionCourse<Coefficients>& course() { return course_; }
   [[nodiscard]] const MotionCourse<Coefficients>& course() const { return course_; }
 

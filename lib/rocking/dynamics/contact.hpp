@@ -3,7 +3,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <string_view>
 
 namespace rocking::dynamics {
@@ -75,9 +74,6 @@ inline constexpr std::array<std::string_view, terminations.size()> termination_n
 [[nodiscard]] inline std::string_view to_string(Termination termination) {
   return termination_names[static_cast<std::size_t>(termination)];
 }
-
-/// The termination with this name; empty if there is none.
-[[nodiscard]] std::optional<Termination> termination_named(std::string_view name);
 
 /// Inertia in the slip equations. `edge` is Jeong & Yang's Eq. 7 as printed; energy does not balance with it.
 enum class SlideInertia : std::uint8_t { centroidal, edge };

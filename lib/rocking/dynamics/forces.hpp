@@ -5,7 +5,7 @@
 #include "rocking/base/elementary.hpp"
 #include "rocking/dynamics/block.hpp"
 #include "rocking/dynamics/contact.hpp"
-#include "rocking/dynamics/edge_angle.hpp"
+#include "rocking/dynamics/setting.hpp"
 
 namespace rocking::dynamics {
 

@@ -1,5 +1,6 @@
 #include "rocking/dynamics/impact.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace rocking::dynamics {
@@ -65,6 +66,13 @@ ImpactOutcome slipping_impact(const ImpactConditions& before, double kinetic_fri
       lambda_term<double>(rates_of(before), block.cosine) - friction * vertical + block.cosine * w2;
   const bool slip_ends = !(slip_direction * slip_rate > 0.0);
   return {.tilt_rate = w2, .slip_rate = slip_ends ? 0.0 : slip_rate, .kind = ImpactKind::slip};
+}
+
+double painleve_friction(const Geometry& block, SlideInertia inertia) {
+  const double twice = 2.0 * inertia_ratio(inertia) + 1.0;
+  const double in_motion = std::sqrt(twice * twice - 1.0);
+  const double in_impact = (1.0 / 3.0 + block.sine * block.sine) / (block.sine * block.cosine);
+  return std::min(in_motion, in_impact);
 }
 
 }  // namespace rocking::dynamics

@@ -7,11 +7,11 @@
 #include <limits>
 #include <optional>
 
-#include "rocking/dynamics/continuity.hpp"
+#include "rocking/dynamics/clock.hpp"
+#include "rocking/dynamics/known_at_start.hpp"
 #include "rocking/dynamics/motion_context.hpp"
 #include "rocking/dynamics/motion_series.hpp"
 #include "rocking/dynamics/peaks.hpp"
-#include "rocking/dynamics/strobe_schedule.hpp"
 
 namespace rocking::dynamics {
 

@@ -5,8 +5,8 @@
 #include <cstdint>
 
 #include "rocking/base/lane.hpp"
-#include "rocking/dynamics/edge_angle.hpp"
 #include "rocking/dynamics/series_products.hpp"
+#include "rocking/dynamics/setting.hpp"
 
 /// Taylor series of the block's motion about an instant: the stepping kernel.
 ///

@@ -7,8 +7,8 @@
 
 #include "rocking/dynamics/coefficients.hpp"
 #include "rocking/dynamics/impact.hpp"
+#include "rocking/dynamics/motion_course.hpp"
 #include "rocking/dynamics/small_hop.hpp"
-#include "rocking/dynamics/steps_elsewhere.hpp"
 #include "rocking/lanes/lane_values.hpp"
 
 namespace rocking::lanes {

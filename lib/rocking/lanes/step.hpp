@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "rocking/dynamics/excitation/moment.hpp"
+#include "rocking/dynamics/clock.hpp"
 #include "rocking/dynamics/forces.hpp"
 #include "rocking/dynamics/motion_series.hpp"
 #include "rocking/integrate/step_length.hpp"

@@ -10,7 +10,6 @@
 
 #include "rocking/base/number_text.hpp"
 #include "rocking/dynamics/impact.hpp"
-#include "rocking/dynamics/validity.hpp"
 #include "rocking/scene/check_condition.hpp"
 #include "rocking/scene/restitution.hpp"
 #include "rocking/scene/rules.hpp"

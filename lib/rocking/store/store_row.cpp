@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <cstddef>
+#include <optional>
 #include <string_view>
 
 namespace rocking {
@@ -55,6 +56,12 @@ class Binder {
   int place_ = 0;
 };
 
+std::optional<dynamics::Termination> termination_named(std::string_view name) {
+  const auto* const found = std::ranges::find(dynamics::termination_names, name);
+  if (found == dynamics::termination_names.end()) return std::nullopt;
+  return dynamics::terminations[static_cast<std::size_t>(found - dynamics::termination_names.begin())];
+}
+
 /// Reads the columns of a row, one after the other. A value that no program writes makes the row unsound, although the
 /// field that it becomes may have the right checksum.
 class Reader {
@@ -80,9 +87,7 @@ class Reader {
   void get(section::ResponseMode& mode) { take(section::response_mode_named(statement_->text(place_++)), mode); }
   void get(section::ModeCounts& counts) { take(section::mode_counts_named(statement_->text(place_++)), counts); }
   void get(section::Reason& reason) { take(section::reason_named(statement_->text(place_++)), reason); }
-  void get(dynamics::Termination& termination) {
-    take(dynamics::termination_named(statement_->text(place_++)), termination);
-  }
+  void get(dynamics::Termination& termination) { take(termination_named(statement_->text(place_++)), termination); }
   template <class Value>
   void get(std::optional<Value>& value) {
     if (statement_->is_null(place_)) {

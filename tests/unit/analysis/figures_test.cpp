@@ -12,8 +12,8 @@
 
 #include <gmock/gmock.h>
 
-#include "analysis/data_file.hpp"
 #include "analysis/draw.hpp"
+#include "analysis/figure_scripts.hpp"
 #include "analysis/gnuplot_axes.hpp"
 #include "analysis/gnuplot_text.hpp"
 #include "analysis/run_figures.hpp"

@@ -8,7 +8,7 @@
 #include <boost/math/tools/roots.hpp>
 #include <gtest/gtest.h>
 
-#include "rocking/dynamics/validity.hpp"
+#include "rocking/dynamics/impact.hpp"
 #include "support/scripted_coefficients.hpp"
 #include "support/simulation.hpp"
 

@@ -8,7 +8,6 @@
 
 #include "rocking/dynamics/block.hpp"
 #include "rocking/dynamics/clock.hpp"
-#include "rocking/dynamics/excitation/moment.hpp"
 #include "rocking/dynamics/motion_series.hpp"
 
 namespace rocking::dynamics {

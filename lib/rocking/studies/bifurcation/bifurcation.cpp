@@ -4,7 +4,7 @@
 #include <mutex>
 
 #include "rocking/api/refuse.hpp"
-#include "rocking/api/run_options.hpp"
+#include "rocking/api/run_store.hpp"
 #include "rocking/base/error.hpp"
 #include "rocking/base/many_parts.hpp"
 #include "rocking/input/quantities_in_text.hpp"

@@ -62,7 +62,7 @@ struct RateEstimate {
   RateSource source = RateSource::law;
   double value = 0.0;  ///< [1/year]
   /// By the law: of its bootstrap samples over records, with what the levels leave undecided outside them. By shares:
-  /// what the levels allow, with a record that is not in the suite (stats/unseen_record.hpp).
+  /// what the levels allow, with a record that is not in the suite (stats/suite_bootstrap.hpp).
   std::optional<stats::Interval> interval;
 };
 

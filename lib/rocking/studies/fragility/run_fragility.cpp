@@ -2,7 +2,6 @@
 
 #include "rocking/api/question_check.hpp"
 #include "rocking/api/refuse.hpp"
-#include "rocking/api/run_options.hpp"
 #include "rocking/api/run_store.hpp"
 #include "rocking/api/system_facts.hpp"
 #include "rocking/base/error.hpp"

@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "analysis/page/assets.hpp"
 #include "analysis/page/html.hpp"
 #include "analysis/page/sections.hpp"
 #include "analysis/page/words.hpp"

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "rocking/api/question_check.hpp"
-#include "rocking/api/run_options.hpp"
+#include "rocking/api/run_store.hpp"
 #include "rocking/base/error.hpp"
 #include "rocking/base/number_text.hpp"
 #include "rocking/output/ground_motion_facts.hpp"

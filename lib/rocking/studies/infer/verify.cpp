@@ -2,7 +2,7 @@
 #include <utility>
 
 #include "rocking/api/refuse.hpp"
-#include "rocking/api/run_options.hpp"
+#include "rocking/api/run_store.hpp"
 #include "rocking/api/system_facts.hpp"
 #include "rocking/input/report_claims.hpp"
 #include "rocking/output/report_differences.hpp"

@@ -179,7 +179,7 @@ TEST(RareTailOfASuite, IntegratesTheMeanOverTheRecords) {
   const stats::SuiteLaw law = whole_curve().pooled->law();
   const boost::math::normal_distribution<double> normal;
   const auto with_tail = [&](const std::function<double(double)>& upper) {
-    return by_midpoints([&](double x) {
+    return midpoint_rate([&](double x) {
       if (x >= 0.4) return upper(x);
       const bool is_first = x < 0.3;
       const double from = is_first ? 0.25 : 0.3, to = is_first ? 0.3 : 0.4;
@@ -194,7 +194,7 @@ TEST(RareTailOfASuite, IntegratesTheMeanOverTheRecords) {
   EXPECT_NEAR(rate.chosen.value, by_law, 1e-6 * by_law);
   EXPECT_NEAR(estimate(rate, RateSource::observed), observed, 1e-6 * observed);
   EXPECT_NEAR(estimate(rate, RateSource::at_least),
-              by_midpoints([&](double x) {
+              midpoint_rate([&](double x) {
                 return x < 0.25 ? 0.0 : x < 0.3 ? low : x < 0.4 ? high : 0.0;
               }) + estimate(annual_rate(whole_curve(), hazard()), RateSource::at_least) -
                   7.0 / 60.0 * (hazard_at(0.3) - hazard_at(0.4)),
@@ -260,7 +260,7 @@ TEST(RareTailOfASuite, IsThatOfTheEstimatesWhereNoLevelHasAnEvent) {
   EXPECT_EQ(rate.chosen.rare_below, 0.3);
   const boost::math::normal_distribution<double> normal;
   const double z_low = quantile(normal, 2.41e-4 / 6.0), z_high = quantile(normal, 7.52e-3 / 6.0);
-  const double expected = by_midpoints([&](double x) {
+  const double expected = midpoint_rate([&](double x) {
     if (x >= 0.3) return 7.52e-3 / 6.0;
     return stats::normal_cdf(z_low + (z_high - z_low) * std::log(x / 0.25) / std::log(0.3 / 0.25));
   });

@@ -25,11 +25,11 @@ TEST(SuiteRate, IsGivenByTheLawAndByShares) {
   ASSERT_EQ(whole_curve().outcome, stats::FragilityOutcome::fitted);
   EXPECT_EQ(rate.chosen.source, RateSource::law);
   const stats::SuiteLaw law = whole_curve().pooled->law();
-  const double by_law = by_midpoints([&](double x) { return law.probability(x); });
+  const double by_law = midpoint_rate([&](double x) { return law.probability(x); });
   EXPECT_NEAR(estimate(rate, RateSource::law), by_law, 1e-6 * by_law);
   EXPECT_NEAR(rate.chosen.value, by_law, 1e-6 * by_law);
   const std::vector<double> shares = shares_of();
-  const double observed = by_midpoints([&](double x) { return interpolated(shares, x); });
+  const double observed = midpoint_rate([&](double x) { return interpolated(shares, x); });
   EXPECT_NEAR(estimate(rate, RateSource::observed), observed, 1e-6 * observed);
   // The means rise, so that the isotonic ones are the same.
   EXPECT_NEAR(estimate(rate, RateSource::isotonic), observed, 1e-6 * observed);
@@ -44,12 +44,12 @@ TEST(SuiteRate, IsGivenByTheLawAndByShares) {
 TEST(SuiteRate, LiesBetweenTheBoundsOfItsLevels) {
   const SuiteRate rate = annual_rate(whole_curve(), hazard());
   const std::vector<double> shares = shares_of();
-  const double at_least = by_midpoints([&](double x) {
+  const double at_least = midpoint_rate([&](double x) {
     std::size_t k = 0;
     while (k + 1 < intensities.size() && intensities[k + 1] <= x) ++k;
     return x < intensities[1] ? 0.0 : shares[k];
   });
-  const double at_most = by_midpoints([&](double x) {
+  const double at_most = midpoint_rate([&](double x) {
     std::size_t k = 0;
     while (k < intensities.size() && intensities[k] < x) ++k;
     return k == intensities.size() ? 1.0 : shares[k];
@@ -64,7 +64,7 @@ TEST(SuiteRate, IsSharedOutAmongTheRecords) {
   double sum = 0.0, shares = 0.0;
   for (std::size_t r = 0; r < outcomes.size(); ++r) {
     const std::vector<double> own = shares_of(r);
-    const double expected = by_midpoints([&](double x) { return interpolated(own, x); });
+    const double expected = midpoint_rate([&](double x) { return interpolated(own, x); });
     EXPECT_NEAR(rate.by_record[r].rate, expected, 1e-6 * expected) << r;
     sum += rate.by_record[r].rate;
     shares += rate.by_record[r].share;

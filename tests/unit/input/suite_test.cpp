@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "rocking/base/digest.hpp"
+#include "rocking/input/quantities_in_text.hpp"
 #include "rocking/input/read_experiment.hpp"
 #include "rocking/input/suite.hpp"
 #include "rocking/studies/motion/study.hpp"

@@ -59,7 +59,8 @@ inline constexpr std::size_t most_incidence_panels = 6;
 [[nodiscard]] Table quantiles_of_condition(const Report& report, const ReportedCondition& condition);
 
 /// `mode_bands`: the probabilities of the response modes, stacked to 1, against the swept parameter; a panel for each
-/// combination of the other parameters, or, of more than six combinations, a strip of one panel. Modes beyond the ten most frequent are joined.
+/// combination of the other parameters, or, of more than six combinations, a strip of one panel. Modes beyond the ten
+/// most frequent are joined.
 [[nodiscard]] Figure mode_bands(const Report& report);
 
 /// `mode_probabilities`: the same probabilities as separate curves, each with its simultaneous interval as a ribbon.

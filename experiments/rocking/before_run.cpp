@@ -13,7 +13,7 @@
 #include "rocking/input/suite.hpp"
 #include "rocking/output/ground_motion_facts.hpp"
 #include "rocking/output/plan_text.hpp"
-#include "rocking/plan/thresholds.hpp"
+#include "rocking/plan/plan.hpp"
 #include "rocking/text/json.hpp"
 #include "rocking/text/number_text.hpp"
 #include "study_file.hpp"

@@ -41,7 +41,8 @@ struct Pace {
 };
 
 /// `1200 of 7600 realisations (15.8 %), 410/s, 15 s remaining`, or `1200/7600, ...` where `is_short`; before there is a
-/// rate the time since the start; `1200 realisations so far, 410/s` where their number is not known. Where something is counted `then`, neither a share nor a time remaining is known:
+/// rate the time since the start; `1200 realisations so far, 410/s` where their number is not known. Where something is
+/// counted `then`, neither a share nor a time remaining is known:
 /// `3 of 6 conditions, 0.1/s; then points of branches`, and later `240 points of branches, 12/s`.
 [[nodiscard]] std::string progress_line(const Pace& pace, const Counted& counted, bool is_short);
 

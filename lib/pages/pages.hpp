@@ -47,7 +47,8 @@ struct StudyText {
   std::string text;
 };
 
-/// Draws trajectories, and what studies found that has figures, from their JSON text, in a folder. Throws base::InputError with the name of a text that is none of these, and otherwise as write_page.
+/// Draws trajectories, and what studies found that has figures, from their JSON text, in a folder. Throws
+/// base::InputError with the name of a text that is none of these, and otherwise as write_page.
 [[nodiscard]] ROCKING_API Written draw(const std::vector<StudyText>& texts, const std::filesystem::path& folder,
                                        Column column = Column::screen, const Execution& execution = {});
 

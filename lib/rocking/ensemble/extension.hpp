@@ -13,7 +13,8 @@ namespace rocking {
 [[nodiscard]] std::uint64_t most_stored_realisations(const Store& store);
 
 /// Copies the rows of a store of `experiment` that are also rows of `extension`, an experiment that differs in the
-/// numbers of realisations, or by further values of its sweep, only. The row of a realisation that has a neighbour in one of the two but not in the other
+/// numbers of realisations, or by further values of its sweep, only. The row of a realisation that has a neighbour in
+/// one of the two but not in the other
 /// is left out, because it contains the comparison with the neighbour. The added rows are not yet durable.
 void copy_common_realisations(const Store& former, const Experiment& experiment, const Experiment& extension,
                               Store& into);

@@ -7,8 +7,8 @@
 #include "rocking/fields/value_type.hpp"
 #include "rocking/input/read_question.hpp"
 #include "rocking/input/record_formats.hpp"
+#include "rocking/scene/experiment_keys.hpp"
 #include "rocking/scene/keys.hpp"
-#include "rocking/scene/law_keys.hpp"
 #include "rocking/scene/rules.hpp"
 #include "rocking/text/json.hpp"
 

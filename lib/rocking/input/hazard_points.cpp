@@ -1,4 +1,4 @@
-#include "rocking/input/hazard_points.hpp"
+#include "rocking/input/read_hazard.hpp"
 
 #include <algorithm>
 #include <array>

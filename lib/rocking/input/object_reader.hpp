@@ -14,7 +14,8 @@
 namespace rocking {
 
 /// Reads one JSON object, key by key. Each call checks a key, remembers that it is known, and writes the value, or its
-/// default, to the canonical object in the order of the calls. Keys must outlive it. Problems are collected, never thrown; a call that met
+/// default, to the canonical object in the order of the calls. Keys must outlive it. Problems are collected, never
+/// thrown; a call that met
 /// one returns a value that is safe to go on with.
 class ObjectReader {
  public:

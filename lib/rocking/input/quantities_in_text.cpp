@@ -10,7 +10,7 @@
 #include "rocking/input/reading_keys.hpp"
 #include "rocking/scene/drawn_quantities.hpp"
 #include "rocking/scene/excitation.hpp"
-#include "rocking/scene/law_keys.hpp"
+#include "rocking/scene/experiment_keys.hpp"
 
 namespace rocking {
 namespace {

@@ -9,8 +9,7 @@
 #include "rocking/input/read_question.hpp"
 #include "rocking/input/suite.hpp"
 #include "rocking/input/sweep.hpp"
-#include "rocking/input/swept_place.hpp"
-#include "rocking/scene/relations.hpp"
+#include "rocking/scene/check_condition.hpp"
 #include "rocking/text/json.hpp"
 #include "rocking/text/locate.hpp"
 

@@ -9,7 +9,6 @@
 
 #include "rocking/base/error.hpp"
 #include "rocking/base/number_text.hpp"
-#include "rocking/input/hazard_points.hpp"
 
 namespace rocking {
 namespace {

@@ -1,9 +1,12 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "rocking/base/error.hpp"
 #include "rocking/scene/hazard.hpp"
 
 namespace rocking {
@@ -23,5 +26,63 @@ inline constexpr std::size_t most_hazard_bytes = 10'000'000;
 /// fewer than two points or more than `most_hazard_points`, a text of more than `most_hazard_bytes`.
 [[nodiscard]] HazardCurve read_hazard(std::string_view text, const std::string& name,
                                       const HazardReading& reading = {});
+
+/// The measure of a column of intensities.
+struct HazardMeasure {
+  std::string name;      ///< as a run names its own: `pga_g`, `sa_g[0.5]`, `avgsa_g[0.2-2]`
+  double divisor = 1.0;  ///< of the numbers in the file, which gives them the unit of the name
+};
+
+/// Reads the name of a measure: the key of a sweep or its pointer, with periods in brackets; `PGA`, `PGV` (in cm/s) and
+/// `SA(0.5)` as OpenQuake writes them; `pgv_cm_s`. Absent: it is none of these.
+[[nodiscard]] std::optional<HazardMeasure> hazard_measure(std::string_view word);
+
+/// What a column says of how often intensities are exceeded.
+struct HazardKind {
+  bool is_probability = false;
+  std::optional<double> years = std::nullopt;  ///< of the probability, where the name states it
+};
+
+/// Reads the name of a column: annual rate or frequency of exceedance, or probability of exceedance (`poe`, `poe[50]`,
+/// `annual_poe`), in the usual spellings. Absent: it is none of these.
+[[nodiscard]] std::optional<HazardKind> hazard_kind(std::string_view word);
+
+/// The number that a field is; absent: it is none, or not finite.
+[[nodiscard]] std::optional<double> hazard_number(const std::string& field);
+
+/// Takes what a file says of a hazard curve, whatever its format: its measure, what its numbers are, its points. Collects
+/// the problems; `place` is that of a fault, `h.csv, line 3`.
+class HazardPoints {
+ public:
+  /// `name`: of the file.
+  HazardPoints(std::string name, HazardReading reading);
+
+  void reject(std::string place, std::string found, std::string reason, std::string remedy);
+  [[nodiscard]] std::size_t problems() const { return problems_.size(); }
+  [[nodiscard]] std::size_t size() const { return curve_.points.size(); }
+  void set_header_line(std::size_t line) { curve_.header_line = line; }
+
+  /// The measure that the file names; absent: it names none, and the reading must.
+  void set_measure(const std::string& place, const std::optional<HazardMeasure>& named);
+  /// What the numbers are; `word`: as the file says it.
+  void set_kind(const std::string& place, const std::string& word, const HazardKind& kind);
+  /// A point, both numbers as written. After measure and kind.
+  void add(const std::string& place, const std::string& intensity, const std::string& value);
+
+  /// The curve. Throws base::InputError with all problems.
+  [[nodiscard]] HazardCurve finish();
+
+  static constexpr const char* known_measures =
+      "name the measure as the sweep does, pga_g, pgv_m_s or sa_g[0.5], or as OpenQuake does, PGA, PGV or SA(0.5)";
+
+ private:
+  void check_whole();
+  void check_unit();
+
+  HazardReading reading_;
+  HazardMeasure measure_;
+  HazardCurve curve_;
+  std::vector<base::Problem> problems_;
+};
 
 }  // namespace rocking

@@ -12,7 +12,6 @@
 #include "rocking/input/condition_family.hpp"
 #include "rocking/input/line_problems.hpp"
 #include "rocking/input/quantities_in_text.hpp"
-#include "rocking/input/test_columns.hpp"
 #include "rocking/text/json.hpp"
 
 namespace rocking {

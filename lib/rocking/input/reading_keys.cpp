@@ -7,8 +7,8 @@
 #include "rocking/input/ground_motion_files.hpp"
 #include "rocking/input/quantities_in_text.hpp"
 #include "rocking/input/record_formats.hpp"
-#include "rocking/input/swept_place.hpp"
-#include "rocking/scene/law_keys.hpp"
+#include "rocking/input/sweep.hpp"
+#include "rocking/scene/experiment_keys.hpp"
 #include "rocking/scene/rules.hpp"
 #include "rocking/text/number_text.hpp"
 

@@ -3,8 +3,6 @@
 #include <charconv>
 #include <cmath>
 
-#include "rocking/input/swept_place.hpp"
-
 namespace rocking {
 namespace {
 

@@ -1,4 +1,4 @@
-#include "rocking/input/swept_place.hpp"
+#include "rocking/input/sweep.hpp"
 
 #include <algorithm>
 #include <optional>

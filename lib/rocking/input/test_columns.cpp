@@ -1,11 +1,11 @@
-#include "rocking/input/test_columns.hpp"
+#include "rocking/input/read_tests.hpp"
 
 #include <algorithm>
 #include <optional>
 #include <utility>
 
 #include "rocking/base/error.hpp"
-#include "rocking/input/swept_place.hpp"
+#include "rocking/input/sweep.hpp"
 #include "rocking/text/spelling.hpp"
 
 namespace rocking {

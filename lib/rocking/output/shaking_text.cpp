@@ -10,7 +10,6 @@
 #include "rocking/fields/converted_type.hpp"
 #include "rocking/input/quantities_in_text.hpp"
 #include "rocking/scene/experiment.hpp"
-#include "rocking/scene/rate_ratios.hpp"
 #include "rocking/scene/restitution.hpp"
 #include "rocking/text/number_text.hpp"
 

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "rocking/fields/container_types.hpp"
-#include "rocking/fields/named_type.hpp"
+#include "rocking/fields/converted_type.hpp"
 #include "rocking/output/trajectory_report.hpp"
 
 namespace rocking {

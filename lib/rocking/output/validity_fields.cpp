@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "rocking/fields/container_types.hpp"
-#include "rocking/fields/named_type.hpp"
+#include "rocking/fields/converted_type.hpp"
 
 namespace rocking {
 namespace {

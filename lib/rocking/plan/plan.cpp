@@ -8,10 +8,8 @@
 #include <vector>
 
 #include "rocking/ensemble/work_list.hpp"
-#include "rocking/plan/thresholds.hpp"
 #include "rocking/scene/drawn_quantities.hpp"
 #include "rocking/scene/experiment.hpp"
-#include "rocking/scene/rate_ratios.hpp"
 #include "rocking/scene/restitution.hpp"
 
 namespace rocking {

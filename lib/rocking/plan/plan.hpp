@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "rocking/base/stop_request.hpp"
+#include "rocking/dynamics/block.hpp"
+#include "rocking/dynamics/excitation/shape.hpp"
 #include "rocking/scene/experiment.hpp"
 #include "rocking/store/realisation_key.hpp"
 
@@ -79,5 +81,14 @@ struct Plan {
 /// Time [s] if this share of the realisations goes on to its limit and the others are classified at once. The time of the
 /// plan is known.
 [[nodiscard]] double seconds_if_continued(const Plan& plan, double share);
+
+/// From which base acceleration a block lifts, and below which friction it slides at rest, in an impact and when it begins to
+/// rock: sentences for the mean blocks and the mean friction of all conditions (lib/docs/model.md, sections 3 and 4).
+[[nodiscard]] std::string thresholds_text(const Experiment& experiment);
+
+/// The least scale of the motion at which a block leaves full contact by rocking if it cannot slide: abs(alpha) reaches
+/// tan(psi) (1 + alpha_v) at some sample. Absent if no scale does.
+[[nodiscard]] std::optional<double> least_uplift_scale(const std::vector<dynamics::GroundMotionSample>& samples,
+                                                       const dynamics::Geometry& block);
 
 }  // namespace rocking

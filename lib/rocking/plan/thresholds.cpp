@@ -1,9 +1,9 @@
-#include "rocking/plan/thresholds.hpp"
+#include "rocking/plan/plan.hpp"
 
 #include <optional>
 
 #include "rocking/dynamics/block.hpp"
-#include "rocking/scene/rate_ratios.hpp"
+#include "rocking/scene/restitution.hpp"
 
 namespace rocking {
 namespace {

@@ -7,8 +7,6 @@
 #include "rocking/base/number_text.hpp"
 #include "rocking/scene/experiment_keys.hpp"
 #include "rocking/scene/ground_motion_reading.hpp"
-#include "rocking/scene/law_keys.hpp"
-#include "rocking/scene/relations.hpp"
 #include "rocking/scene/rules.hpp"
 
 namespace rocking {

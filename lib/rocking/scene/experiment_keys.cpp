@@ -2,9 +2,8 @@
 
 #include <array>
 
+#include "rocking/scene/check_condition.hpp"
 #include "rocking/scene/defaults.hpp"
-#include "rocking/scene/law_keys.hpp"
-#include "rocking/scene/relations.hpp"
 #include "rocking/scene/restitution.hpp"
 #include "rocking/scene/rules.hpp"
 

@@ -93,7 +93,7 @@ class Keys {
   /// A list; one that may be absent is asked for where it stands.
   virtual void numbers(const Key& key, std::vector<double>& values, const ListLength& length, const NumberRule& rule,
                        Absent absent) = 0;
-  /// A number, or an object with the keys of a law (law_keys.hpp).
+  /// A number, or an object with the keys of a law (keys_of_law).
   virtual void quantity(const Key& key, Quantity& value, const NumberRule& rule, Absent absent) = 0;
   /// `chosen`: place among the names.
   virtual void word(const Key& key, std::size_t& chosen, std::span<const std::string_view> names, Absent absent) = 0;

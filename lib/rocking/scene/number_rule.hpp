@@ -32,7 +32,7 @@ struct NumberRule {
     return {.bounds = bounds, .demand = demand, .example = example, .standard = value};
   }
   [[nodiscard]] constexpr bool allows(double value) const { return bounds.allows(value); }
-  [[nodiscard]] std::string remedy() const;
+  [[nodiscard]] std::string remedy() const { return "give a value such as " + std::string(example); }
 };
 
 /// The same of a whole number.
@@ -51,8 +51,10 @@ struct IntegerRule {
   [[nodiscard]] constexpr IntegerRule with_default(Integer value) const {
     return {.low = low, .high = high, .example = example, .standard = static_cast<std::int64_t>(value)};
   }
-  [[nodiscard]] std::string demand() const;
-  [[nodiscard]] std::string remedy() const;
+  [[nodiscard]] std::string demand() const {
+    return "must be a whole number from " + std::to_string(low) + " to " + std::to_string(high);
+  }
+  [[nodiscard]] std::string remedy() const { return "give a value such as " + std::to_string(example); }
 };
 
 }  // namespace rocking

@@ -8,7 +8,7 @@
 
 #include "rocking/base/elementary.hpp"
 #include "rocking/base/normal_law.hpp"
-#include "rocking/scene/law_keys.hpp"
+#include "rocking/scene/experiment_keys.hpp"
 #include "rocking/scene/rules.hpp"
 
 namespace rocking {

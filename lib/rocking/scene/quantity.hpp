@@ -96,7 +96,7 @@ struct Values {
 
 /// The alternatives of a Quantity. Every law has `name`, its key in files;
 /// drawn_from() and at(draw), the value as a function of that number; expected(), its mean; reach(); and
-/// divide(divisor), which divides every value. Its keys: law_keys.hpp. The bits of a value are the same on every machine.
+/// divide(divisor), which divides every value. Its keys: keys_of_law. The bits of a value are the same on every machine.
 using NumberOrLaw = std::variant<double, Uniform, Normal, Lognormal, Triangular, Values>;
 
 /// A number, or the law from which each realisation draws it once, at its start.

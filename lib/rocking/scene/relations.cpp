@@ -1,4 +1,3 @@
-#include "rocking/scene/relations.hpp"
 
 #include <algorithm>
 #include <array>

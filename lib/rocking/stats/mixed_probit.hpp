@@ -57,7 +57,8 @@ using MixedProbitParameters = Eigen::Vector3d;
 /// Adaptive Gauss-Hermite quadrature with 25 nodes, centred at the mode of the integrand and scaled by its curvature
 /// there (Liu & Pierce 1994, Biometrika 81, 624-629). Where 25 and 11 nodes differ by more than 1e-4, as for a record
 /// whose outcomes are a step (the integrand is then flat between two levels), the integral is taken over intervals
-/// that are halved until Gauss-Legendre rules with 15 nodes agree to 1e-8 of it, at most 60 times on each side. Derivatives are those under the
+/// that are halved until Gauss-Legendre rules with 15 nodes agree to 1e-8 of it, at most 60 times on each side.
+/// Derivatives are those under the
 /// integral, by the same nodes (Louis 1982, J. R. Stat. Soc. B 44, 226-233).
 [[nodiscard]] LocalShape record_log_likelihood(std::span<const ProbitCounts> record,
                                                const MixedProbitParameters& parameters);

@@ -21,7 +21,8 @@ struct RepeatedEstimate {
 ///
 /// e_log is the standard error that a lognormal law with the same scatter of logarithms has, at most twice the other one.
 /// Of skewed estimates s is too small, and the mean with it, until one of the rare large ones has come; the logarithms
-/// tell their scatter before. Student's interval for the logarithm of the mean, by the delta method: the error of estimates of a small probability
+/// tell their scatter before. Student's interval for the logarithm of the mean, by the delta method: the error of
+/// estimates of a small probability
 /// is nearer to lognormal than to normal, and the lower end stays positive. The coverage is measured in
 /// lib/docs/rare.md. `confidence` in (0, 1). Requires an estimate. Where all are equal, as those of an event that always
 /// happens, nothing is known of their scatter: each counts as one trial (interval_of_equal_shares).

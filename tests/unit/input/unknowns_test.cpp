@@ -1,6 +1,6 @@
 // The unknowns of an experiment: what is read, and every fault with its place.
 
-#include "rocking/input/swept_place.hpp"
+#include "rocking/input/sweep.hpp"
 
 #include <gmock/gmock.h>
 

@@ -8,7 +8,7 @@
 
 #include "rocking/dynamics/forces.hpp"
 #include "rocking/input/read_experiment.hpp"
-#include "rocking/plan/thresholds.hpp"
+#include "rocking/plan/plan.hpp"
 
 namespace {
 

@@ -1,6 +1,5 @@
 #include "rocking/fields/container_types.hpp"
 #include "rocking/fields/converted_type.hpp"
-#include "rocking/fields/named_type.hpp"
 #include "rocking/output/provenance.hpp"
 #include "rocking/output/shaking_text.hpp"
 #include "rocking/output/validity_fields.hpp"

@@ -12,7 +12,7 @@
 #include "rocking/api/question_check.hpp"
 #include "rocking/api/refuse.hpp"
 #include "rocking/base/number_text.hpp"
-#include "rocking/fields/named_type.hpp"
+#include "rocking/fields/converted_type.hpp"
 #include "rocking/output/provenance.hpp"
 #include "rocking/random/draws.hpp"
 #include "rocking/random/sampler.hpp"

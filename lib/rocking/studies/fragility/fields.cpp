@@ -5,7 +5,6 @@
 
 #include "rocking/fields/container_types.hpp"
 #include "rocking/fields/converted_type.hpp"
-#include "rocking/fields/named_type.hpp"
 #include "rocking/input/suite.hpp"
 #include "rocking/output/provenance.hpp"
 #include "rocking/output/shaking_text.hpp"

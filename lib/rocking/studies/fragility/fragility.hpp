@@ -41,7 +41,8 @@ inline constexpr std::uint64_t suite_samples = 499;
                                             RateBasis basis = RateBasis::law_if_fitted);
 
 /// The curves of a run from its stripes: for each group, for each event. Throws base::InputError if the hazard curve is one
-/// of another intensity, or if metadata are given without a suite or not for each of its records, and base::Stopped if it is asked to stop. Uses `threads`, `stop_requested` and `on_progress` of
+/// of another intensity, or if metadata are given without a suite or not for each of its records, and base::Stopped if
+/// it is asked to stop. Uses `threads`, `stop_requested` and `on_progress` of
 /// the options; progress counts parts of about equal work, most of them bootstrap samples.
 [[nodiscard]] RunFragility run_fragility(const Experiment& experiment, const std::vector<StripeGroup>& groups,
                                          const FragilityQuestion& question, const RunOptions& options);

@@ -10,7 +10,7 @@
 
 #include "rocking/base/error.hpp"
 #include "rocking/dynamics/block.hpp"
-#include "rocking/plan/thresholds.hpp"
+#include "rocking/plan/plan.hpp"
 #include "rocking/scene/intensity_measures.hpp"
 #include "rocking/store/store.hpp"
 #include "rocking/studies/fragility/fragility.hpp"

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <utility>
 
-#include "rocking/plan/thresholds.hpp"
+#include "rocking/plan/plan.hpp"
 #include "rocking/scene/intensity_measures.hpp"
 
 namespace rocking {

@@ -3,7 +3,6 @@
 
 #include "rocking/fields/container_types.hpp"
 #include "rocking/fields/converted_type.hpp"
-#include "rocking/fields/named_type.hpp"
 #include "rocking/output/provenance.hpp"
 #include "rocking/studies/orbits/study.hpp"
 

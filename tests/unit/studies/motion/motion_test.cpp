@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "rocking/plan/thresholds.hpp"
+#include "rocking/plan/plan.hpp"
 #include "rocking/scene/intensity_measures.hpp"
 #include "rocking/studies/motion/study.hpp"
 #include "support/split_mix.hpp"

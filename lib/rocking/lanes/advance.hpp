@@ -25,16 +25,16 @@ class Advance {
   void look() { find_uncleared(lanes_, step_, guards_); }
   /// Moves the lanes on if nothing happens in any of them.
   void pass() {
-    if constexpr (!Form::Shaking::has_knots) passage_ = pass_quiet_step(lanes_, step_, guards_);
+    if constexpr (!Form::Shaking::has_knots) quiet_end_ = pass_quiet_step(lanes_, step_, guards_);
   }
   /// The lanes have moved on and can make a further step at once.
-  [[nodiscard]] bool can_go_on() const { return passage_ == Passage::to_next_step; }
+  [[nodiscard]] bool can_go_on() const { return quiet_end_ == QuietStepEnd::to_next_step; }
   [[nodiscard]] const UnclearedGuards<Form>& uncleared() const { return guards_; }
   void ask(SearchOf<Form>& search) { lanes::ask(lanes_, step_, guards_, search, places_); }
 
   /// Says in the lane state what has become of the lanes.
   void finish(const SearchOf<Form>& search) {
-    if (passage_ == Passage::none) {
+    if (quiet_end_ == QuietStepEnd::none) {
       finish_step(search);
     } else {
       mark_passed();
@@ -77,7 +77,7 @@ class Advance {
   void mark_passed() const {
     LaneState& state = lanes_.state;
     lanes_.mark(state.no_event, bits_of(guards_.occupied));
-    const bool has_unknown = passage_ == Passage::to_unknown_interval;
+    const bool has_unknown = quiet_end_ == QuietStepEnd::to_unknown_interval;
     lanes_.mark(state.at_breakpoint, has_unknown ? lanes_at_unknown_interval(lanes_, guards_.occupied) : 0);
     for (std::uint32_t* none : {&state.landed, &state.held, &state.strobed}) lanes_.mark(*none, 0);
   }
@@ -130,7 +130,7 @@ class Advance {
   Step<Form> step_;
   UnclearedGuards<Form> guards_;
   SearchPlaces<Form> places_;
-  Passage passage_ = Passage::none;
+  QuietStepEnd quiet_end_ = QuietStepEnd::none;
 };
 
 }  // namespace

@@ -32,7 +32,7 @@ template <class Form, class Real = typename Form::Real>
 }
 
 /// What follows on a step that may be quiet.
-enum class Passage : std::uint8_t {
+enum class QuietStepEnd : std::uint8_t {
   none,  ///< it is not quiet: the lanes have not moved
   to_next_step,
   to_unknown_interval,  ///< in some lanes the next interval of the friction grid must be drawn
@@ -41,15 +41,15 @@ enum class Passage : std::uint8_t {
 /// If the step is quiet in all lanes, moves them on. That takes half of the operations of finding and moving the lanes
 /// that can move on.
 template <class Form, class Real = typename Form::Real>
-[[nodiscard, gnu::noinline]] Passage pass_quiet_step(const LaneAccess<Real>& lanes, const Step<Form>& step,
-                                                     const UnclearedGuards<Form>& guards) {
-  if (bits_of(guards.any) != 0) return Passage::none;
+[[nodiscard, gnu::noinline]] QuietStepEnd pass_quiet_step(const LaneAccess<Real>& lanes, const Step<Form>& step,
+                                                          const UnclearedGuards<Form>& guards) {
+  if (bits_of(guards.any) != 0) return QuietStepEnd::none;
   LaneState& state = lanes.state;
   const auto every_lane = Real(0.0) == Real(0.0);
   const QuietStep<Form> quiet{.steps_since_strobe = lanes.load(state.steps_since_strobe) + Real(1.0),
                               .end = point<Form>(step.m, step.length),
                               .next = next_start<Form>(lanes, step, step.length, every_lane)};
-  if (!is_quiet(lanes, step, quiet, guards.occupied)) return Passage::none;
+  if (!is_quiet(lanes, step, quiet, guards.occupied)) return QuietStepEnd::none;
   note_peaks(lanes, step, {step.length, quiet.end.tilt, quiet.end.tilt_rate}, guards.occupied);
   if constexpr (Form::has_tangents) {
     const TangentStep<Form> tangents(lanes, step);
@@ -65,9 +65,10 @@ template <class Form, class Real = typename Form::Real>
   }
   lanes.store(state.time, quiet.next.time);
   lanes.store(state.period, quiet.next.period);
-  if constexpr (!Form::on_grid) return Passage::to_next_step;
+  if constexpr (!Form::on_grid) return QuietStepEnd::to_next_step;
   pass_interval(AllMoving<Real>{lanes}, step.now.period_length);
-  return lanes_at_unknown_interval(lanes, guards.occupied) == 0 ? Passage::to_next_step : Passage::to_unknown_interval;
+  return lanes_at_unknown_interval(lanes, guards.occupied) == 0 ? QuietStepEnd::to_next_step
+                                                                : QuietStepEnd::to_unknown_interval;
 }
 
 }  // namespace

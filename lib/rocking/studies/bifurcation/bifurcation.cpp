@@ -17,7 +17,7 @@ namespace {
 /// Steps that must run one after the other: the unit of work.
 struct Chain {
   Diagram* diagram;
-  Branch branch;
+  DiagramBranch branch;
   std::size_t first;  ///< places in the diagram's conditions
   std::size_t count;
 };
@@ -32,11 +32,12 @@ std::vector<Chain> chains_of(std::vector<Diagram>& diagrams) {
   for (Diagram& diagram : diagrams) {
     const std::size_t size = diagram.conditions.size();
     for (auto& steps : diagram.branches) steps.resize(size);
-    chains.push_back({&diagram, Branch::upwards, 0, size});
-    chains.push_back({&diagram, Branch::downwards, 0, size});
+    chains.push_back({&diagram, DiagramBranch::upwards, 0, size});
+    chains.push_back({&diagram, DiagramBranch::downwards, 0, size});
   }
   for (Diagram& diagram : diagrams) {
-    for (std::size_t i = 0; i < diagram.conditions.size(); ++i) chains.push_back({&diagram, Branch::initial, i, 1});
+    for (std::size_t i = 0; i < diagram.conditions.size(); ++i)
+      chains.push_back({&diagram, DiagramBranch::initial, i, 1});
   }
   return chains;
 }
@@ -99,7 +100,7 @@ std::vector<Diagram> bifurcation(const Experiment& experiment, std::uint64_t rea
     Continuation continuation(random::Draws(experiment.seed, realisation), asked.stop());
     for (std::size_t i = 0; i < chain.count; ++i) {
       asked.stop().check();
-      const std::size_t place = chain.branch == Branch::downwards ? chain.count - 1 - i : chain.first + i;
+      const std::size_t place = chain.branch == DiagramBranch::downwards ? chain.count - 1 - i : chain.first + i;
       const std::size_t index = chain.diagram->conditions[place];
       const Condition& condition = experiment.conditions[index];
       const bool continued = continuation.can_go_on();

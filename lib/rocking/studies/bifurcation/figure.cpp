@@ -22,11 +22,11 @@ constexpr std::size_t most_columns = 600;
 constexpr std::size_t most_points = 12'000;
 constexpr std::size_t few_points = 300;  // of a mode: drawn larger, to be seen on the line of a branch
 
-std::string_view in_words(Branch branch) {
+std::string_view in_words(DiagramBranch branch) {
   switch (branch) {
-    case Branch::initial: return "each step from the initial state";
-    case Branch::upwards: return "upwards: each step from the end of the previous one";
-    case Branch::downwards: return "downwards: each step from the end of the previous one";
+    case DiagramBranch::initial: return "each step from the initial state";
+    case DiagramBranch::upwards: return "upwards: each step from the end of the previous one";
+    case DiagramBranch::downwards: return "downwards: each step from the end of the previous one";
   }
   return "";
 }
@@ -51,7 +51,7 @@ using Steps = std::vector<const ReportedStep*>;
 
 /// Steps of a diagram by branch, with their ranges.
 struct DrawnDiagram {
-  std::map<Branch, Steps> branches;
+  std::map<DiagramBranch, Steps> branches;
   Range values, tilts;
   std::size_t different_values = 0;
 };

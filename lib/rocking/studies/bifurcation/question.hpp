@@ -17,12 +17,12 @@ namespace rocking {
 
 /// Start of the steps of a branch: the initial state of the file, or the end of the previous step, with the parameter
 /// increasing or decreasing from step to step.
-enum class Branch : std::uint8_t { initial, upwards, downwards };
-inline constexpr std::array all_branches{Branch::initial, Branch::upwards, Branch::downwards};
+enum class DiagramBranch : std::uint8_t { initial, upwards, downwards };
+inline constexpr std::array all_branches{DiagramBranch::initial, DiagramBranch::upwards, DiagramBranch::downwards};
 
 /// Their names, in their order.
 inline constexpr std::array<std::string_view, 3> branch_names{"initial", "upwards", "downwards"};
-[[nodiscard]] constexpr std::string_view to_string(Branch branch) {
+[[nodiscard]] constexpr std::string_view to_string(DiagramBranch branch) {
   return branch_names[static_cast<std::size_t>(branch)];
 }
 
@@ -38,7 +38,7 @@ struct DiagramStep {
 /// A diagram: the values of the first entry of a sweep, at fixed values of the others.
 struct Diagram {
   std::vector<std::size_t> conditions;  ///< of the experiment, by increasing value of the parameter
-  /// By Branch, then as `conditions`.
+  /// By DiagramBranch, then as `conditions`.
   std::array<std::vector<DiagramStep>, all_branches.size()> branches;
 };
 

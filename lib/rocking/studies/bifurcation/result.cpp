@@ -46,7 +46,7 @@ static const StructType& fields_of(const ReportedStep*) {
       field<&Reported::branch>("branch",
                                "`initial`: from the initial state of the file; `upwards`, `downwards`: by "
                                "continuation, with increasing or decreasing parameter",
-                               the_only<NamedType<Branch, branch_names>>()),
+                               the_only<NamedType<DiagramBranch, branch_names>>()),
       field<step, &DiagramStep::continued>(
           "start",
           "`continued`: from the end of the previous step of the branch; `initial`: from the initial state of the "
@@ -107,7 +107,7 @@ BifurcationReport bifurcation_report(const Experiment& experiment, std::uint64_t
     const auto& parameters = experiment.conditions[diagram.conditions.front()].parameters;
     ReportedDiagram& reported = report.diagrams.emplace_back();
     reported.others.assign(parameters.begin() + 1, parameters.end());
-    for (const Branch branch : all_branches) {
+    for (const DiagramBranch branch : all_branches) {
       for (const DiagramStep& step : diagram.branches[static_cast<std::size_t>(branch)]) {
         const Condition& condition = experiment.conditions[step.condition];
         reported.steps.push_back({.value = number_in(condition.parameters.front().value).value(),

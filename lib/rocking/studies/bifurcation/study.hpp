@@ -22,7 +22,7 @@ namespace rocking {
 /// A step of a bifurcation diagram.
 struct ReportedStep {
   double value = 0.0;  ///< of the parameter
-  Branch branch = Branch::initial;
+  DiagramBranch branch = DiagramBranch::initial;
   DiagramStep step;
   std::optional<Shaking> shaking;
 };

@@ -17,10 +17,10 @@ const std::vector<Parameter>& parameters_of(const Experiment& experiment, std::s
 }
 
 /// With an asterisk if the previous step of the continuation did not reach its horizon.
-std::string cell(const Diagram& diagram, Branch branch, std::size_t place) {
+std::string cell(const Diagram& diagram, DiagramBranch branch, std::size_t place) {
   const auto& steps = diagram.branches[static_cast<std::size_t>(branch)];
-  const bool is_first = place == (branch == Branch::downwards ? steps.size() - 1 : 0);
-  const bool restarts = branch != Branch::initial && !is_first && !steps[place].continued;
+  const bool is_first = place == (branch == DiagramBranch::downwards ? steps.size() - 1 : 0);
+  const bool restarts = branch != DiagramBranch::initial && !is_first && !steps[place].continued;
   return to_string(steps[place].classification.mode) + (restarts ? " *" : "");
 }
 
@@ -52,12 +52,12 @@ std::string table_of(const Experiment& experiment, const Diagram& diagram, Exten
   look::Table table;
   add_columns(table, {last_key(swept.front())});
   add_columns(table, {beside.begin(), beside.end()});
-  for (const Branch branch : all_branches) add_columns(table, {std::string(to_string(branch))});
+  for (const DiagramBranch branch : all_branches) add_columns(table, {std::string(to_string(branch))});
   for (std::size_t i = 0; i < diagram.conditions.size(); ++i) {
     look::Row& row =
         table.rows.emplace_back(look::Row{short_value(parameters_of(experiment, diagram.conditions[i]).front())});
     for (const std::string_view key : beside) row.emplace_back(column_cell(shakings[i], key));
-    for (const Branch branch : all_branches) row.emplace_back(cell(diagram, branch, i));
+    for (const DiagramBranch branch : all_branches) row.emplace_back(cell(diagram, branch, i));
   }
   const std::string common = common_shaking(swept, shakings);
   if (!common.empty()) table.notes = "shaking: " + common + '\n';
@@ -95,7 +95,7 @@ std::string all_tables(const Experiment& experiment, const std::vector<Diagram>&
 std::string bifurcation_csv(const Experiment& experiment, const std::vector<Diagram>& diagrams) {
   std::string text = "parameter,branch,tilt,tilt_rate,diagram\n";
   for (std::size_t i = 0; i < diagrams.size(); ++i) {
-    for (const Branch branch : all_branches) {
+    for (const DiagramBranch branch : all_branches) {
       for (const DiagramStep& step : diagrams[i].branches[static_cast<std::size_t>(branch)]) {
         const std::string start = json_text_of(parameters_of(experiment, step.condition).front().value) + ',' +
                                   std::string(to_string(branch));

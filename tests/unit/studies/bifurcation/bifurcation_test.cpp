@@ -144,11 +144,11 @@ std::vector<Diagram> drawn(const Experiment& experiment, unsigned threads = 1) {
   return bifurcation(experiment, 0, {.threads = threads});
 }
 
-const std::vector<DiagramStep>& branch_of(const Diagram& diagram, Branch branch) {
+const std::vector<DiagramStep>& branch_of(const Diagram& diagram, DiagramBranch branch) {
   return diagram.branches[static_cast<std::size_t>(branch)];
 }
 
-std::vector<std::string> modes_of(const Diagram& diagram, Branch branch) {
+std::vector<std::string> modes_of(const Diagram& diagram, DiagramBranch branch) {
   std::vector<std::string> modes;
   for (const DiagramStep& step : branch_of(diagram, branch)) modes.push_back(to_string(step.classification.mode));
   return modes;
@@ -160,24 +160,24 @@ TEST(Diagram, ShowsCoexistingResponsesOnDifferentBranches) {
   const auto diagrams = drawn(
       experiment_from(swept(R"([{ "parameter": "/excitation/amplitude", "from": 3.5, "to": 4.5, "step": 0.1 }])")));
   ASSERT_EQ(diagrams.size(), 1U);
-  const auto& upwards = branch_of(diagrams[0], Branch::upwards).back();
-  const auto& downwards = branch_of(diagrams[0], Branch::downwards).back();
+  const auto& upwards = branch_of(diagrams[0], DiagramBranch::upwards).back();
+  const auto& downwards = branch_of(diagrams[0], DiagramBranch::downwards).back();
   EXPECT_EQ(to_string(upwards.classification.mode), "(1,1)");
   EXPECT_TRUE(upwards.continued);
   EXPECT_EQ(to_string(downwards.classification.mode), "(1,3)");
   EXPECT_FALSE(downwards.continued);
-  EXPECT_EQ(to_string(branch_of(diagrams[0], Branch::downwards)[9].classification.mode), "(1,3)");
-  EXPECT_TRUE(branch_of(diagrams[0], Branch::downwards)[9].continued);
-  for (const DiagramStep& step : branch_of(diagrams[0], Branch::initial)) EXPECT_FALSE(step.continued);
-  EXPECT_EQ(modes_of(diagrams[0], Branch::initial).front(), "(1,1)");
-  EXPECT_EQ(modes_of(diagrams[0], Branch::initial).back(), "(1,3)");
+  EXPECT_EQ(to_string(branch_of(diagrams[0], DiagramBranch::downwards)[9].classification.mode), "(1,3)");
+  EXPECT_TRUE(branch_of(diagrams[0], DiagramBranch::downwards)[9].continued);
+  for (const DiagramStep& step : branch_of(diagrams[0], DiagramBranch::initial)) EXPECT_FALSE(step.continued);
+  EXPECT_EQ(modes_of(diagrams[0], DiagramBranch::initial).front(), "(1,1)");
+  EXPECT_EQ(modes_of(diagrams[0], DiagramBranch::initial).back(), "(1,3)");
 }
 
 TEST(Diagram, HasAGapWhereTheBlockOverturnsAndStartsAnewBehindIt) {
   const Experiment experiment =
       experiment_from(swept(R"([{ "parameter": "/excitation/amplitude", "values": [3.0, 4.5, 40.0, 4.6, 50.0] }])"));
   const Diagram diagram = drawn(experiment).front();
-  for (const Branch branch : all_branches) {
+  for (const DiagramBranch branch : all_branches) {
     const auto& steps = branch_of(diagram, branch);
     for (const std::size_t high : {3U, 4U}) {
       EXPECT_EQ(steps[high].termination, dynamics::Termination::overturned);
@@ -185,13 +185,13 @@ TEST(Diagram, HasAGapWhereTheBlockOverturnsAndStartsAnewBehindIt) {
     }
     for (const std::size_t low : {0U, 1U, 2U}) EXPECT_EQ(steps[low].points.size(), 40U);
   }
-  const auto& upwards = branch_of(diagram, Branch::upwards);
+  const auto& upwards = branch_of(diagram, DiagramBranch::upwards);
   EXPECT_TRUE(upwards[3].continued);
   EXPECT_FALSE(upwards[4].continued);
-  const auto& downwards = branch_of(diagram, Branch::downwards);
+  const auto& downwards = branch_of(diagram, DiagramBranch::downwards);
   EXPECT_FALSE(downwards[2].continued);
   EXPECT_TRUE(downwards[1].continued);
-  const auto& initial = branch_of(diagram, Branch::initial);
+  const auto& initial = branch_of(diagram, DiagramBranch::initial);
   for (std::size_t k = 0; k < 40; ++k) EXPECT_TRUE(have_same_bits(downwards[2].points[k], initial[2].points[k]));
   const std::string table = bifurcation_table(experiment, {diagram});
   EXPECT_NE(table.find("(1,3) *\n"), std::string::npos) << table;
@@ -203,7 +203,7 @@ TEST(Diagram, FromTheInitialStateIsWhatARunGives) {
   document["fluctuation"]["friction"] = {{"sigma", 0.03}};
   const Experiment experiment = experiment_from(document);
   const auto diagrams = bifurcation(experiment, 7);
-  for (const DiagramStep& step : branch_of(diagrams[0], Branch::initial)) {
+  for (const DiagramStep& step : branch_of(diagrams[0], DiagramBranch::initial)) {
     const RealisationResult result = realise(experiment.conditions[step.condition], experiment.seed, 7);
     EXPECT_EQ(step.classification.mode, result.classification.mode);
     ASSERT_EQ(step.points.size(), 40U);

@@ -17,34 +17,41 @@
 namespace rocking {
 namespace {
 
-constexpr const char* friction_fluctuation = "/fluctuation/friction";
+/// JSON pointers to the sigma and the law of a number: that of both frictions, or its own.
+using Fluctuations = std::array<std::string_view, 2>;
+constexpr Fluctuations of_static{"/fluctuation/friction", "/fluctuation/static_friction"};
+constexpr Fluctuations of_kinetic{"/fluctuation/friction", "/fluctuation/kinetic_friction"};
 
 /// Where an experiment has the law of a number that may be clamped.
 struct ClampedNumber {
   std::string_view key;  ///< of the kind of clamp
   const char* name;
-  const char* mean;         ///< JSON pointer
-  const char* fluctuation;  ///< JSON pointer to its sigma and law
+  const char* mean;  ///< JSON pointer
+  Fluctuations fluctuations;
 };
 
 constexpr std::array clamped_numbers{
-    ClampedNumber{"static_friction_at_zero", "static friction", "/friction/static", friction_fluctuation},
-    ClampedNumber{"kinetic_friction_at_zero", "kinetic friction", "/friction/kinetic", friction_fluctuation},
-    ClampedNumber{"kinetic_friction_at_static", "kinetic friction", "/friction/kinetic", friction_fluctuation},
-    ClampedNumber{"restitution", "restitution", "/restitution", "/fluctuation/restitution"},
-    ClampedNumber{"amplitude_at_zero", "amplitude", "/excitation/amplitude", "/fluctuation/amplitude"}};
+    ClampedNumber{"static_friction_at_zero", "static friction", "/friction/static", of_static},
+    ClampedNumber{"kinetic_friction_at_zero", "kinetic friction", "/friction/kinetic", of_kinetic},
+    ClampedNumber{"kinetic_friction_at_static", "kinetic friction", "/friction/kinetic", of_kinetic},
+    ClampedNumber{"restitution", "restitution", "/restitution", {"/fluctuation/restitution"}},
+    ClampedNumber{"amplitude_at_zero", "amplitude", "/excitation/amplitude", {"/fluctuation/amplitude"}}};
 
 /// The normal law of a number; absent if it has another one.
 std::optional<stats::MeanAndSigma> normal_law_of(const Report& report, const ReportedCondition& condition,
-                                                 const std::string& mean, const std::string& fluctuation) {
-  const Json::json_pointer law(fluctuation + "/law");
-  if (report.input.experiment.contains(law) && report.input.experiment.at(law) != "normal") return std::nullopt;
+                                                 const std::string& mean, const Fluctuations& fluctuations) {
   const auto centre = report.number(mean, condition);
-  auto sigma = report.number(fluctuation + "/sigma", condition);
-  const auto relative = report.number(fluctuation + "/relative_sigma", condition);
-  if (centre && !sigma && relative) sigma = *relative * std::abs(*centre);
-  if (!centre || !sigma || !(*sigma > 0.0)) return std::nullopt;
-  return stats::MeanAndSigma{*centre, *sigma};
+  for (const std::string_view each : fluctuations) {
+    const std::string fluctuation(each);
+    auto sigma = report.number(fluctuation + "/sigma", condition);
+    const auto relative = report.number(fluctuation + "/relative_sigma", condition);
+    if (centre && !sigma && relative) sigma = *relative * std::abs(*centre);
+    if (!centre || !sigma || !(*sigma > 0.0)) continue;
+    const Json::json_pointer law(fluctuation + "/law");
+    if (report.input.experiment.contains(law) && report.input.experiment.at(law) != "normal") return std::nullopt;
+    return stats::MeanAndSigma{*centre, *sigma};
+  }
+  return std::nullopt;
 }
 
 /// What clamps of a kind leave of the law of a random number, `the kinetic friction in force has mean 0.348 and sigma 0.0274,
@@ -52,12 +59,12 @@ std::optional<stats::MeanAndSigma> normal_law_of(const Report& report, const Rep
 std::string law_in_force_words(const Report& report, const ReportedCondition& condition, std::string_view key) {
   const auto* const place = std::ranges::find(clamped_numbers, key, &ClampedNumber::key);
   if (place == clamped_numbers.end()) return "";
-  const auto given = normal_law_of(report, condition, place->mean, place->fluctuation);
+  const auto given = normal_law_of(report, condition, place->mean, place->fluctuations);
   if (!given) return "";
   const FluctuatingNumber number{
       .law = *given,
-      .limit = normal_law_of(report, condition, "/friction/static", friction_fluctuation),
-      .correlation = report.number(std::string(friction_fluctuation) + "/correlation", condition).value_or(0.0)};
+      .limit = normal_law_of(report, condition, "/friction/static", of_static),
+      .correlation = report.number("/fluctuation/friction/correlation", condition).value_or(0.0)};
   const auto in_force = law_in_force(number, key);
   if (!in_force) return "";
   return std::string("the ") + place->name + " in force has mean " + significant(in_force->mean, 3) + " and sigma " +

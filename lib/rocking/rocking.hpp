@@ -3,7 +3,7 @@
 /// \file
 /// The interface of the library: read, run, look.
 ///
-///     const rocking::Experiment experiment = rocking::experiment_in("mine.json");
+///     const rocking::Experiment experiment = rocking::read_experiment("mine.json");
 ///     const rocking::RunResult run = rocking::run(experiment, {.threads = 4});
 ///     for (const auto& [mode, probability] : run.result->conditions[0].modes) {
 ///       std::cout << rocking::name_of(mode) << ' ' << probability.estimate << '\n';

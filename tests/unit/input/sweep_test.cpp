@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "rocking/input/quantities_in_text.hpp"
 #include "rocking/input/read_experiment.hpp"
 #include "rocking/scene/restitution.hpp"
 #include "support/excitation.hpp"
@@ -171,6 +172,17 @@ INSTANTIATE_TEST_SUITE_P(
         BadSweep{
             R"([{"parameter": "/friction", "values": [{"static": 1, "kinetic": 1}]}, {"parameter": "/friction/static", "values": [1]}])",
             "/sweep/1/parameter", "also swept", "keep one"}));
+
+TEST(SweptValue, IsWhatStandsInTheFile) {
+  for (const char* text : {"4.0", "0.1", "1e+300", "3", "-7", "18446744073709551615", "\"jy25\"", "true", "[1,2.5]",
+                           R"({"rate_ratio":0.9})"}) {
+    EXPECT_EQ(json_text_of(swept_value(Json::parse(text))), text);
+  }
+  EXPECT_EQ(number_in(swept_value(Json(4.5))), 4.5);
+  EXPECT_EQ(number_in(swept_value(Json(3))), 3.0);
+  EXPECT_EQ(number_in(swept_value(Json("4.5"))), std::nullopt);
+  EXPECT_EQ(number_in(swept_value(Json::parse("[4.5]"))), std::nullopt);
+}
 
 TEST(Sweep, OfRealisationsExcludesTheFlag) {
   const auto document = with(example_experiment(), "/sweep", R"([{"parameter": "/realisations", "values": [10, 20]}])");

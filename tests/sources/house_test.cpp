@@ -34,7 +34,7 @@ const std::map<std::string, std::set<std::string>> allowed_uses = {
     {"integrate", {"base"}},
     {"lanes", {"base", "dynamics", "integrate"}},
     {"section", {"base"}},
-    {"scene", {"base", "random", "dynamics", "section"}},
+    {"scene", {"base", "random", "dynamics", "section", "text", "fields"}},
     {"realisation", {"base", "random", "dynamics", "integrate", "lanes", "section", "scene"}},
     {"store", {"base", "random", "dynamics", "section", "scene", "realisation"}},
     {"ensemble", {"base", "stats", "dynamics", "lanes", "section", "scene", "realisation", "store"}},

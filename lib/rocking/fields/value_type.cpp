@@ -163,6 +163,10 @@ void ValueType::check(const void*, const ReadingPlace&) const {}
 
 void ValueType::describe(const std::string&, std::vector<KeyRow>&) const {}
 
+void ValueType::report_missing(const ReadingPlace& place, void*) const {
+  place.problems->push_back({place.pointer, "", "is missing", "add \"" + last_key(place.pointer) + "\": " + example()});
+}
+
 template <SimpleValue T>
 const ValueType& simple_type() {
   return the_only<std::conditional_t<std::is_same_v<T, Json>, AnyType, SimpleType<T>>>();

@@ -21,7 +21,10 @@ struct ReadingPlace {
   std::string pointer;  ///< JSON pointer
   Rule rule = {};       ///< of the numbers and texts there
   std::vector<base::Problem>* problems;
-  bool is_fit_checked = true;  ///< whether what contradicts the rest of the file is a fault
+  bool is_fit_checked = true;      ///< whether what contradicts the rest of the file is a fault
+  std::string_view sentence = {};  ///< what the value means
+  /// Where the value is put as the canonical text has it, if that is not json(value); discarded: nothing is written.
+  Json* canonical = nullptr;
 
   void reject(const Json& value, std::string reason, std::string remedy = "") const;
   /// Of a value that contradicts the rest of the file.
@@ -35,6 +38,9 @@ struct ReadingPlace {
 struct KeyRow {
   std::string key;  ///< as `conditions[i].modes`
   std::string_view sentence;
+  // Of values that people write.
+  std::string allowed = {};
+  std::string standard = {};
 };
 
 /// A C++ type as it stands in documents: how it is written, read and described. Objects are passed without their type,
@@ -60,6 +66,19 @@ class ValueType {
   [[nodiscard]] virtual Json schema(const Rule& rule) const = 0;
   /// Appends a row for each key within a value at `prefix`; none for a type without keys.
   virtual void describe(const std::string& prefix, std::vector<KeyRow>& rows) const;
+
+  // Of values that people write (written_types.hpp).
+
+  /// For a table of keys: what may stand there, and this value as the default; empty: there is none.
+  struct Shown {
+    std::string allowed;
+    std::string standard;
+  };
+  [[nodiscard]] virtual Shown shown(const void*) const { return {}; }
+  /// JSON text of a value that would do.
+  [[nodiscard]] virtual std::string example() const { return {}; }
+  /// Reports that a file has no such value, and sets one that is safe to go on with.
+  virtual void report_missing(const ReadingPlace& place, void* value) const;
 };
 
 /// The schema of a value that may be null instead.

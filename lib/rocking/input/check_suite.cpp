@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "rocking/base/number_text.hpp"
-#include "rocking/input/object_reader.hpp"
 #include "rocking/input/record_component.hpp"
 #include "rocking/input/record_unit.hpp"
 #include "rocking/scene/intensity_measures.hpp"
+#include "rocking/text/json.hpp"
 
 namespace rocking {
 namespace {

@@ -19,29 +19,30 @@ namespace {
 
 constexpr std::size_t most_samples_held = 20 * rules::most_samples;  // half a gigabyte
 
-std::string read_file_name(ObjectReader& keys, std::string_view key) {
-  const Json* found = keys.value(key);
+std::string file_name_in(FieldVisitor& in, const Key& key) {
+  const Json* found = in.found(key.name);
+  std::string name;
   if (found == nullptr) {
-    keys.reject(key, "is missing",
-                "add \"file\": \"record.txt\", its path relative to the folder of the experiment file, or \"suite\"");
-    return {};
+    in.reject(key.name,
+              {"is missing",
+               "add \"file\": \"record.txt\", its path relative to the folder of the experiment file, or \"suite\""});
+    return name;
   }
-  const std::string name = keys.text(key, "");
-  if (!found->is_string()) return {};
-  if (!name.empty() && name.find('\0') == std::string::npos) return name;
-  keys.reject(key, "is not the name of a file", "give its path relative to the folder of the experiment file");
+  in.value(key, name, TextType(), Absent::error);
+  if (!found->is_string() || (!name.empty() && name.find('\0') == std::string::npos)) return name;
+  in.reject(key.name, {"is not the name of a file", "give its path relative to the folder of the experiment file"});
   return {};
 }
 
-void check_digest(ObjectReader& keys, std::string_view key, const std::string& digest) {
-  const Json* found = keys.value(key);
+void check_digest(FieldVisitor& in, std::string_view key, const std::string& digest) {
+  const Json* found = in.found(key);
   if (found == nullptr) return;
   std::string written = found->is_string() ? found->get<std::string>() : std::string();
   std::transform(written.begin(), written.end(), written.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   if (written == digest) return;
-  keys.reject(key, "is not the digest of the file, which is " + digest,
-              "restore the intended file, or omit \"" + std::string(key) + "\" to accept the present one");
+  in.reject(key, {"is not the digest of the file, which is " + digest,
+                  "restore the intended file, or omit \"" + std::string(key) + "\" to accept the present one"});
 }
 
 }  // namespace
@@ -108,43 +109,59 @@ double GroundMotionFiles::spectral_acceleration(const std::shared_ptr<const Grou
   return found->second;
 }
 
-std::string read_named_file(ObjectReader& keys, std::string_view key, std::string_view digest_key,
-                            GroundMotionFiles* files) {
-  std::string name = read_file_name(keys, key);
+void FiledRecords::file(FieldVisitor& in, const Key& file, const Key& digest, std::string& name) {
+  name = file_name_in(in, file);
+  std::string stated;
   if (name.empty()) {
-    static_cast<void>(keys.has(digest_key));
-    return name;
+    static_cast<void>(in.found(digest.name));
+  } else if (files_ == nullptr) {
+    in.value(digest, stated, TextType(), Absent::standard);
+  } else {
+    stated = files_->digest(name);
+    check_digest(in, digest.name, stated);
+    in.write(digest.name, stated);
   }
-  const std::string digest = files == nullptr ? keys.text(digest_key, "") : files->digest(name);
-  if (files != nullptr) check_digest(keys, digest_key, digest);
-  keys.write(digest_key, digest);
-  return name;
 }
 
-Quantity scale_for(ObjectReader& keys, const Strength& strength, GroundMotionFiles& files,
-                   const std::shared_ptr<const GroundMotion>& motion, double gravity) {
-  const std::string_view key = strength.unit.key.name;
+bool FiledRecords::suite(FieldVisitor& in, const Key& key) {
+  if (in.found(key.name) == nullptr) return true;
+  in.reject_once(key.name, {"cannot stand in a value of the sweep", "write it in \"excitation\""});
+  in.ignore_others();
+  return false;
+}
+
+void FiledRecords::ground_motion(FieldVisitor& in, const GroundMotionReading& how,
+                                 const std::optional<Strength>& strength, Recorded& recorded) {
+  if (how.format == RecordFormat::columns && !how.unit && in.found("units") == nullptr) {
+    return in.reject("units", {"is missing; \"format\": \"columns\" does not state the unit of the accelerations",
+                               "add \"units\": \"m/s2\"; known: " + record_units_in_words()});
+  }
+  if (how.name.empty() || files_ == nullptr) return;
+  auto motion = files_->motion(how, in.problems());
+  if (!motion) return;
+  if (strength) {
+    recorded.scale = scale_for(in, *strength, motion, how.gravity);
+    recorded.measure_periods = strength->periods;
+  }
+  recorded.ground_motion = std::move(motion);
+}
+
+Quantity FiledRecords::scale_for(FieldVisitor& in, const Strength& strength,
+                                 const std::shared_ptr<const GroundMotion>& motion, double gravity) {
+  const std::string_view key = strength.key;
   if (key == "scale") return strength.value;
   const double own = key == "pga_g" ? peak_acceleration(motion->samples)
                      : key == "pgv_m_s"
                          ? peak_velocity(motion->samples, gravity)
-                         : files.spectral_acceleration(motion, strength.periods,
-                                                       key == "sa_absolute_g" ? OscillatorAcceleration::absolute
-                                                                              : OscillatorAcceleration::pseudo);
+                         : files_->spectral_acceleration(motion, strength.periods,
+                                                         key == "sa_absolute_g" ? OscillatorAcceleration::absolute
+                                                                                : OscillatorAcceleration::pseudo);
   Quantity scale = divided(strength.value, own);
   if (rules::scale.allows(reach_of(scale).largest)) return scale;
-  keys.reject(key,
-              "needs a scale above 1e6, since that of " + motion->name + " is " + base::significant(own, 3) +
-                  (key == "pgv_m_s" ? " m/s" : " g"),
-              "give a smaller number, or a stronger ground motion");
+  in.reject(key, {"needs a scale above 1e6, since that of " + motion->name + " is " + base::significant(own, 3) +
+                      (key == "pgv_m_s" ? " m/s" : " g"),
+                  "give a smaller number, or a stronger ground motion"});
   return 1.0;
-}
-
-void refuse_suite_here(ObjectReader& keys, std::string_view key) {
-  const std::string place = keys.place_of(key);
-  const auto is_refused = [&place](const base::Problem& problem) { return problem.place.starts_with(place); };
-  if (std::ranges::any_of(keys.problems(), is_refused)) return;
-  keys.reject(key, "cannot stand in a value of the sweep", "write it in \"excitation\"");
 }
 
 }  // namespace rocking

@@ -4,14 +4,12 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <tuple>
 #include <vector>
 
-#include "rocking/input/object_reader.hpp"
 #include "rocking/input/record_formats.hpp"
+#include "rocking/scene/experiment_keys.hpp"
 #include "rocking/scene/intensity_measures.hpp"
-#include "rocking/scene/keys.hpp"
 #include "rocking/text/files.hpp"
 
 namespace rocking {
@@ -56,18 +54,25 @@ class GroundMotionFiles {
   std::size_t samples_ = 0;  ///< held by all readings
 };
 
-// What is asked of the files of a recorded excitation.
+/// The keys of a recorded excitation as a file has them. Throws std::system_error where a file cannot be read. Without
+/// `files` none is looked at, and the digest is that which is stated.
+class FiledRecords final : public RecordFields {
+ public:
+  explicit FiledRecords(GroundMotionFiles* files) : files_(files) {}
 
-/// A file and its digest, which must be that of the file and is written; empty where there is no usable name. Throws
-/// std::system_error where the file cannot be read. Without `files` the digest is that which is stated.
-[[nodiscard]] std::string read_named_file(ObjectReader& keys, std::string_view key, std::string_view digest_key,
-                                          GroundMotionFiles* files);
+  [[nodiscard]] const ValueType& format_type() const override { return record_format_type(); }
+  /// The name is empty where it is not usable. The digest must be that of the file, and is written.
+  void file(FieldVisitor& in, const Key& file, const Key& digest, std::string& name) override;
+  /// A suite is taken out before an excitation is read, unless it was refused or stands within a sweep.
+  bool suite(FieldVisitor& in, const Key& key) override;
+  void ground_motion(FieldVisitor& in, const GroundMotionReading& how, const std::optional<Strength>& strength,
+                     Recorded& recorded) override;
 
-/// The factor that gives the motion its strength.
-[[nodiscard]] Quantity scale_for(ObjectReader& keys, const Strength& strength, GroundMotionFiles& files,
-                                 const std::shared_ptr<const GroundMotion>& motion, double gravity);
+ private:
+  [[nodiscard]] Quantity scale_for(FieldVisitor& in, const Strength& strength,
+                                   const std::shared_ptr<const GroundMotion>& motion, double gravity);
 
-/// A suite is taken out before an excitation is read, unless it was refused or stands within a sweep.
-void refuse_suite_here(ObjectReader& keys, std::string_view key);
+  GroundMotionFiles* files_;
+};
 
 }  // namespace rocking

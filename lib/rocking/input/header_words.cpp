@@ -22,10 +22,10 @@ bool stands_at(std::string_view line, std::size_t place, std::string_view word) 
   return (place == 0 || !is_word_character(line[place - 1])) && (end == line.size() || !is_word_character(line[end]));
 }
 
-constexpr std::string_view blanks = " \t\r";
+constexpr std::string_view blank_characters = " \t\r";
 
 std::string_view without_blanks_before(std::string_view text) {
-  text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
+  text.remove_prefix(std::min(text.find_first_not_of(blank_characters), text.size()));
   return text;
 }
 
@@ -56,10 +56,10 @@ bool goes_on_as_formula(std::string_view text) {
 StatedUnit unit_at(std::string_view text) {
   text = text.substr(0, longest_unit);
   constexpr std::size_t most_words = 6;  // in / sec / sec is the longest
-  StatedUnit longest{.text = text.substr(0, text.find_first_of(blanks)), .unit = {}};
+  StatedUnit longest{.text = text.substr(0, text.find_first_of(blank_characters)), .unit = {}};
   std::size_t end = 0;
   for (std::size_t i = 0; i < most_words && end < text.size(); ++i) {
-    const std::size_t begin = std::min(text.find_first_not_of(blanks, end), text.size());
+    const std::size_t begin = std::min(text.find_first_not_of(blank_characters, end), text.size());
     end = std::min(text.find_first_of(" \t\r,;", begin), text.size());
     const std::string_view words = text.substr(0, end);
     const WrittenUnit unit = unit_written(words);

@@ -6,6 +6,8 @@
 #include <system_error>
 #include <utility>
 
+#include "rocking/text/json.hpp"
+
 namespace rocking {
 namespace {
 

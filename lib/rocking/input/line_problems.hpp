@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "rocking/input/object_reader.hpp"
+#include "rocking/base/number_rule.hpp"
 
 namespace rocking {
 

@@ -6,6 +6,7 @@
 
 #include "rocking/input/header_words.hpp"
 #include "rocking/input/record_unit.hpp"
+#include "rocking/text/json.hpp"
 
 namespace rocking {
 namespace {

@@ -6,8 +6,6 @@
 #include <variant>
 
 #include "rocking/base/error.hpp"
-#include "rocking/input/object_reader.hpp"
-#include "rocking/input/reading_keys.hpp"
 #include "rocking/scene/drawn_quantities.hpp"
 #include "rocking/scene/excitation.hpp"
 #include "rocking/scene/experiment_keys.hpp"
@@ -47,14 +45,10 @@ std::vector<DrawnPlace> collected_places() {
   return places;
 }
 
-/// Reads a value that stands alone: `read(keys, key)`.
-template <class Read>
-void read_alone(const Json& value, const Read& read) {
+/// Reads a value that stands alone.
+void read_alone(const Json& json, const ValueType& type, void* value) {
   Problems problems;
-  const Json object = {{"value", value}};
-  ObjectReader reader(object, "", problems);
-  ReadingKeys keys(reader, {.sweep = nullptr, .files = nullptr});
-  read(keys, Key{"value", ""});
+  type.read(json, {.pointer = "/value", .problems = &problems}, value);
   if (!problems.empty()) throw base::InputError(std::move(problems));
 }
 
@@ -91,15 +85,14 @@ bool has_law(const Json& value) {
 
 Quantity quantity_in(const Json& value) {
   Quantity quantity = 0.0;
-  read_alone(value,
-             [&quantity](Keys& keys, const Key& key) { keys.quantity(key, quantity, any_number, Absent::error); });
+  read_alone(value, QuantityType(any_number), &quantity);
   return quantity;
 }
 
 Restitution restitution_in(const Json& value) {
-  Restitution restitution;
-  read_alone(value, [&restitution](Keys& keys, const Key& key) { key_of(keys, key, restitution, Absent::error); });
-  return restitution;
+  Formed restitution;
+  read_alone(value, restitution_type(), &restitution);
+  return restitution_of(std::move(restitution));
 }
 
 dynamics::Block mean_block_in(const Json& block) {

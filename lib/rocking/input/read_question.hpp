@@ -4,10 +4,9 @@
 #include <string>
 #include <string_view>
 
+#include "rocking/base/number_rule.hpp"
 #include "rocking/input/ground_motion_files.hpp"
-#include "rocking/input/object_reader.hpp"
 #include "rocking/scene/experiment_keys.hpp"
-#include "rocking/scene/number_rule.hpp"
 #include "rocking/text/json.hpp"
 
 namespace rocking {
@@ -18,7 +17,7 @@ inline constexpr std::string_view experiment_format = "rocking.experiment/1";
 /// An experiment file, its sweep left aside, and its canonical text: every default written out, keys in their fixed
 /// order; `sweep` holds its place as it was written.
 struct QuestionAsRead {
-  Question question;
+  UnsweptExperiment question;
   Json canonical;
 };
 

@@ -14,6 +14,34 @@ constexpr std::size_t most_header_lines = 100;
 
 }  // namespace
 
+namespace {
+
+class RecordFormatType final : public ValueType {
+ public:
+  [[nodiscard]] Json json(const void* value) const override {
+    const auto& format = *static_cast<const std::optional<RecordFormat>*>(value);
+    return record_format_choices[format ? static_cast<std::size_t>(*format) : automatic_record_format];
+  }
+  void read(const Json& json, const ReadingPlace& place, void* value) const override {
+    std::size_t chosen = automatic_record_format;
+    choice.read(json, place, &chosen);
+    if (chosen != automatic_record_format) {
+      *static_cast<std::optional<RecordFormat>*>(value) = static_cast<RecordFormat>(chosen);
+    } else if (place.canonical != nullptr) {
+      *place.canonical = Json(Json::value_t::discarded);
+    }
+  }
+  [[nodiscard]] Json schema(const Rule& rule) const override { return choice.schema(rule); }
+  [[nodiscard]] Shown shown(const void*) const override { return choice.shown(&automatic_record_format); }
+
+ private:
+  NamesType<std::size_t> choice{record_format_choices};
+};
+
+}  // namespace
+
+const ValueType& record_format_type() { return the_only<RecordFormatType>(); }
+
 RecordFormat recognised_format(std::string_view text) {
   text = without_byte_order_mark(text);
   for (std::size_t i = 0; i < most_header_lines && !text.empty(); ++i) {

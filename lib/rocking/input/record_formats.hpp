@@ -7,10 +7,10 @@
 #include <optional>
 #include <string_view>
 
-#include "rocking/input/object_reader.hpp"
+#include "rocking/base/number_rule.hpp"
+#include "rocking/fields/value_type.hpp"
 #include "rocking/scene/experiment.hpp"
 #include "rocking/scene/ground_motion_reading.hpp"
-#include "rocking/scene/number_rule.hpp"
 
 /// Formats of files with recorded accelerations (lib/docs/ground-motions.md).
 namespace rocking {
@@ -58,6 +58,9 @@ inline constexpr auto record_format_choices = [] {
   return choices;
 }();
 inline constexpr std::size_t automatic_record_format = record_readers.size();
+
+/// Of a `std::optional<RecordFormat>`: one of these choices. The canonical text does not state `auto`.
+[[nodiscard]] const ValueType& record_format_type();
 
 /// The format of a file by its first lines.
 [[nodiscard]] RecordFormat recognised_format(std::string_view text);

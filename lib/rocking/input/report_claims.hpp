@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "rocking/input/object_reader.hpp"
+#include "rocking/base/number_rule.hpp"
 
 namespace rocking {
 

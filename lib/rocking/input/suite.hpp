@@ -8,11 +8,10 @@
 #include <vector>
 
 #include "rocking/base/error.hpp"
+#include "rocking/base/number_rule.hpp"
 #include "rocking/input/ground_motion_files.hpp"
-#include "rocking/input/object_reader.hpp"
 #include "rocking/input/sweep.hpp"
 #include "rocking/scene/experiment.hpp"
-#include "rocking/scene/number_rule.hpp"
 #include "rocking/text/files.hpp"
 #include "rocking/text/json.hpp"
 

@@ -25,7 +25,7 @@ constexpr std::size_t most_axes = 100;
 
 class AxisReader {
  public:
-  AxisReader(ObjectReader& in, const Json& base, std::size_t most) : in_(in), base_(base), most_(most) {}
+  AxisReader(FieldReader& in, const Json& base, std::size_t most) : in_(in), base_(base), most_(most) {}
 
   SweepAxis read() {
     SweepAxis axis;
@@ -33,7 +33,7 @@ class AxisReader {
     const bool listed = in_.has("values");
     const bool stepped = in_.has("from") || in_.has("to") || in_.has("step");
     if (listed && stepped) {
-      in_.reject("values", "excludes \"from\", \"to\" and \"step\"", "keep one of the two");
+      in_.reject("values", {"excludes \"from\", \"to\" and \"step\"", "keep one of the two"});
     } else if (listed) {
       axis.values = read_values();
     } else {
@@ -45,9 +45,9 @@ class AxisReader {
 
  private:
   std::vector<Json> read_values() {
-    const Json& values = *in_.value("values");
+    const Json& values = *in_.found("values");
     if (!values.is_array() || values.empty()) {
-      in_.reject("values", "must be a list of at least one value", "give a list such as [0.3, 0.4]");
+      in_.reject("values", {"must be a list of at least one value", "give a list such as [0.3, 0.4]"});
       return {};
     }
     return {values.begin(), values.end()};
@@ -55,27 +55,27 @@ class AxisReader {
 
   std::vector<Json> read_steps() {
     const std::size_t problems_before = in_.problems().size();
-    const double from = in_.number("from", any_number);
-    const double to = in_.number("to", any_number);
-    const double step = in_.number("step", any_number);
+    const double from = in_.number({"from", ""}, any_number);
+    const double to = in_.number({"to", ""}, any_number);
+    const double step = in_.number({"step", ""}, any_number);
     if (in_.problems().size() != problems_before) return {};
     if (step == 0.0) {
-      in_.reject("step", "must not be 0", "omit the sweep to run one condition");
+      in_.reject("step", {"must not be 0", "omit the sweep to run one condition"});
       return {};
     }
     const double steps = (to - from) / step;
     if (steps < 0.0) {
-      in_.reject("step", "leads away from \"to\"", "change its sign, or swap \"from\" and \"to\"");
+      in_.reject("step", {"leads away from \"to\"", "change its sign, or swap \"from\" and \"to\""});
       return {};
     }
     if (!(steps < static_cast<double>(most_))) {
-      in_.reject("step", "makes more than " + std::to_string(most_) + " points", "give a larger step");
+      in_.reject("step", {"makes more than " + std::to_string(most_) + " points", "give a larger step"});
       return {};
     }
     const double count = std::round(steps);
     if (std::abs(steps - count) > rounding) {
-      in_.reject("step", "does not divide the distance from \"from\" to \"to\"",
-                 "end at " + Json(from + std::floor(steps) * step).dump() + ", or give another step");
+      in_.reject("step", {"does not divide the distance from \"from\" to \"to\"",
+                          "end at " + Json(from + std::floor(steps) * step).dump() + ", or give another step"});
       return {};
     }
     return points(from, to, step, static_cast<std::size_t>(count));
@@ -93,7 +93,7 @@ class AxisReader {
     return values;
   }
 
-  ObjectReader& in_;
+  FieldReader& in_;
   const Json& base_;
   std::size_t most_;
 };
@@ -124,7 +124,7 @@ std::vector<SweepAxis> read_sweep(const Json& sweep, const Json& base, std::size
   }
   // What is beyond the limit is not worked out: many entries of a million points each would not fit into memory.
   for (std::size_t i = 0; i < sweep.size() && grid_size(axes) <= most; ++i) {
-    ObjectReader in(sweep[i], "/sweep/" + std::to_string(i), problems);
+    FieldReader in(sweep[i], "/sweep/" + std::to_string(i), problems);
     axes.push_back(AxisReader(in, base, most).read());
     static_cast<void>(in.finish());
   }

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "rocking/input/object_reader.hpp"
+#include "rocking/fields/field_reader.hpp"
 #include "rocking/scene/experiment.hpp"
 
 namespace rocking {
@@ -33,15 +33,12 @@ inline constexpr std::size_t most_conditions = 1'000'000;
 /// The value of each axis at point `index` of the grid; the last axis varies fastest.
 [[nodiscard]] std::vector<const Json*> grid_point(const std::vector<SweepAxis>& axes, std::size_t index);
 
-/// Whether the JSON pointer `inner` is `outer` or leads into what stands there.
-[[nodiscard]] bool is_within(std::string_view inner, std::string_view outer);
-
 /// JSON pointers to all values of an experiment that may be set from outside of it.
 [[nodiscard]] std::vector<std::string> swept_places(const Json& experiment);
 
 /// The pointer under `parameter`, which must lead to a value of the experiment, in canonical form, that may be changed.
 /// Problems are reported to `in`.
-[[nodiscard]] std::string read_swept_place(ObjectReader& in, const Json& experiment);
+[[nodiscard]] std::string read_swept_place(FieldReader& in, const Json& experiment);
 
 /// The entries of `unknown`. `base` is the experiment in canonical form: each pointer must lead to a number in it that
 /// no axis of the sweep and no other entry changes.

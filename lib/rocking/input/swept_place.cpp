@@ -5,8 +5,8 @@
 #include <string>
 #include <utility>
 
-#include "rocking/input/reading_keys.hpp"
 #include "rocking/scene/excitation.hpp"
+#include "rocking/scene/experiment_keys.hpp"
 #include "rocking/text/spelling.hpp"
 
 namespace rocking {
@@ -56,32 +56,32 @@ bool leads_somewhere(const std::string& pointer, const Json& experiment) {
 constexpr NumberRule any_end{.bounds = {}, .demand = "must be a number", .example = "0.0"};
 
 /// A law with a density.
-std::optional<Quantity> read_prior(ObjectReader& in) {
+std::optional<Quantity> read_prior(FieldReader& in) {
   if (!in.has("prior")) return std::nullopt;
   Quantity prior = 0.0;
   const std::size_t problems_before = in.problems().size();
-  ReadingKeys(in, {.sweep = nullptr, .files = nullptr}).quantity({"prior", ""}, prior, any_end, Absent::error);
+  in.value({"prior", ""}, prior, any_end, Absent::error);
   if (in.problems().size() != problems_before) return std::nullopt;
   if (!is_drawn(prior) || std::holds_alternative<Values>(prior)) {
-    in.reject("prior", "must be a law with a density",
-              "give for example {\"normal\": {\"mean\": 0.3, \"sigma\": 0.05}}");
+    in.reject("prior",
+              {"must be a law with a density", "give for example {\"normal\": {\"mean\": 0.3, \"sigma\": 0.05}}"});
     return std::nullopt;
   }
   return prior;
 }
 
-Unknown read_unknown(ObjectReader& in, const Json& base) {
+Unknown read_unknown(FieldReader& in, const Json& base) {
   const std::size_t problems_before = in.problems().size();
   Unknown unknown{.pointer = read_swept_place(in, base)};
   const bool is_place = in.problems().size() == problems_before;
   if (is_place && !base[Json::json_pointer(unknown.pointer)].is_number()) {
-    in.reject("parameter", "is no number in this file",
-              "write a number there, or give a number within, such as the mean");
+    in.reject("parameter",
+              {"is no number in this file", "write a number there, or give a number within, such as the mean"});
   }
-  unknown.from = in.number("from", any_end);
-  unknown.to = in.number("to", any_end);
+  unknown.from = in.number({"from", ""}, any_end);
+  unknown.to = in.number({"to", ""}, any_end);
   if (in.problems().size() == problems_before && !(unknown.from < unknown.to)) {
-    in.reject("to", "is not above \"from\"", "give the smallest value as \"from\" and the largest as \"to\"");
+    in.reject("to", {"is not above \"from\"", "give the smallest value as \"from\" and the largest as \"to\""});
   }
   unknown.prior = read_prior(in);
   return unknown;
@@ -92,10 +92,6 @@ bool overlap(const std::string& a, const std::string& b) {
 }
 
 }  // namespace
-
-bool is_within(std::string_view inner, std::string_view outer) {
-  return inner == outer || (inner.starts_with(outer) && inner[outer.size()] == '/');
-}
 
 std::vector<std::string> swept_places(const Json& experiment) {
   std::vector<std::string> pointers;
@@ -109,25 +105,27 @@ std::vector<std::string> swept_places(const Json& experiment) {
   return pointers;
 }
 
-std::string read_swept_place(ObjectReader& in, const Json& experiment) {
+std::string read_swept_place(FieldReader& in, const Json& experiment) {
   if (!in.has("parameter")) {
-    in.reject("parameter", "is missing",
-              "give a place in the file, for example \"parameter\": \"/excitation/amplitude\"");
+    in.reject("parameter",
+              {"is missing", "give a place in the file, for example \"parameter\": \"/excitation/amplitude\""});
     return {};
   }
-  std::string pointer = in.text("parameter", "");
-  const bool is_text = in.value("parameter")->is_string();
+  std::string pointer;
+  in.value({"parameter", ""}, pointer, TextType(), Absent::error);
+  const bool is_text = in.found("parameter")->is_string();
   if (is_text && (pointer.empty() || !leads_somewhere(pointer, experiment))) {
     const auto known = swept_places(experiment);
     const auto nearest = nearest_word(pointer, known);
     const std::string otherwise =
         nearest ? "did you mean \"" + *nearest + "\"?" : "give a place such as \"/excitation/amplitude\"";
-    in.reject("parameter", "is not a value of this file that a sweep may change",
-              advice_on_form(pointer, experiment).value_or(otherwise));
+    in.reject("parameter", {"is not a value of this file that a sweep may change",
+                            advice_on_form(pointer, experiment).value_or(otherwise)});
   }
   if (pointer == "/excitation/file" || pointer == "/excitation/vertical_file") {
-    in.reject("parameter", "changes a file without its digest, by which a report identifies it",
-              "give the files as a \"suite\", or sweep \"/excitation\" with one object for each ground motion");
+    in.reject("parameter",
+              {"changes a file without its digest, by which a report identifies it",
+               "give the files as a \"suite\", or sweep \"/excitation\" with one object for each ground motion"});
   }
   return pointer;
 }
@@ -142,7 +140,7 @@ std::vector<Unknown> read_unknowns(const Json& list, const Json& base, const std
   }
   for (std::size_t i = 0; i < list.size(); ++i) {
     const std::string place = "/unknown/" + std::to_string(i);
-    ObjectReader in(list[i], place, problems);
+    FieldReader in(list[i], place, problems);
     Unknown unknown = read_unknown(in, base);
     static_cast<void>(in.finish());
     const bool is_swept =

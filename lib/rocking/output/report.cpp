@@ -8,11 +8,11 @@
 #include <utility>
 
 #include "rocking/base/error.hpp"
+#include "rocking/base/number_rule.hpp"
 #include "rocking/ensemble/mode_family.hpp"
 #include "rocking/input/quantities_in_text.hpp"
 #include "rocking/input/report_claims.hpp"
 #include "rocking/output/validity_fields.hpp"
-#include "rocking/scene/number_rule.hpp"
 #include "rocking/scene/rules.hpp"
 #include "rocking/text/json.hpp"
 #include "rocking/text/number_text.hpp"

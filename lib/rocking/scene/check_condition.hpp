@@ -5,8 +5,8 @@
 #include <string>
 #include <utility>
 
+#include "rocking/base/number_rule.hpp"
 #include "rocking/scene/experiment.hpp"
-#include "rocking/scene/number_rule.hpp"
 
 namespace rocking {
 

@@ -1,5 +1,6 @@
 #include "rocking/scene/experiment_keys.hpp"
 
+#include <algorithm>
 #include <array>
 #include <numbers>
 #include <utility>
@@ -46,6 +47,25 @@ constexpr std::array<UnitKey, all_strengths.size()> strength_units{
        "gravity_m_s2; hazard and ground-motion models are not given in it"},
       rules::pga_g}}};
 
+struct QuantityInUnit {
+  std::size_t unit = 0;  ///< place among the keys
+  Quantity value = 0.0;
+};
+
+/// The quantity that one of the keys gives. Returns whether one was read.
+template <std::size_t size>
+bool one_of(FieldVisitor& in, const std::array<UnitKey, size>& units, QuantityInUnit& value, Absent absent) {
+  return [&]<std::size_t... i>(std::index_sequence<i...>) {
+    const std::array types{QuantityType(units[i].rule)...};
+    const std::array keys{Alternative{units[i].key, &types[i]}...};
+    QuantityInUnit read = value;
+    const bool is_read = in.one_of(keys, read.unit, &read.value, absent);
+    if (is_read) value = std::move(read);
+    return is_read;
+  }
+  (std::make_index_sequence<size>{});
+}
+
 /// The number as it is given: `normalised`, or in the physical unit.
 template <class Physical>
 QuantityInUnit number_of(const Quantity& normalised, const std::optional<Physical>& physical) {
@@ -64,21 +84,21 @@ void set(const QuantityInUnit& number, Quantity& normalised, std::optional<Physi
 
 /// Of a kind that has both.
 template <class Kind>
-void keys_of_amplitude_and_frequency(Keys& in, Kind& kind) {
+void keys_of_amplitude_and_frequency(FieldVisitor& in, Kind& kind) {
   QuantityInUnit amplitude = number_of(kind.amplitude, kind.physical_amplitude);
-  if (in.one_of(amplitude_units, amplitude, Absent::error)) set(amplitude, kind.amplitude, kind.physical_amplitude);
+  if (one_of(in, amplitude_units, amplitude, Absent::error)) set(amplitude, kind.amplitude, kind.physical_amplitude);
   QuantityInUnit frequency = number_of(kind.frequency_ratio, kind.physical_frequency);
-  if (in.one_of(frequency_units, frequency, Absent::error)) {
+  if (one_of(in, frequency_units, frequency, Absent::error)) {
     set(frequency, kind.frequency_ratio, kind.physical_frequency);
   }
 }
 
-void keys_of(Keys& in, Harmonic& harmonic, const dynamics::Block&) {
+void keys_of(FieldVisitor& in, Harmonic& harmonic, const dynamics::Block&, RecordFields&) {
   keys_of_amplitude_and_frequency(in, harmonic);
-  in.quantity({"phase_rad", "Phi [rad]"}, harmonic.phase, rules::phase, Absent::standard);
+  in.value({"phase_rad", "Phi [rad]"}, harmonic.phase, rules::phase, Absent::standard);
 }
 
-void refuse_keys_of_others(Keys& in, const Recorded&) {
+void refuse_keys_of_others(FieldVisitor& in, const Recorded&) {
   for (const UnitKey& unit : amplitude_units) {
     in.refuse(unit.key.name, "is for harmonic excitation and pulses; a ground motion has a scale",
               "write \"scale\" instead");
@@ -89,8 +109,9 @@ void refuse_keys_of_others(Keys& in, const Recorded&) {
             "shift the times of the ground motion");
 }
 
-void keys_of_format_and_unit(Keys& in, GroundMotionReading& how) {
-  in.record_format({"format", "of the file; auto: recognised by its first lines (ground-motions.md)"}, how.format);
+void keys_of_format_and_unit(FieldVisitor& in, GroundMotionReading& how, const RecordFields& records) {
+  in.field({"format", "of the file; auto, as without this key: recognised by its first lines (ground-motions.md)"},
+           records.format_type(), &how.format, Absent::omitted);
   in.optional("units", how.unit, [&in](RecordUnit& unit) {
     in.choice(
         {"units",
@@ -100,17 +121,45 @@ void keys_of_format_and_unit(Keys& in, GroundMotionReading& how) {
   });
 }
 
-void keys_of_columns(Keys& in, GroundMotionReading& how) {
+class ColumnsType final : public ValueType {
+ public:
+  [[nodiscard]] Json json(const void* value) const override {
+    Json names = Json::array();
+    for (const RecordColumn column : *static_cast<const Columns*>(value)) names.push_back(name_of(column));
+    return names;
+  }
+  void read(const Json& json, const ReadingPlace& place, void* value) const override {
+    const auto& names = record_column_names;
+    const auto is_known = [&](const Json& word) { return std::ranges::find(names, word) != names.end(); };
+    auto& columns = *static_cast<Columns*>(value);
+    columns.clear();
+    if (!json.is_array() || json.empty() || !std::ranges::all_of(json, is_known)) {
+      return place.reject(json, "must be a list of " + quoted_words(names),
+                          "give \"columns\": [\"time\", \"horizontal\"]");
+    }
+    for (const Json& word : json) {
+      columns.push_back(static_cast<RecordColumn>(std::ranges::find(names, word) - names.begin()));
+    }
+  }
+  [[nodiscard]] Json schema(const Rule& rule) const override {
+    const NamesType<RecordColumn> column(record_column_names);
+    return {{"type", "array"}, {"items", column.schema(rule)}, {"minItems", 1}};
+  }
+  [[nodiscard]] Shown shown(const void*) const override {
+    return {.allowed = "list of " + words_in_code(record_column_names), .standard = ""};
+  }
+
+ private:
+  using Columns = std::vector<RecordColumn>;
+};
+
+void keys_of_columns(FieldVisitor& in, GroundMotionReading& how) {
   if (!in.stands("columns", !how.columns.empty())) return;
-  std::vector<std::size_t> names;
-  for (const RecordColumn column : how.columns) names.push_back(static_cast<std::size_t>(column));
   const std::size_t problems_before = in.problem_count();
-  in.words({"columns",
+  in.value({"columns",
             "of a file of numbers, in its order; it must be given where the file has a header, more than two columns, "
             "more than one beside time_step_s, or times that are not evenly spaced"},
-           names, record_column_names);
-  how.columns.clear();
-  for (const std::size_t name : names) how.columns.push_back(static_cast<RecordColumn>(name));
+           how.columns, ColumnsType(), Absent::omitted);
   if (!in.is_reading() || in.problem_count() != problems_before) return;
   if (auto refusal = refuse_columns(how.columns, in.stands("time_step_s", how.time_step.has_value()))) {
     in.reject("columns", *std::move(refusal));
@@ -118,7 +167,7 @@ void keys_of_columns(Keys& in, GroundMotionReading& how) {
 }
 
 /// The periods of the spectral accelerations by which a file gives the strength of a motion; empty: none.
-std::vector<double> keys_of_periods(Keys& in, std::string_view strength, const dynamics::Block* block) {
+std::vector<double> keys_of_periods(FieldVisitor& in, std::string_view strength, const dynamics::Block* block) {
   std::vector<double> periods;
   const bool is_sa = strength == "sa_g" || strength == "sa_absolute_g";
   if (is_sa || in.stands("period_s", false)) {
@@ -127,8 +176,8 @@ std::vector<double> keys_of_periods(Keys& in, std::string_view strength, const d
       in.refuse("period_s", "is for \"sa_g\" and \"sa_absolute_g\", and for harmonic excitation and pulses",
                 strength == "avgsa_g" ? "write \"periods_s\": [shortest, longest]" : "omit it");
     } else {
-      in.number({"period_s", "with sa_g or sa_absolute_g: period of the oscillator [s]"}, period,
-                rules::oscillator_period_s, is_sa ? Absent::error : Absent::omitted);
+      in.value({"period_s", "with sa_g or sa_absolute_g: period of the oscillator [s]"}, period,
+               rules::oscillator_period_s, is_sa ? Absent::error : Absent::omitted);
       if (is_sa) periods = {period};
     }
   }
@@ -138,8 +187,9 @@ std::vector<double> keys_of_periods(Keys& in, std::string_view strength, const d
       in.refuse("periods_s", "is for \"avgsa_g\"", is_sa ? "write \"period_s\": 1.0" : "omit it");
     } else {
       std::vector<double> range{0.5, 2.0};
-      in.numbers({"periods_s", "with avgsa_g: shortest and longest period [s]"}, range, {.least = 2, .most = 2},
-                 rules::oscillator_period_s, Absent::omitted);
+      in.value({"periods_s", "with avgsa_g: shortest and longest period [s]"}, range,
+               NumbersType({.least = 2, .most = 2}, rules::oscillator_period_s),
+               is_average ? Absent::error : Absent::omitted);
       const bool is_sound = range.size() == 2 && range[0] < range[1];
       if (range.size() == 2 && !is_sound) in.reject("periods_s", {"must rise", "write [shortest, longest]"});
       if (is_average && is_sound) periods = range;
@@ -151,10 +201,10 @@ std::vector<double> keys_of_periods(Keys& in, std::string_view strength, const d
   return periods;
 }
 
-void keys_of(Keys& in, Recorded& recorded, const dynamics::Block& block) {
+void keys_of(FieldVisitor& in, Recorded& recorded, const dynamics::Block& block, RecordFields& records) {
   refuse_keys_of_others(in, recorded);
-  if (!in.suite(
-          {"suite", "several ground motions, each a point of the sweep: a pattern or a list, in place of file"})) {
+  if (!records.suite(
+          in, {"suite", "several ground motions, each a point of the sweep: a pattern or a list, in place of file"})) {
     return;
   }
   const bool block_is_sound = block.width > 0.0 && block.height > 0.0 && block.gravity > 0.0;
@@ -164,42 +214,41 @@ void keys_of(Keys& in, Recorded& recorded, const dynamics::Block& block) {
     part();
     return in.problem_count() == problems_before;
   };
-  in.file({"file", "path of the record, seen from the folder of the experiment file"},
-          {"sha256", "of the file; must match it; absent: the file's"}, how.name);
+  records.file(in, {"file", "path of the record, seen from the folder of the experiment file"},
+               {"sha256", "of the file; must match it; absent: the file's"}, how.name);
   if (in.stands("vertical_file", true)) {
-    in.file({"vertical_file", "of the vertical component, in formats with one component a file"},
-            {"vertical_sha256", "of that file; must match it; absent: the file's"}, how.vertical_name);
+    records.file(in, {"vertical_file", "of the vertical component, in formats with one component a file"},
+                 {"vertical_sha256", "of that file; must match it; absent: the file's"}, how.vertical_name);
     if (how.vertical_name.empty()) how.name.clear();
   }
-  if (!is_sound([&] { keys_of_format_and_unit(in, how); })) how.name.clear();
+  if (!is_sound([&] { keys_of_format_and_unit(in, how, records); })) how.name.clear();
   QuantityInUnit strength{.unit = 0, .value = recorded.scale};
   std::vector<double> periods;
   const bool has_strength = is_sound([&] {
-    in.one_of(strength_units, strength, Absent::standard);
+    one_of(in, strength_units, strength, Absent::standard);
     periods = keys_of_periods(in, strength_units[strength.unit].key.name, block_is_sound ? &block : nullptr);
   });
   const bool has_times = is_sound([&] {
     in.optional("time_step_s", how.time_step, [&in](double& time_step) {
-      in.number(
-          {"time_step_s",
-           "between samples [s], of columns without times; absent: the file gives it, or the time of each sample"},
-          time_step, rules::time_step, Absent::omitted);
+      in.value({"time_step_s",
+                "between samples [s], of columns without times; absent: the file gives it, or the time of each sample"},
+               time_step, rules::time_step, Absent::omitted);
     });
     keys_of_columns(in, how);
   });
   if (!has_times) how.name.clear();
   if (in.is_reading()) recorded.frequency_ratio = block_is_sound ? strobe_once_a_second(block) : 1.0;
-  in.number({"frequency_ratio", "of the strobe; absent: a strobe period of the mean block is a second"},
-            recorded.frequency_ratio, rules::frequency_ratio, in.follows_from({"/block", "/excitation/kind"}));
+  in.value({"frequency_ratio", "of the strobe; absent: a strobe period of the mean block is a second"},
+           recorded.frequency_ratio, rules::frequency_ratio, in.follows_from({"/block", "/excitation/kind"}));
   if (strength.unit == 0) recorded.scale = strength.value;
   std::optional<Strength> wanted;
   if (has_strength && block_is_sound) {
-    wanted.emplace(Strength{strength_units[strength.unit], strength.value, std::move(periods)});
+    wanted.emplace(Strength{strength_units[strength.unit].key.name, strength.value, std::move(periods)});
   }
-  in.ground_motion(how, wanted, recorded);
+  records.ground_motion(in, how, wanted, recorded);
 }
 
-void keys_of(Keys& in, Pulse& pulse, const dynamics::Block&) {
+void keys_of(FieldVisitor& in, Pulse& pulse, const dynamics::Block&, RecordFields&) {
   for (const std::string_view key : {"file", "suite", "sha256", "time_step_s"}) {
     in.refuse(key, "is for a ground motion; a pulse is given by its shape", "write \"kind\": \"recorded\", or omit it");
   }
@@ -216,14 +265,14 @@ void keys_of(Keys& in, Pulse& pulse, const dynamics::Block&) {
 
 }  // namespace
 
-void keys_of(Keys& in, Excitation& excitation, const dynamics::Block& block) {
+void keys_of(FieldVisitor& in, Excitation& excitation, const dynamics::Block& block, RecordFields& records) {
   in.kinds({"kind",
             "harmonic: a_h/g = A_h psi times the sine of Omega_h tau + Phi; recorded: linear between the samples of a "
             "file; pulse: "
             "from tau = 0 on one pulse a_h/g = A_h psi f(Omega_h tau), the base is still after it"},
-           kind_names, excitation.index(), [&](Keys& keys, std::size_t kind) {
+           kind_names, excitation.index(), [&](FieldVisitor& keys, std::size_t kind) {
              if (excitation.index() != kind) excitation = alternative_at<Excitation>(kind);
-             std::visit([&](auto& asked) { keys_of(keys, asked, block); }, excitation);
+             std::visit([&](auto& asked) { keys_of(keys, asked, block, records); }, excitation);
            });
 }
 

@@ -1,11 +1,17 @@
 #include "rocking/scene/experiment_keys.hpp"
 
 #include <array>
+#include <cmath>
+#include <functional>
+#include <initializer_list>
+#include <string>
 
+#include "rocking/fields/field_describer.hpp"
 #include "rocking/scene/check_condition.hpp"
 #include "rocking/scene/defaults.hpp"
 #include "rocking/scene/restitution.hpp"
 #include "rocking/scene/rules.hpp"
+#include "rocking/text/number_text.hpp"
 
 namespace rocking {
 namespace {
@@ -15,13 +21,13 @@ constexpr std::array<std::string_view, 3> formulation_names{"consistent", "as-pr
 constexpr std::array<std::string_view, 2> slide_inertia_names{"centroidal", "edge"};
 constexpr std::array<std::string_view, 2> impact_slip_rule_names{"absolute", "signed"};
 
-void keys_of(Keys& in, SceneBlock& block) {
-  in.quantity({"width_m", "B [m]"}, block.width, rules::length, Absent::error);
-  in.quantity({"height_m", "H [m]"}, block.height, rules::length, Absent::error);
-  in.number({"gravity_m_s2", "g [m/s^2]"}, block.gravity, rules::gravity, Absent::standard);
+void keys_of(FieldVisitor& in, SceneBlock& block) {
+  in.value({"width_m", "B [m]"}, block.width, rules::length, Absent::error);
+  in.value({"height_m", "H [m]"}, block.height, rules::length, Absent::error);
+  in.value({"gravity_m_s2", "g [m/s^2]"}, block.gravity, rules::gravity, Absent::standard);
 }
 
-void keys_of_formulation(Keys& in, Scene& scene) {
+void keys_of_formulation(FieldVisitor& in, Scene& scene) {
   Formulation formulation = Formulation::consistent;
   in.choice(
       {"formulation", "reading of the equations (model.md); the next three keys follow from it where they are absent"},
@@ -34,26 +40,27 @@ void keys_of_formulation(Keys& in, Scene& scene) {
   }
   const Absent follows = in.follows_from({"/formulation"});
   in.choice({"slide_inertia", "inertia in the slip equations"}, scene.slide_inertia, slide_inertia_names, follows);
-  key_of(in,
-         {"restitution",
-          "vertical restitution e of an impact; \"jy25\": 1 - 1.5 sin^2(psi); rate_ratio: the measured ratio "
-          "abs(w2/w1) of the tilt rates across an impact without slip, from which e follows"},
-         scene.restitution, follows);
+  Formed restitution = formed(scene.restitution);
+  in.value({"restitution",
+            "vertical restitution e of an impact; \"jy25\": 1 - 1.5 sin^2(psi); rate_ratio: the measured ratio "
+            "abs(w2/w1) of the tilt rates across an impact without slip, from which e follows"},
+           restitution, restitution_type(), follows);
+  scene.restitution = restitution_of(std::move(restitution));
   in.choice({"impact_slip_rule", "when an impact slips"}, scene.impact_slip_rule, impact_slip_rule_names, follows);
 }
 
-void keys_of(Keys& in, Friction& friction) {
-  in.quantity({"static", "mu_s; its mean is at least that of mu_k"}, friction.static_coefficient,
-              rules::friction_coefficient, Absent::error);
+void keys_of(FieldVisitor& in, Friction& friction) {
+  in.value({"static", "mu_s; its mean is at least that of mu_k"}, friction.static_coefficient,
+           rules::friction_coefficient, Absent::error);
   Formed kinetic = friction.kinetic_ratio ? Formed{.form = 1, .value = *friction.kinetic_ratio}
                                           : Formed{.form = 0, .value = friction.kinetic_coefficient};
   constexpr std::array<Form, 2> forms{{{.name = "", .rule = &rules::friction_coefficient},
                                        {.name = "ratio", .rule = &rules::kinetic_ratio, .may_be_drawn = false}}};
-  in.forms(
+  in.value(
       {"kinetic",
        "mu_k, or its ratio to the mu_s that was drawn; its mean is below the limit of Painleve's paradox for every "
        "block that can be drawn"},
-      kinetic, forms, "", Absent::error);
+      kinetic, FormsType(forms, ""), Absent::error);
   if (kinetic.form == 1) {
     friction.kinetic_ratio = mean_of(kinetic.value);
   } else {
@@ -61,13 +68,47 @@ void keys_of(Keys& in, Friction& friction) {
   }
 }
 
-void key_of_law(Keys& in, FluctuationLaw& law) {
+void key_of_law(FieldVisitor& in, FluctuationLaw& law) {
   in.choice({"law", "with this mean and standard deviation; absent: normal"}, law, fluctuation_law_names,
             Absent::omitted);
 }
 
+/// A standard deviation that a file may give relative to its mean.
+struct Scatter {
+  double* sigma;
+  std::function<double()> mean;
+};
+
+/// `sigma`, in the unit of the mean, or `relative_sigma`, for all of these.
+void keys_of_scatter(FieldVisitor& in, std::initializer_list<Scatter> of) {
+  const Key sigma{"sigma", "standard deviation, in the unit in which the mean is given; or relative_sigma"};
+  const Key relative{"relative_sigma", "in place of sigma: over the absolute value of the mean"};
+  in.require_one_of({sigma.name, relative.name});
+  if (!in.is_reading()) {
+    for (const Scatter& each : of) {
+      in.value(sigma, *each.sigma, rules::sigma, Absent::omitted);
+      if (in.stands(relative.name, false)) return in.value(relative, *each.sigma, rules::sigma, Absent::omitted);
+    }
+    return;
+  }
+  const bool is_relative = in.stands(relative.name, false);
+  if (is_relative && in.stands(sigma.name, false)) {
+    return in.reject(relative.name, {"excludes \"sigma\"", "keep one of them"});
+  }
+  double given = 0.0;
+  in.value(is_relative ? relative : sigma, given, rules::sigma, Absent::error);
+  for (const Scatter& each : of) {
+    const double absolute = is_relative ? given * std::abs(each.mean()) : given;
+    if (rules::sigma.allows(absolute)) {
+      *each.sigma = absolute;
+    } else {
+      in.reject(relative.name, {"makes a standard deviation above 1e6", "give a smaller fraction of the mean"});
+    }
+  }
+}
+
 /// `friction` is both static and kinetic friction, which a condition in C++ has apart.
-void keys_of_friction_fluctuation(Keys& in, Scene& scene) {
+void keys_of_friction_fluctuation(FieldVisitor& in, Scene& scene) {
   Fluctuation& fluctuation = scene.fluctuation;
   const auto mean = [&scene](double (*mean_of)(const Friction&)) {
     return [&scene, mean_of] { return mean_of(scene.friction.value_or(Friction{})); };
@@ -82,38 +123,38 @@ void keys_of_friction_fluctuation(Keys& in, Scene& scene) {
                {"excludes \"friction\", which sets both static and kinetic friction", "keep one of them"});
     return true;
   };
-  const auto refreshes = [&fluctuation](Keys& keys) {
+  const auto refreshes = [&fluctuation](FieldVisitor& keys) {
     keys.optional("refresh_slip_m", fluctuation.refresh_slip_m, [&keys](double& length) {
       keys.exclude("refresh_slip_m", "refreshes_per_period",
                    {"excludes \"refreshes_per_period\": friction belongs to the place or is drawn again in time",
                     "keep one of them"});
-      keys.number({"refresh_slip_m", "length of the cells of the base along the slip, each with its own friction [m]"},
-                  length, rules::refresh_slip, Absent::omitted);
+      keys.value({"refresh_slip_m", "length of the cells of the base along the slip, each with its own friction [m]"},
+                 length, rules::refresh_slip, Absent::omitted);
     });
     if (keys.is_reading() && fluctuation.refresh_slip_m) return;
-    keys.integer({"refreshes_per_period", "intervals of constant kinetic friction in an excitation period"},
-                 fluctuation.refreshes_per_period, rules::refreshes, Absent::standard);
+    keys.value({"refreshes_per_period", "intervals of constant kinetic friction in an excitation period"},
+               fluctuation.refreshes_per_period, rules::refreshes, Absent::standard);
   };
   if (stands("friction", false)) {
-    in.object({"friction", "of static and kinetic friction alike"}, Absent::omitted, [&](Keys& keys) {
-      keys.scatter({of_static, of_kinetic});
+    in.object({"friction", "of static and kinetic friction alike"}, Absent::omitted, [&](FieldVisitor& keys) {
+      keys_of_scatter(keys, {of_static, of_kinetic});
       key_of_law(keys, fluctuation.laws.static_friction);
       fluctuation.laws.kinetic_friction = fluctuation.laws.static_friction;
-      keys.number({"correlation",
-                   "of the normal numbers from which static and kinetic friction in force follow (Gaussian copula)"},
-                  fluctuation.friction_correlation, rules::correlation, Absent::omitted);
+      keys.value({"correlation",
+                  "of the normal numbers from which static and kinetic friction in force follow (Gaussian copula)"},
+                 fluctuation.friction_correlation, rules::correlation, Absent::omitted);
       refreshes(keys);
     });
   }
   if (stands("static_friction", true)) {
-    in.object({"static_friction", "in place of friction"}, Absent::omitted, [&](Keys& keys) {
-      keys.scatter({of_static});
+    in.object({"static_friction", "in place of friction"}, Absent::omitted, [&](FieldVisitor& keys) {
+      keys_of_scatter(keys, {of_static});
       key_of_law(keys, fluctuation.laws.static_friction);
     });
   }
   if (stands("kinetic_friction", true)) {
-    in.object({"kinetic_friction", "in place of friction"}, Absent::omitted, [&](Keys& keys) {
-      keys.scatter({of_kinetic});
+    in.object({"kinetic_friction", "in place of friction"}, Absent::omitted, [&](FieldVisitor& keys) {
+      keys_of_scatter(keys, {of_kinetic});
       key_of_law(keys, fluctuation.laws.kinetic_friction);
       refreshes(keys);
     });
@@ -127,73 +168,73 @@ double mean_restitution_of(const Scene& scene) {
   return is_sound ? mean_as_given(scene.restitution, dynamics::geometry_of(block)) : 0.0;
 }
 
-void keys_of_fluctuation(Keys& in, Scene& scene) {
+void keys_of_fluctuation(FieldVisitor& in, Scene& scene) {
   keys_of_friction_fluctuation(in, scene);
   if (in.stands("restitution", true)) {
-    in.object({"restitution", "in the unit of the restitution: of e, or of the rate ratio"}, Absent::omitted,
-              [&](Keys& keys) {
-                keys.scatter({{&scene.fluctuation.restitution, [&scene] { return mean_restitution_of(scene); }}});
-                key_of_law(keys, scene.fluctuation.laws.restitution);
-              });
+    in.object(
+        {"restitution", "in the unit of the restitution: of e, or of the rate ratio"}, Absent::omitted,
+        [&](FieldVisitor& keys) {
+          keys_of_scatter(keys, {{&scene.fluctuation.restitution, [&scene] { return mean_restitution_of(scene); }}});
+          key_of_law(keys, scene.fluctuation.laws.restitution);
+        });
   }
   if (!in.stands("amplitude", true)) return;
   if (amplitude_draws(scene.excitation) == AmplitudeDraws::refused) {
     in.reject("amplitude", relations::no_period_to_fluctuate());
   }
   in.object({"amplitude", "in the unit of the amplitude; drawn at each period, of a pulse once"}, Absent::omitted,
-            [&](Keys& keys) {
-              keys.scatter({{&scene.fluctuation.amplitude, [&scene] { return size_of(scene.excitation); }}});
+            [&](FieldVisitor& keys) {
+              keys_of_scatter(keys, {{&scene.fluctuation.amplitude, [&scene] { return size_of(scene.excitation); }}});
               key_of_law(keys, scene.fluctuation.laws.amplitude);
             });
 }
 
-void keys_of(Keys& in, InitialState& initial, bool slides) {
-  in.quantity({"tilt", "Theta = theta/psi; abs(theta) < pi/2 for every block that can be drawn"}, initial.tilt,
-              rules::initial_value, Absent::standard);
-  in.quantity({"tilt_rate", "Theta' = dTheta/dtau"}, initial.tilt_rate, rules::initial_value, Absent::standard);
+void keys_of(FieldVisitor& in, InitialState& initial, bool slides) {
+  in.value({"tilt", "Theta = theta/psi; abs(theta) < pi/2 for every block that can be drawn"}, initial.tilt,
+           rules::initial_value, Absent::standard);
+  in.value({"tilt_rate", "Theta' = dTheta/dtau"}, initial.tilt_rate, rules::initial_value, Absent::standard);
   if (!slides && !in.stands("slip_rate", true)) return;
-  in.quantity({"slip_rate", "V, of the edge relative to the base, over p R; needs friction"}, initial.slip_rate,
-              rules::initial_value, Absent::standard);
+  in.value({"slip_rate", "V, of the edge relative to the base, over p R; needs friction"}, initial.slip_rate,
+           rules::initial_value, Absent::standard);
 }
 
-void keys_of(Keys& in, Scene& scene) {
-  in.object({"block", "a uniform rectangular block"}, Absent::error, [&](Keys& keys) { keys_of(keys, scene.block); });
+void keys_of(FieldVisitor& in, Scene& scene, RecordFields& records) {
+  in.object({"block", "a uniform rectangular block"}, Absent::error,
+            [&](FieldVisitor& keys) { keys_of(keys, scene.block); });
   keys_of_formulation(in, scene);
   in.object({"excitation", "how the base moves"}, Absent::error,
-            [&](Keys& keys) { keys_of(keys, scene.excitation, mean_block(scene)); });
+            [&](FieldVisitor& keys) { keys_of(keys, scene.excitation, mean_block(scene), records); });
   in.optional("friction", scene.friction, [&](Friction& friction) {
     in.object({"friction", "absent: the block does not slide"}, Absent::omitted,
-              [&](Keys& keys) { keys_of(keys, friction); });
+              [&](FieldVisitor& keys) { keys_of(keys, friction); });
   });
   if (in.stands("fluctuation", true)) {
     in.object({"fluctuation", "what is drawn again along the way; absent: nothing"}, Absent::omitted,
-              [&](Keys& keys) { keys_of_fluctuation(keys, scene); });
+              [&](FieldVisitor& keys) { keys_of_fluctuation(keys, scene); });
   }
   in.object({"initial", "the state at the start"}, Absent::standard,
-            [&](Keys& keys) { keys_of(keys, scene.initial, scene.friction.has_value()); });
+            [&](FieldVisitor& keys) { keys_of(keys, scene.initial, scene.friction.has_value()); });
 }
 
-void keys_of(Keys& in, UntilClassified& until) {
-  in.integer({"at_most_periods", "from the start on; at least transient_periods + sampled_periods"},
-             until.at_most_periods, rules::at_most_periods, Absent::error);
-  in.integer({"held_windows", "settled if so many successive windows give the same response mode"}, until.held_windows,
-             rules::held_windows, Absent::standard);
-  in.integer({"watch_windows", "further windows in which a settled response is observed, until it is left"},
-             until.watch_windows, rules::watch_windows, Absent::standard);
+void keys_of(FieldVisitor& in, UntilClassified& until) {
+  in.value({"at_most_periods", "from the start on; at least transient_periods + sampled_periods"},
+           until.at_most_periods, rules::at_most_periods, Absent::error);
+  in.value({"held_windows", "settled if so many successive windows give the same response mode"}, until.held_windows,
+           rules::held_windows, Absent::standard);
+  in.value({"watch_windows", "further windows in which a settled response is observed, until it is left"},
+           until.watch_windows, rules::watch_windows, Absent::standard);
   // Absent from the canonical text, too, as before there were these keys.
-  in.integer(
-      {"long_run_every",
-       "every N-th realisation is observed up to at_most_periods, and its windows in the second half are counted "
-       "by response mode; 0: none"},
-      until.long_run_every, rules::long_run_every, Absent::omitted);
-  in.integer(
-      {"exponent_pause",
-       "after a window whose exponent stayed unclear in its longest run, it counts as unclear in so many windows "
-       "and is not computed"},
-      until.exponent_pause, rules::exponent_pause, Absent::omitted);
+  in.value({"long_run_every",
+            "every N-th realisation is observed up to at_most_periods, and its windows in the second half are counted "
+            "by response mode; 0: none"},
+           until.long_run_every, rules::long_run_every, Absent::omitted);
+  in.value({"exponent_pause",
+            "after a window whose exponent stayed unclear in its longest run, it counts as unclear in so many windows "
+            "and is not computed"},
+           until.exponent_pause, rules::exponent_pause, Absent::omitted);
 }
 
-void keys_of(Keys& in, Horizon& horizon, const Scene& scene) {
+void keys_of(FieldVisitor& in, Horizon& horizon, const Scene& scene) {
   const bool is_reading = in.is_reading();
   const DefaultHorizon standard =
       is_reading ? default_horizon(scene) : DefaultHorizon{horizon.transient_periods, horizon.sampled_periods};
@@ -203,90 +244,175 @@ void keys_of(Keys& in, Horizon& horizon, const Scene& scene) {
     horizon.transient_periods = static_cast<int>(standard.transient_periods);
     if (!is_too_long) horizon.sampled_periods = static_cast<int>(standard.sampled_periods);
   }
-  in.integer({"transient_periods", "periods that are not used for the classification; harmonic: 500, else 0"},
-             horizon.transient_periods, rules::transient_periods, follows);
+  in.value({"transient_periods", "periods that are not used for the classification; harmonic: 500, else 0"},
+           horizon.transient_periods, rules::transient_periods, follows);
   if (is_reading && is_too_long && !in.stands("sampled_periods", true)) {
     return in.reject(
         "sampled_periods",
         {"would be " + std::to_string(standard.sampled_periods) + ", until the block rests after the shaking",
          "lower the frequency, so that strobe periods are longer, or give at most 1000000"});
   }
-  in.integer({"sampled_periods",
-              "periods whose strobe points are used; harmonic: 120, else until the block rests after the shaking"},
-             horizon.sampled_periods, rules::sampled_periods, follows);
+  in.value({"sampled_periods",
+            "periods whose strobe points are used; harmonic: 120, else until the block rests after the shaking"},
+           horizon.sampled_periods, rules::sampled_periods, follows);
   in.optional("until_classified", horizon.until_classified, [&](UntilClassified& until) {
     in.object({"until_classified",
                "a realisation that is unresolved goes on, window by window of sampled_periods, until its response is "
                "classified (settling.md); periodic excitation only"},
-              Absent::omitted, [&](Keys& keys) { keys_of(keys, until); });
+              Absent::omitted, [&](FieldVisitor& keys) { keys_of(keys, until); });
   });
 }
 
-void keys_of_goal(Keys& in, Until& until, Condition& condition) {
+/// Of a `std::optional<ResponseMode>`.
+class ModeType final : public ValueType {
+ public:
+  [[nodiscard]] Json json(const void* value) const override { return to_string(**static_cast<const Mode*>(value)); }
+  void read(const Json& json, const ReadingPlace& place, void* value) const override {
+    const auto mode = json.is_string() ? section::response_mode_named(json.get<std::string>()) : std::nullopt;
+    const bool exists =
+        mode && (mode->kind != section::ResponseKind::periodic || (mode->rocks >= 0 && mode->periods > 0));
+    if (!exists) {
+      return place.reject(json, "is not the name of a response mode",
+                          "give \"overturned\", \"rest\", \"chaotic\", \"unresolved\", or (m,n) such as \"(1,3)\"");
+    }
+    *static_cast<Mode*>(value) = mode;
+  }
+  [[nodiscard]] Json schema(const Rule&) const override {
+    return {{"type", "string"}, {"pattern", section::response_mode_pattern()}};
+  }
+  [[nodiscard]] Shown shown(const void*) const override {
+    return {.allowed = "name of a response mode", .standard = ""};
+  }
+
+ private:
+  using Mode = std::optional<section::ResponseMode>;
+};
+
+void keys_of_goal(FieldVisitor& in, Until& until, Condition& condition) {
   in.optional("half_width", until.half_width, [&](double& half_width) {
-    in.number({"half_width",
-               "of the interval of every response mode, or of that of mode, valid whenever one looks; or "
-               "relative_half_width"},
-              half_width, rules::half_width, Absent::omitted);
+    in.value({"half_width",
+              "of the interval of every response mode, or of that of mode, valid whenever one looks; or "
+              "relative_half_width"},
+             half_width, rules::half_width, Absent::omitted);
   });
   in.optional("relative_half_width", until.relative_half_width, [&](double& half_width) {
-    in.number({"relative_half_width", "half-width of the interval of mode, over the estimate of its probability"},
-              half_width, rules::relative_half_width, Absent::omitted);
+    in.value({"relative_half_width", "half-width of the interval of mode, over the estimate of its probability"},
+             half_width, rules::relative_half_width, Absent::omitted);
   });
-  in.mode({"mode", "the response mode whose interval decides; absent: every one"}, until.mode);
-  in.integer({"at_most", "realisations, whatever the intervals"}, condition.realisations, rules::at_most,
-             Absent::error);
+  in.value({"mode", "the response mode whose interval decides; absent: every one"}, until.mode, ModeType(),
+           Absent::omitted);
+  in.value({"at_most", "realisations, whatever the intervals"}, condition.realisations, rules::at_most, Absent::error);
 }
 
-void keys_of_realisations(Keys& in, Condition& condition) {
-  const auto number = [&](Keys& keys) {
-    keys.integer({"realisations", "of each condition"}, condition.realisations, rules::realisations, Absent::standard);
+void keys_of_realisations(FieldVisitor& in, Condition& condition) {
+  const auto number = [&](FieldVisitor& keys) {
+    keys.value({"realisations", "of each condition"}, condition.realisations, rules::realisations, Absent::standard);
   };
-  const auto goal = [&](Keys& keys) {
+  const auto goal = [&](FieldVisitor& keys) {
     Until until = condition.until.value_or(Until{});
-    keys.object({"until", "as many realisations as it takes (methods.md, section 2)"}, Absent::error, [&](Keys& inner) {
-      keys_of_goal(inner, until, condition);
-      condition.until = until;
-      const auto of_every_mode = relations::relative_half_width_of_every_mode(condition);
-      if (of_every_mode && !inner.stands("mode", true)) inner.reject("mode", *of_every_mode);
-      if (const auto refusal = relations::one_half_width(condition)) inner.reject("", *refusal);
-    });
+    keys.object({"until", "as many realisations as it takes (methods.md, section 2)"}, Absent::error,
+                [&](FieldVisitor& inner) {
+                  keys_of_goal(inner, until, condition);
+                  condition.until = until;
+                  const auto of_every_mode = relations::relative_half_width_of_every_mode(condition);
+                  if (of_every_mode && !inner.stands("mode", true)) inner.reject("mode", *of_every_mode);
+                  if (const auto refusal = relations::one_half_width(condition)) inner.reject("", *refusal);
+                });
   };
-  in.number_or_object({"realisations", "of each condition"}, condition.until.has_value(), number, goal);
+  in.value_or_object({"realisations", "of each condition"}, condition.until.has_value(), number, goal);
 }
 
-void keys_of(Keys& in, LabelCheck& check) {
-  in.integer({"every", "every N-th realisation"}, check.every, rules::check_every, Absent::standard);
-  in.integer({"times_longer", "sampled periods of the longer run, in those of the shorter one"}, check.times_longer,
-             rules::times_longer, Absent::standard);
+/// 64 bits as text or number; the canonical text has them as text.
+class SeedType final : public ValueType {
+ public:
+  [[nodiscard]] Json json(const void* value) const override {
+    return seed_text(*static_cast<const std::uint64_t*>(value));
+  }
+  void read(const Json& json, const ReadingPlace& place, void* value) const override {
+    std::optional<std::uint64_t> seed;
+    if (json.is_number_unsigned()) seed = json.get<std::uint64_t>();
+    if (json.is_string()) seed = seed_from_text(json.get<std::string>());
+    *static_cast<std::uint64_t*>(value) = seed.value_or(0);
+    if (!seed) {
+      place.reject(json, "must be a whole number of at most 64 bits", "give a value such as \"0x2012\" or 8210");
+    }
+  }
+  [[nodiscard]] Json schema(const Rule&) const override {
+    return {{"oneOf", Json::array({type_of<std::uint64_t>().schema({}),
+                                   {{"type", "string"}, {"pattern", "^(0[xX][0-9a-fA-F]{1,16}|[0-9]{1,20})$"}}})}};
+  }
+  [[nodiscard]] Shown shown(const void* value) const override {
+    return {.allowed = "64 bits, as text or number",
+            .standard = std::to_string(*static_cast<const std::uint64_t*>(value))};
+  }
+};
+
+Json pointer_schema() {
+  return {{"type", "string"}, {"pattern", "^/"}, {"description", "JSON pointer into this file"}};
+}
+
+/// Read by read_sweep (input/sweep.hpp).
+const OpaqueType& sweep_type() {
+  static const OpaqueType type = [] {
+    const Json number = {{"type", "number"}};
+    const Json values = {{"type", "array"}, {"minItems", 1}};
+    const Json stepped =
+        closed_object({{"parameter", pointer_schema()}, {"from", number}, {"to", number}, {"step", number}},
+                      Json::array({"parameter", "from", "to", "step"}));
+    const Json listed =
+        closed_object({{"parameter", pointer_schema()}, {"values", values}}, Json::array({"parameter", "values"}));
+    return OpaqueType({{"type", "array"}, {"minItems", 1}, {"items", {{"oneOf", Json::array({stepped, listed})}}}},
+                      "list of entries, below");
+  }();
+  return type;
+}
+
+/// Read by read_unknowns (input/sweep.hpp).
+const OpaqueType& unknown_type() {
+  static const OpaqueType type = [] {
+    const Json number = {{"type", "number"}};
+    const Json entry = closed_object(
+        {{"parameter", pointer_schema()}, {"from", number}, {"to", number}, {"prior", {{"type", "object"}}}},
+        Json::array({"parameter", "from", "to"}));
+    return OpaqueType({{"type", "array"}, {"minItems", 1}, {"maxItems", most_unknowns}, {"items", entry}},
+                      "list of entries, below");
+  }();
+  return type;
+}
+
+void keys_of(FieldVisitor& in, LabelCheck& check) {
+  in.value({"every", "every N-th realisation"}, check.every, rules::check_every, Absent::standard);
+  in.value({"times_longer", "sampled periods of the longer run, in those of the shorter one"}, check.times_longer,
+           rules::times_longer, Absent::standard);
 }
 
 }  // namespace
 
-void keys_of(Keys& in, Question& question) {
+void keys_of(FieldVisitor& in, UnsweptExperiment& question, RecordFields& records) {
   Condition& condition = question.condition;
-  in.text({"title", "the question, in words"}, question.title);
-  keys_of(in, condition.scene);
+  in.value({"title", "the question, in words"}, question.title, TextType(), Absent::standard);
+  keys_of(in, condition.scene, records);
   in.object({"horizon", "in periods of the excitation"}, Absent::standard,
-            [&](Keys& keys) { keys_of(keys, condition.horizon, condition.scene); });
-  in.object({"accuracy", "of the trajectories"}, Absent::standard, [&](Keys& keys) {
-    keys.number({"tolerance", "largest last Taylor term of a step, in units of Theta and Theta'"}, condition.tolerance,
-                rules::tolerance, Absent::standard);
-    keys.integer(
+            [&](FieldVisitor& keys) { keys_of(keys, condition.horizon, condition.scene); });
+  in.object({"accuracy", "of the trajectories"}, Absent::standard, [&](FieldVisitor& keys) {
+    keys.value({"tolerance", "largest last Taylor term of a step, in units of Theta and Theta'"}, condition.tolerance,
+               rules::tolerance, Absent::standard);
+    keys.value(
         {"rerun_every",
          "every N-th realisation is run again at a hundred times tighter tolerance, with the same draws; 0: none"},
         condition.rerun_every, rules::rerun_every, Absent::standard);
   });
-  in.sweep({"sweep", "several entries form a grid; the last varies fastest"});
-  in.unknowns({"unknown", "one to three numbers that counted tests are to determine; of `rocking infer` alone"});
+  in.field({"sweep", "several entries form a grid; the last varies fastest"}, sweep_type(), nullptr, Absent::omitted);
+  in.field({"unknown", "one to three numbers that counted tests are to determine; of `rocking infer` alone"},
+           unknown_type(), nullptr, Absent::omitted);
   keys_of_realisations(in, condition);
   in.optional("check_labels", condition.label_check, [&](LabelCheck& check) {
     in.object({"check_labels",
                "some realisations are classified again by a longer run, to correct the probabilities; not with until"},
-              Absent::omitted, [&](Keys& keys) { keys_of(keys, check); });
+              Absent::omitted, [&](FieldVisitor& keys) { keys_of(keys, check); });
   });
-  in.number({"confidence", "level of the intervals"}, condition.confidence, rules::confidence, Absent::standard);
-  in.seed({"seed", "64 bits: \"0x2012\", \"8210\" or 8210"}, question.seed);
+  in.value({"confidence", "level of the intervals"}, condition.confidence, rules::confidence, Absent::standard);
+  in.value({"seed", "64 bits: \"0x2012\", \"8210\" or 8210"}, question.seed, SeedType(), Absent::standard);
 }
 
 }  // namespace rocking

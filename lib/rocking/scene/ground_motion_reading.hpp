@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "rocking/base/number_rule.hpp"
 #include "rocking/dynamics/excitation/shape.hpp"
-#include "rocking/scene/number_rule.hpp"
 
 namespace rocking {
 

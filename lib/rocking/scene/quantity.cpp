@@ -8,6 +8,9 @@
 
 #include "rocking/base/elementary.hpp"
 #include "rocking/base/normal_law.hpp"
+#include "rocking/fields/field_checker.hpp"
+#include "rocking/fields/field_describer.hpp"
+#include "rocking/fields/field_reader.hpp"
 #include "rocking/scene/experiment_keys.hpp"
 #include "rocking/scene/rules.hpp"
 
@@ -15,12 +18,6 @@ namespace rocking {
 namespace {
 
 constexpr double largest_normal_draw = 8.6;
-
-/// A rule of a number that has no default.
-NumberRule without_default(NumberRule rule) {
-  rule.standard = std::nullopt;
-  return rule;
-}
 
 /// Calls act(law) on the law of a quantity; gives `otherwise(number)` of a number.
 template <class AnyQuantity, class Act, class Otherwise>
@@ -47,9 +44,10 @@ void Uniform::divide(double divisor) {
 
 namespace {
 
-void keys_of(Keys& in, Uniform& law, const NumberRule& rule) {
+void keys_of(FieldVisitor& in, Uniform& law, const NumberRule& rule) {
   std::vector<double> ends{law.low, law.high};
-  in.numbers({Uniform::name, "both ends of an interval"}, ends, {.least = 2, .most = 2}, rule, Absent::error);
+  in.value({Uniform::name, "both ends of an interval"}, ends, NumbersType({.least = 2, .most = 2}, rule),
+           Absent::error);
   if (ends.size() == 2) law = {ends[0], ends[1]};
 }
 
@@ -140,17 +138,18 @@ void Normal::divide(double divisor) {
 
 namespace {
 
-void keys_of_mean_and_sigma(Keys& in, double& mean, double& sigma, const NumberRule& rule) {
-  in.number({"mean", "of the number"}, mean, without_default(rule), Absent::error);
-  in.number({"sigma", "its standard deviation"}, sigma, without_default(rules::sigma), Absent::error);
+void keys_of_mean_and_sigma(FieldVisitor& in, double& mean, double& sigma, const NumberRule& rule) {
+  in.value({"mean", "of the number"}, mean, rule, Absent::error);
+  in.value({"sigma", "its standard deviation"}, sigma, rules::sigma, Absent::error);
 }
 
-void keys_of(Keys& in, Normal& law, const NumberRule& rule) {
-  in.object({Normal::name, "mean and standard deviation"}, Absent::error, [&](Keys& keys) {
+void keys_of(FieldVisitor& in, Normal& law, const NumberRule& rule) {
+  in.object({Normal::name, "mean and standard deviation"}, Absent::error, [&](FieldVisitor& keys) {
     keys_of_mean_and_sigma(keys, law.mean, law.sigma, rule);
     keys.optional("between", law.between, [&](Reach& between) {
       std::vector<double> ends{between.least, between.largest};
-      keys.numbers({"between", "truncated to this interval"}, ends, {.least = 2, .most = 2}, rule, Absent::omitted);
+      keys.value({"between", "truncated to this interval"}, ends, NumbersType({.least = 2, .most = 2}, rule),
+                 Absent::omitted);
       if (ends.size() == 2) between = {ends[0], ends[1]};
     });
   });
@@ -195,9 +194,9 @@ void Lognormal::divide(double divisor) {
 
 namespace {
 
-void keys_of(Keys& in, Lognormal& law, const NumberRule& rule) {
+void keys_of(FieldVisitor& in, Lognormal& law, const NumberRule& rule) {
   in.object({Lognormal::name, "mean and standard deviation of the number, not of its logarithm"}, Absent::error,
-            [&](Keys& keys) { keys_of_mean_and_sigma(keys, law.mean, law.sigma, rule); });
+            [&](FieldVisitor& keys) { keys_of_mean_and_sigma(keys, law.mean, law.sigma, rule); });
 }
 
 std::optional<Refusal> refusal_of(const Lognormal& law) {
@@ -228,10 +227,10 @@ void Triangular::divide(double divisor) {
 
 namespace {
 
-void keys_of(Keys& in, Triangular& law, const NumberRule& rule) {
+void keys_of(FieldVisitor& in, Triangular& law, const NumberRule& rule) {
   std::vector<double> corners{law.low, law.mode, law.high};
-  in.numbers({Triangular::name, "smallest value, most likely value, largest value"}, corners, {.least = 3, .most = 3},
-             rule, Absent::error);
+  in.value({Triangular::name, "smallest value, most likely value, largest value"}, corners,
+           NumbersType({.least = 3, .most = 3}, rule), Absent::error);
   if (corners.size() == 3) law = {corners[0], corners[1], corners[2]};
 }
 
@@ -281,12 +280,12 @@ void Values::divide(double divisor) {
 
 namespace {
 
-void keys_of(Keys& in, Values& law, const NumberRule& rule) {
-  in.numbers({Values::name, "the values among which one is chosen"}, law.values, {.least = 1, .most = most_values},
-             rule, Absent::error);
+void keys_of(FieldVisitor& in, Values& law, const NumberRule& rule) {
+  in.value({Values::name, "the values among which one is chosen"}, law.values,
+           NumbersType({.least = 1, .most = most_values}, rule), Absent::error);
   if (!in.stands("weights", !law.weights.empty())) return;
-  in.numbers({"weights", "of each value, its relative frequency; absent: all are equally likely"}, law.weights,
-             {.least = 1, .most = most_values}, rules::weight, Absent::omitted);
+  in.value({"weights", "of each value, its relative frequency; absent: all are equally likely"}, law.weights,
+           NumbersType({.least = 1, .most = most_values}, rules::weight), Absent::omitted);
 }
 
 std::optional<Refusal> refusal_of(const Values& law) {
@@ -346,13 +345,25 @@ Quantity divided(Quantity quantity, double divisor) {
   return quantity;
 }
 
+namespace {
+
 Quantity law_at(std::size_t place) {
   Quantity law;
   static_cast<NumberOrLaw&>(law) = alternative_at<NumberOrLaw>(place + 1);
   return law;
 }
 
-void keys_of_law(Keys& in, Quantity& quantity, const NumberRule& rule) {
+/// Places among the names of the laws that an object gives.
+std::vector<std::size_t> laws_in(const Json& object) {
+  std::vector<std::size_t> given;
+  for (std::size_t i = 0; i < law_names.size(); ++i) {
+    if (object.contains(std::string(law_names[i]))) given.push_back(i);
+  }
+  return given;
+}
+
+/// The keys of the law that the quantity has, which stand in the object that is its value.
+void keys_of_law(FieldVisitor& in, Quantity& quantity, const NumberRule& rule) {
   std::visit(
       [&]<class Alternative>(Alternative& law) {
         if constexpr (!std::is_same_v<Alternative, double>) keys_of(in, law, rule);
@@ -360,10 +371,163 @@ void keys_of_law(Keys& in, Quantity& quantity, const NumberRule& rule) {
       quantity);
 }
 
+/// Why the numbers of a law are none together.
 std::optional<Refusal> refusal_of_law(const Quantity& quantity) {
   return on_law(
       quantity, [](const auto& law) { return refusal_of(law); },
       [](double) -> std::optional<Refusal> { return std::nullopt; });
+}
+
+}  // namespace
+
+Json QuantityType::json(const void* value) const { return mean_of(*static_cast<const Quantity*>(value)); }
+
+void QuantityType::read(const Json& json, const ReadingPlace& place, void* value) const {
+  auto& quantity = *static_cast<Quantity*>(value);
+  if (!json.is_object()) {
+    double number = 0.0;
+    number_.read(json, place, &number);
+    quantity = number;
+    return;
+  }
+  const std::vector<std::size_t> given = laws_in(json);
+  FieldReader in(json, place.pointer, *place.problems);
+  for (const std::string_view name : law_names) static_cast<void>(in.has(name));
+  if (given.size() != 1) {
+    place.reject(json, given.empty() ? "has no distribution" : "cannot have two distributions",
+                 "give {\"uniform\": [a, b]}, {\"normal\": {\"mean\": m, \"sigma\": s}}, or another law: " +
+                     quoted_words(law_names));
+  } else {
+    const std::size_t problems_before = place.problems->size();
+    quantity = law_at(given.front());
+    keys_of_law(in, quantity, number_.rule());
+    if (place.problems->size() == problems_before) {
+      if (auto refusal = refusal_of_law(quantity)) in.reject(law_names[given.front()], *std::move(refusal));
+    }
+    if (place.problems->size() != problems_before) quantity = 0.0;  // its numbers are no law
+  }
+  Json canonical = in.finish();
+  if (place.canonical != nullptr) *place.canonical = std::move(canonical);
+}
+
+void QuantityType::report_missing(const ReadingPlace& place, void* value) const {
+  ValueType::report_missing(place, value);
+  *static_cast<Quantity*>(value) = 0.0;
+}
+
+void QuantityType::check(const void* value, const ReadingPlace& place) const {
+  const auto& quantity = *static_cast<const Quantity*>(value);
+  if (const auto* number = std::get_if<double>(&quantity)) return number_.check(number, place);
+  const std::size_t problems_before = place.problems->size();
+  Quantity law = quantity;
+  FieldChecker checker(place.pointer, *place.problems);
+  keys_of_law(checker, law, number_.rule());
+  if (place.problems->size() != problems_before) return;
+  if (auto refusal = refusal_of_law(quantity)) {
+    place.problems->push_back({place.pointer + '/' + std::string(law_names[quantity.index() - 1]), "",
+                               std::move(refusal->reason), std::move(refusal->remedy)});
+  }
+}
+
+Json QuantityType::schema(const Rule& rule) const {
+  return {{"oneOf", Json::array({number_.schema(rule), {{"$ref", "#/definitions/law"}}})}};
+}
+
+ValueType::Shown QuantityType::shown(const void* value) const {
+  const double mean = mean_of(*static_cast<const Quantity*>(value));
+  auto [allowed, standard] = number_.shown(&mean);
+  return {.allowed = "*quantity* " + allowed, .standard = standard};
+}
+
+Json law_schema() {
+  constexpr NumberRule any_number{.bounds = {}, .demand = "", .example = ""};
+  Json laws = Json::array();
+  for (std::size_t i = 0; i < law_names.size(); ++i) {
+    std::vector<KeyRow> rows;
+    FieldDescriber describer("", rows);
+    Quantity law = law_at(i);
+    keys_of_law(describer, law, any_number);
+    laws.push_back(describer.schema());
+  }
+  return {{"oneOf", laws}};
+}
+
+Json FormsType::json(const void* value) const {
+  const auto& formed = *static_cast<const Formed*>(value);
+  const Form& form = forms_[formed.form];
+  if (form.rule == nullptr) return form.name;
+  const Json number = mean_of(formed.value);
+  return form.name.empty() ? number : Json{{form.name, number}};
+}
+
+void FormsType::read(const Json& json, const ReadingPlace& place, void* value) const {
+  auto& formed = *static_cast<Formed*>(value);
+  const auto is_word = [](const Form& form) { return form.rule == nullptr; };
+  for (std::size_t i = 0; i < forms_.size(); ++i) {
+    if (!is_word(forms_[i]) || json != forms_[i].name) continue;
+    formed.form = i;
+    return;
+  }
+  formed = {.form = 0, .value = 0.0};
+  if (json.is_string() && std::ranges::any_of(forms_, is_word)) {
+    return place.reject(json, std::string(forms_.front().rule->demand), std::string(remedy_));
+  }
+  const auto of_object =
+      std::ranges::find_if(forms_, [](const Form& form) { return form.rule != nullptr && !form.name.empty(); });
+  if (!json.is_object() || !laws_in(json).empty() || of_object == forms_.end()) {
+    return QuantityType(*forms_.front().rule).read(json, place, &formed.value);
+  }
+  formed.form = static_cast<std::size_t>(of_object - forms_.begin());
+  FieldReader in(json, place.pointer, *place.problems);
+  const Key key{of_object->name, ""};
+  if (of_object->may_be_drawn) {
+    in.value(key, formed.value, *of_object->rule, Absent::error);
+  } else {
+    formed.value = in.number(key, *of_object->rule);
+  }
+  Json canonical = in.finish();
+  if (place.canonical != nullptr) *place.canonical = std::move(canonical);
+}
+
+void FormsType::report_missing(const ReadingPlace& place, void* value) const {
+  ValueType::report_missing(place, value);
+  *static_cast<Formed*>(value) = {.form = 0, .value = 0.0};
+}
+
+void FormsType::check(const void* value, const ReadingPlace& place) const {
+  const auto& formed = *static_cast<const Formed*>(value);
+  const Form& form = forms_[formed.form];
+  if (form.rule == nullptr) return;
+  QuantityType(*form.rule).check(&formed.value, form.name.empty() ? place : place.at(form.name));
+}
+
+Json FormsType::schema(const Rule& rule) const {
+  Json schema = QuantityType(*forms_.front().rule).schema(rule);
+  for (const Form& form : forms_.subspan(1)) {
+    const std::string name(form.name);
+    if (form.rule == nullptr) {
+      schema["oneOf"].push_back({{"const", name}});
+      continue;
+    }
+    const Json number = form.may_be_drawn ? QuantityType(*form.rule).schema({}) : NumberType(*form.rule).schema({});
+    schema["oneOf"].push_back(closed_object({{name, number}}, Json::array({name})));
+  }
+  return schema;
+}
+
+ValueType::Shown FormsType::shown(const void*) const {
+  std::string allowed = "*quantity* " + interval_text(forms_.front().rule->bounds);
+  for (const Form& form : forms_.subspan(1)) {
+    const std::string name(form.name);
+    allowed += &form == &forms_.back() ? ", or `" : ", `";
+    if (form.rule == nullptr) {
+      allowed += name + '`';
+    } else {
+      allowed += "{\"" + name + "\": r}` with " + (form.may_be_drawn ? "*quantity* " : "") + "r in " +
+                 interval_text(form.rule->bounds);
+    }
+  }
+  return {.allowed = allowed, .standard = ""};
 }
 
 }  // namespace rocking

@@ -106,14 +106,21 @@ std::optional<Refusal> refusal_of(const Restitution& law, const ShapeRange& shap
   return std::visit([&](const auto& each) { return refusal(each, shapes); }, law);
 }
 
-void key_of(Keys& in, const Key& key, Restitution& law, Absent absent) {
-  Formed value{.form = law.index(), .value = std::visit([](const auto& each) { return value_in(each); }, law)};
-  in.forms(key, value, forms,
-           "write a number, \"jy25\" for 1 - 1.5 sin^2(psi), or {\"rate_ratio\": 0.93} for a measured "
-           "ratio of the tilt rates",
-           absent);
-  law = alternative_at<Restitution>(value.form);
+const FormsType& restitution_type() {
+  static const FormsType type(forms,
+                              "write a number, \"jy25\" for 1 - 1.5 sin^2(psi), or {\"rate_ratio\": 0.93} for a "
+                              "measured ratio of the tilt rates");
+  return type;
+}
+
+Formed formed(const Restitution& law) {
+  return {.form = law.index(), .value = std::visit([](const auto& each) { return value_in(each); }, law)};
+}
+
+Restitution restitution_of(Formed value) {
+  auto law = alternative_at<Restitution>(value.form);
   std::visit([&](auto& each) { set(each, std::move(value.value)); }, law);
+  return law;
 }
 
 namespace {

@@ -5,9 +5,9 @@
 #include <string>
 #include <string_view>
 
+#include "rocking/base/number_rule.hpp"
 #include "rocking/dynamics/block.hpp"
 #include "rocking/scene/experiment.hpp"
-#include "rocking/scene/number_rule.hpp"
 
 /// What is to be known of a law of the restitution. A law is an alternative of Restitution (experiment.hpp); restitution.cpp
 /// has each of these functions for each law, so that a forgotten one does not compile.

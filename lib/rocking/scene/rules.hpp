@@ -1,7 +1,7 @@
 #pragma once
 
+#include "rocking/base/number_rule.hpp"
 #include "rocking/scene/experiment.hpp"
-#include "rocking/scene/number_rule.hpp"
 
 /// Every bound on a number of a condition, whether it comes from an experiment file or from C++. Bounds far outside
 /// what is physical keep the arithmetic away from overflow; the others are the model's. Defaults are the member

@@ -8,11 +8,11 @@
 #include "rocking/api/question_check.hpp"
 #include "rocking/api/refuse.hpp"
 #include "rocking/base/error.hpp"
+#include "rocking/base/number_rule.hpp"
 #include "rocking/base/number_text.hpp"
 #include "rocking/fields/container_types.hpp"
 #include "rocking/input/ground_motion_files.hpp"
 #include "rocking/input/record_formats.hpp"
-#include "rocking/scene/number_rule.hpp"
 #include "rocking/scene/rules.hpp"
 #include "rocking/text/files.hpp"
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -25,12 +24,7 @@ struct NumberRule {
   Rule bounds;               ///< least and largest value, so that no infinite number is allowed
   std::string_view demand;   ///< `must be ...`
   std::string_view example;  ///< JSON text of a value that would do
-  /// Used where a file has no such key; without it the key must be there.
-  std::optional<double> standard = std::nullopt;
 
-  [[nodiscard]] constexpr NumberRule with_default(double value) const {
-    return {.bounds = bounds, .demand = demand, .example = example, .standard = value};
-  }
   [[nodiscard]] constexpr bool allows(double value) const { return bounds.allows(value); }
   [[nodiscard]] std::string remedy() const { return "give a value such as " + std::string(example); }
 };
@@ -40,16 +34,10 @@ struct IntegerRule {
   std::int64_t low;
   std::int64_t high;
   std::int64_t example;
-  /// As of a number.
-  std::optional<std::int64_t> standard = std::nullopt;
 
   template <class Integer>
   [[nodiscard]] constexpr bool allows(Integer value) const {
     return std::cmp_less_equal(low, value) && std::cmp_less_equal(value, high);
-  }
-  template <class Integer>
-  [[nodiscard]] constexpr IntegerRule with_default(Integer value) const {
-    return {.low = low, .high = high, .example = example, .standard = static_cast<std::int64_t>(value)};
   }
   [[nodiscard]] std::string demand() const {
     return "must be a whole number from " + std::to_string(low) + " to " + std::to_string(high);

@@ -1,0 +1,195 @@
+#include "rocking/fields/written_types.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "rocking/base/number_text.hpp"
+#include "rocking/text/spelling.hpp"
+
+namespace rocking {
+namespace {
+
+std::string wrong_type(std::string_view wanted, const Json& value) {
+  return "must be " + std::string(wanted) + ", not " + std::string(kind_name(value));
+}
+
+std::optional<std::int64_t> whole_number(const Json& value) {
+  if (value.is_number_unsigned()) {
+    const auto number = value.get<std::uint64_t>();
+    if (std::in_range<std::int64_t>(number)) return static_cast<std::int64_t>(number);
+    return std::nullopt;
+  }
+  if (value.is_number_integer()) return value.get<std::int64_t>();
+  if (!value.is_number_float()) return std::nullopt;
+  const auto number = value.get<double>();
+  constexpr double all_whole = 0x1p53;  // beyond it not every whole number is a double
+  if (std::trunc(number) != number || std::abs(number) > all_whole) return std::nullopt;
+  return static_cast<std::int64_t>(number);
+}
+
+}  // namespace
+
+void NumberType::read(const Json& json, const ReadingPlace& place, void* value) const {
+  double& number = *static_cast<double*>(value) = 0.0;
+  if (!json.is_number()) {
+    return place.reject(json, wrong_type("a number", json),
+                        json.is_string() ? "write it without quotes, as in " + example() : rule_.remedy());
+  }
+  if (!rule_.allows(json.get<double>())) return place.reject(json, std::string(rule_.demand), rule_.remedy());
+  number = json.get<double>();
+}
+
+void NumberType::report_missing(const ReadingPlace& place, void* value) const {
+  ValueType::report_missing(place, value);
+  *static_cast<double*>(value) = 0.0;
+}
+
+void NumberType::check(const void* value, const ReadingPlace& place) const {
+  const double number = *static_cast<const double*>(value);
+  if (rule_.allows(number)) return;
+  place.problems->push_back({place.pointer, base::shortest(number), std::string(rule_.demand), rule_.remedy()});
+}
+
+Json NumberType::schema(const Rule&) const { return type_of<double>().schema(rule_.bounds); }
+
+ValueType::Shown NumberType::shown(const void* value) const {
+  return {.allowed = interval_text(rule_.bounds), .standard = base::shortest(*static_cast<const double*>(value))};
+}
+
+template <class Integer>
+void IntegerType<Integer>::read(const Json& json, const ReadingPlace& place, void* value) const {
+  const auto number = whole_number(json);
+  const bool is_sound = number && rule_.allows(*number);
+  *static_cast<Integer*>(value) = static_cast<Integer>(is_sound ? *number : rule_.low);
+  if (!is_sound) place.reject(json, rule_.demand(), rule_.remedy());
+}
+
+template <class Integer>
+void IntegerType<Integer>::report_missing(const ReadingPlace& place, void* value) const {
+  ValueType::report_missing(place, value);
+  *static_cast<Integer*>(value) = static_cast<Integer>(rule_.low);
+}
+
+template <class Integer>
+void IntegerType<Integer>::check(const void* value, const ReadingPlace& place) const {
+  const Integer number = *static_cast<const Integer*>(value);
+  if (rule_.allows(number)) return;
+  place.problems->push_back({place.pointer, std::to_string(number), rule_.demand(), rule_.remedy()});
+}
+
+template <class Integer>
+Json IntegerType<Integer>::schema(const Rule&) const {
+  return type_of<std::int64_t>().schema(
+      {.least = static_cast<double>(rule_.low), .most = static_cast<double>(rule_.high)});
+}
+
+template <class Integer>
+ValueType::Shown IntegerType<Integer>::shown(const void* value) const {
+  return {.allowed = "integer, " + std::to_string(rule_.low) + " to " + std::to_string(rule_.high),
+          .standard = std::to_string(*static_cast<const Integer*>(value))};
+}
+
+template class IntegerType<int>;
+template class IntegerType<std::int64_t>;
+template class IntegerType<std::uint64_t>;
+
+void TextType::read(const Json& json, const ReadingPlace& place, void* value) const {
+  if (!json.is_string()) return place.reject(json, wrong_type("text", json), "write it in quotes");
+  *static_cast<std::string*>(value) = json.get<std::string>();
+}
+
+ValueType::Shown TextType::shown(const void* value) const {
+  return {.allowed = "text", .standard = '"' + *static_cast<const std::string*>(value) + '"'};
+}
+
+Json NumbersType::json(const void* value) const { return *static_cast<const std::vector<double>*>(value); }
+
+Refusal NumbersType::refusal(const ReadingPlace& place) const {
+  const std::string least = std::to_string(length_.least);
+  const double first = Json::parse(number_.example()).get<double>();
+  Json example = Json::array();
+  for (std::size_t i = 0; i < std::max<std::size_t>(length_.least, 2); ++i) {
+    example.push_back(first + 0.1 * static_cast<double>(i));
+  }
+  return {"must be a list of " +
+              (length_.least == length_.most ? least : least + " to " + std::to_string(length_.most)) +
+              " numbers: " + std::string(place.sentence),
+          "give a value such as " + example.dump()};
+}
+
+void NumbersType::read(const Json& json, const ReadingPlace& place, void* value) const {
+  auto& numbers = *static_cast<std::vector<double>*>(value);
+  numbers.clear();
+  if (!json.is_array() || json.size() < length_.least || json.size() > length_.most) {
+    Refusal why = refusal(place);
+    return place.reject(json, std::move(why.reason), std::move(why.remedy));
+  }
+  for (std::size_t i = 0; i < json.size(); ++i) {
+    const std::size_t problems_before = place.problems->size();
+    double number = 0.0;
+    number_.read(json[i], place.at(std::to_string(i)), &number);
+    if (place.problems->size() == problems_before) numbers.push_back(number);
+  }
+}
+
+void NumbersType::report_missing(const ReadingPlace& place, void* value) const {
+  static_cast<std::vector<double>*>(value)->clear();
+  Refusal why = refusal(place);
+  place.problems->push_back({place.pointer, "", std::move(why.reason), std::move(why.remedy)});
+}
+
+void NumbersType::check(const void* value, const ReadingPlace& place) const {
+  const auto& numbers = *static_cast<const std::vector<double>*>(value);
+  if (numbers.size() < length_.least || numbers.size() > length_.most) {
+    place.problems->push_back(
+        {place.pointer, "", "has " + std::to_string(numbers.size()) + " numbers", "give at least one"});
+  }
+  for (std::size_t i = 0; i < numbers.size(); ++i) number_.check(&numbers[i], place.at(std::to_string(i)));
+}
+
+Json NumbersType::schema(const Rule& rule) const {
+  return {{"type", "array"}, {"items", number_.schema(rule)}, {"minItems", length_.least}, {"maxItems", length_.most}};
+}
+
+void NameType::read(const Json& json, const ReadingPlace& place, void* value) const {
+  const auto name = std::ranges::find_if(names_, [&json](std::string_view each) { return json == each; });
+  if (name != names_.end()) return choose(static_cast<std::size_t>(name - names_.begin()), value);
+  std::string list;
+  for (const std::string_view each : names_) (list += list.empty() ? "\"" : ", \"") += std::string(each) + '"';
+  const std::vector<std::string> words(names_.begin(), names_.end());
+  const auto nearest = nearest_word(json.is_string() ? json.get<std::string>() : std::string(), words);
+  place.reject(json, "must be one of " + list, nearest ? "did you mean \"" + *nearest + "\"?" : "choose one of them");
+}
+
+ValueType::Shown NameType::shown(const void* value) const {
+  return {.allowed = words_in_code(names_), .standard = '`' + std::string(names_[chosen(value)]) + '`'};
+}
+
+std::string NameType::example() const { return quoted_words(names_); }
+
+void OpaqueType::read(const Json& json, const ReadingPlace& place, void*) const {
+  if (place.canonical != nullptr) *place.canonical = json;
+}
+
+std::string interval_text(const Rule& bounds) {
+  return (bounds.least ? '[' + base::shortest(*bounds.least) : '(' + base::shortest(*bounds.above)) + ", " +
+         (bounds.most ? base::shortest(*bounds.most) + ']' : base::shortest(*bounds.below) + ')');
+}
+
+std::string quoted_words(std::span<const std::string_view> names) {
+  std::string words;
+  for (const std::string_view name : names) {
+    if (!words.empty()) words += name == names.back() ? " or " : ", ";
+    words += '"' + std::string(name) + '"';
+  }
+  return words;
+}
+
+std::string words_in_code(std::span<const std::string_view> names) {
+  std::string list;
+  for (const std::string_view name : names) list += (list.empty() ? "`" : ", `") + std::string(name) + '`';
+  return list;
+}
+
+}  // namespace rocking

@@ -98,8 +98,10 @@ void expect_same(const ConditionResult& a, const ConditionResult& b) {
   for (std::size_t i = 0; i < a.modes.size(); ++i) {
     EXPECT_EQ(a.modes[i].mode, b.modes[i].mode);
     EXPECT_EQ(a.modes[i].probability.counts.successes, b.modes[i].probability.counts.successes);
-    EXPECT_EQ(a.modes[i].probability.wilson.low, b.modes[i].probability.wilson.low);
-    EXPECT_EQ(a.modes[i].probability.clopper_pearson.high, b.modes[i].probability.clopper_pearson.high);
+    for (std::size_t k = 0; k < stats::interval_methods.size(); ++k) {
+      EXPECT_EQ(a.modes[i].probability.alone[k].low, b.modes[i].probability.alone[k].low);
+      EXPECT_EQ(a.modes[i].probability.alone[k].high, b.modes[i].probability.alone[k].high);
+    }
   }
   ASSERT_EQ(a.non_recurrence.has_value(), b.non_recurrence.has_value());
   if (a.non_recurrence) expect_same(*a.non_recurrence, *b.non_recurrence);

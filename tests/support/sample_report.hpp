@@ -18,9 +18,7 @@ inline Estimate sample_estimate(std::uint64_t count, std::uint64_t n) {
   const stats::Interval interval{.low = 0.9 * p, .high = 0.1 + 0.9 * p};
   return {.counts = {count, n},
           .estimate = p,
-          .wilson = interval,
-          .jeffreys = interval,
-          .clopper_pearson = interval,
+          .alone = {interval, interval, interval},
           .simultaneous = {.low = 0.8 * p, .high = 0.2 + 0.8 * p},
           .goodman = interval,
           .sison_glaz = interval};

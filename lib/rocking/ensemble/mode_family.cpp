@@ -88,10 +88,9 @@ std::vector<ModeEstimate> estimate_modes(const ModeTally& listed, double confide
     const auto covering = [bounds = bounds_of(mode, counts, without_answer)](auto&& interval_of) {
       return stats::covering(bounds, interval_of);
     };
-    estimate.wilson = covering([&](const stats::Proportion& each) { return stats::wilson(each, confidence); });
-    estimate.jeffreys = covering([&](const stats::Proportion& each) { return stats::jeffreys(each, confidence); });
-    estimate.clopper_pearson =
-        covering([&](const stats::Proportion& each) { return stats::clopper_pearson(each, confidence); });
+    std::ranges::transform(stats::interval_methods, estimate.alone.begin(), [&](const stats::IntervalMethod& method) {
+      return covering([&](const stats::Proportion& each) { return method.of(each, confidence); });
+    });
     estimate.simultaneous = covering(
         [&, &mode = mode](const stats::Proportion& each) { return simultaneous_interval(mode, each, confidence); });
     estimate.goodman =

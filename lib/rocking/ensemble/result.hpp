@@ -142,11 +142,9 @@ struct Corrected {
 struct Estimate {
   stats::Proportion counts;
   double estimate = 0.0;
-  stats::Interval wilson;
-  stats::Interval jeffreys;
-  stats::Interval clopper_pearson;
-  stats::Interval simultaneous;  ///< Bonferroni-Clopper-Pearson over all possible modes
-  stats::Interval goodman;       ///< simultaneous over the listed modes
+  stats::IntervalsByMethod alone{};  ///< for this mode alone
+  stats::Interval simultaneous;      ///< Bonferroni-Clopper-Pearson over all possible modes
+  stats::Interval goodman;           ///< simultaneous over the listed modes
   /// As goodman; absent if one mode has nearly all realisations, or if some have no answer.
   std::optional<stats::Interval> sison_glaz;
   /// With `until`: covers for all modes at once, also if the data determined when to stop.

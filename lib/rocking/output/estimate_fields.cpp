@@ -2,6 +2,7 @@
 
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "rocking/fields/container_types.hpp"
@@ -24,13 +25,26 @@ static const StructType& fields_of(const Corrected*) {
   return fields;
 }
 
+/// A field for each method of an interval.
+static const StructType& fields_of_methods() {
+  static const StructType fields = []<std::size_t... i>(std::index_sequence<i...>) {
+    return StructType("IntervalsByMethod", Field{.key = stats::interval_methods[i].key,
+                                                 .sentence = stats::interval_methods[i].sentence,
+                                                 .rule = rule::share,
+                                                 .type = &type_of<stats::Interval>(),
+                                                 .member = [](void* owner) -> void* {
+                                                   return &(*static_cast<stats::IntervalsByMethod*>(owner))[i];
+                                                 }}...);
+  }
+  (std::make_index_sequence<stats::interval_methods.size()>{});
+  return fields;
+}
+
 static const StructType& fields_of(const Estimate*) {
   static const StructType fields{
       "Estimate",
       field<&Estimate::estimate>("estimate", "count/n", rule::share),
-      field<&Estimate::wilson>("wilson", "interval for this mode alone: Wilson's", rule::share),
-      field<&Estimate::jeffreys>("jeffreys", "interval for this mode alone: Jeffreys's", rule::share),
-      field<&Estimate::clopper_pearson>("clopper_pearson", "interval for this mode alone, exact", rule::share),
+      inlined<&Estimate::alone>(fields_of_methods()),
       field<&Estimate::simultaneous>("simultaneous", "exact; the intervals of all possible modes hold at once",
                                      rule::share),
       field<&Estimate::goodman>("simultaneous_goodman", "the intervals of the listed modes hold at once", rule::share),

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 namespace rocking::stats {
@@ -75,6 +77,20 @@ struct Proportion {
 /// Covers the true value at least as often as promised, for every p and n. Recommended for statements.
 /// Source: Clopper & Pearson (1934), Biometrika 26, 404-413.
 [[nodiscard]] Interval clopper_pearson(const Proportion& proportion, double confidence);
+
+/// An interval for one probability that reports state.
+struct IntervalMethod {
+  std::string_view key;
+  std::string_view sentence;
+  Interval (*of)(const Proportion& proportion, double confidence);
+};
+inline constexpr std::array<IntervalMethod, 3> interval_methods{
+    {{"wilson", "interval for this mode alone: Wilson's", wilson},
+     {"jeffreys", "interval for this mode alone: Jeffreys's", jeffreys},
+     {"clopper_pearson", "interval for this mode alone, exact", clopper_pearson}}};
+
+/// In the order of the methods.
+using IntervalsByMethod = std::array<Interval, interval_methods.size()>;
 
 /// As clopper_pearson, with a significance level that may depend on p: those p for which neither tail has a probability
 /// below significance(p)/2. Each p is missed with probability at most significance(p). Requires significance(1) < 1.

@@ -54,9 +54,9 @@ TEST(EstimateModes, GivesEveryIntervalOfItsOwnCount) {
   const Estimate found = of(estimates({{section::periodic(1, 1), 30}, {chaotic, 170}, {rest, 0}}), chaotic);
   EXPECT_EQ(found.estimate, 0.85);
   EXPECT_EQ(found.counts.trials, 200U);
-  expect_same(found.wilson, stats::wilson({170, 200}, 0.95));
-  expect_same(found.jeffreys, stats::jeffreys({170, 200}, 0.95));
-  expect_same(found.clopper_pearson, stats::clopper_pearson({170, 200}, 0.95));
+  expect_same(found.alone[0], stats::wilson({170, 200}, 0.95));
+  expect_same(found.alone[1], stats::jeffreys({170, 200}, 0.95));
+  expect_same(found.alone[2], stats::clopper_pearson({170, 200}, 0.95));
   expect_same(found.goodman, stats::goodman({170, 200}, 0.95, 3));
   const auto of_sison_and_glaz = stats::sison_glaz(std::vector<std::uint64_t>{30, 170, 0}, 0.95);
   expect_same(found.sison_glaz.value(), of_sison_and_glaz.value()[1]);
@@ -80,11 +80,11 @@ TEST(EstimateModes, CoversEveryModeThatRealisationsWithoutAnAnswerMayHave) {
   const auto modes = estimate_modes(tally, 0.95, 2);
   const Estimate none = of(modes, overturned);
   EXPECT_EQ(none.estimate, 0.0);
-  expect_same(none.clopper_pearson, {0.0, stats::clopper_pearson({2, 35}, 0.95).high});
+  expect_same(none.alone[2], {0.0, stats::clopper_pearson({2, 35}, 0.95).high});
   expect_same(none.simultaneous, {0.0, stats::bonferroni_clopper_pearson({2, 35}, 0.95, 7).high});
-  expect_same(of(modes, section::periodic(1, 1)).wilson,
+  expect_same(of(modes, section::periodic(1, 1)).alone[0],
               {stats::wilson({30, 35}, 0.95).low, stats::wilson({32, 35}, 0.95).high});
-  expect_same(of(modes, ResponseMode{}).clopper_pearson,
+  expect_same(of(modes, ResponseMode{}).alone[2],
               {stats::clopper_pearson({3, 35}, 0.95).low, stats::clopper_pearson({5, 35}, 0.95).high});
   EXPECT_FALSE(none.sison_glaz);
 }

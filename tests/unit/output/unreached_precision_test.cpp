@@ -30,9 +30,7 @@ struct Made {
     found.stopped_because = cause;
     Estimate estimate{.counts = {.successes = k, .trials = 100},
                       .estimate = static_cast<double>(k) / 100.0,
-                      .wilson = {},
-                      .jeffreys = {},
-                      .clopper_pearson = {},
+                      .alone = {},
                       .simultaneous = {0.0, 1.0},
                       .goodman = {},
                       .sison_glaz = {},

@@ -22,9 +22,7 @@ ModeEstimate mode(section::ResponseMode kind, std::uint64_t successes, std::uint
   return {kind,
           {.counts = {successes, trials},
            .estimate = p,
-           .wilson = interval,
-           .jeffreys = interval,
-           .clopper_pearson = interval,
+           .alone = {interval, interval, interval},
            .simultaneous = interval,
            .goodman = interval,
            .sison_glaz = interval}};

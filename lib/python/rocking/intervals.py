@@ -50,7 +50,7 @@ def colour(mode: str) -> str:
     """
     found = _core.colour(mode)
     if found is None:
-        raise ValueError(f"{mode}: no response mode; they are (m,n), chaotic, overturned, rest, unresolved")
+        raise ValueError(f"{mode}: no response mode, such as (1,3) or overturned")
     return found
 
 

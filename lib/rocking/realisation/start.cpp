@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
 #include <variant>
 
 #include "rocking/dynamics/impact.hpp"
@@ -68,20 +67,6 @@ double wrapped(double angle) {
   return rest < two_pi && rest >= 0.0 ? rest : 0.0;
 }
 
-dynamics::Excitation excitation_of(const Harmonic&, const Beginning&) { return dynamics::HarmonicExcitation{}; }
-
-dynamics::Excitation excitation_of(const Recorded& recorded, const Beginning& beginning) {
-  const GroundMotion& motion = *recorded.ground_motion;
-  const auto knots = std::make_shared<const dynamics::NormalisedGroundMotion>(
-      motion.samples, beginning.setting.block.frequency_parameter, beginning.clock);
-  if (motion.has_vertical) return dynamics::RecordedExcitation<true>(knots, beginning.excitation_size);
-  return dynamics::RecordedExcitation<false>(knots, beginning.excitation_size);
-}
-
-dynamics::Excitation excitation_of(const Pulse& pulse, const Beginning& beginning) {
-  return dynamics::PulseExcitation(pulse.shape, beginning.clock);
-}
-
 }  // namespace
 
 Start start_of(const Scene& asked, const random::BranchedDraws& draws) {
@@ -116,7 +101,11 @@ Beginning begin_realisation(const Condition& condition, const random::BranchedDr
 }
 
 dynamics::Excitation excitation_of(const Scene& scene, const Beginning& beginning) {
-  return std::visit([&](const auto& kind) { return excitation_of(kind, beginning); }, scene.excitation);
+  return std::visit(
+      [&](const auto& kind) -> dynamics::Excitation {
+        return kind.motion(beginning.setting.block, beginning.clock, beginning.excitation_size);
+      },
+      scene.excitation);
 }
 
 }  // namespace rocking

@@ -1,13 +1,16 @@
-#include "rocking/scene/experiment_keys.hpp"
+#include "rocking/scene/excitation.hpp"
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <numbers>
 #include <utility>
 #include <variant>
 #include <vector>
 
+#include "rocking/dynamics/excitation/excitation.hpp"
 #include "rocking/scene/defaults.hpp"
+#include "rocking/scene/experiment_keys.hpp"
 #include "rocking/scene/rules.hpp"
 
 namespace rocking {
@@ -264,6 +267,22 @@ void keys_of(FieldVisitor& in, Pulse& pulse, const dynamics::Block&, RecordField
 }
 
 }  // namespace
+
+dynamics::Excitation Harmonic::motion(const dynamics::Geometry&, const dynamics::Clock&, double) const {
+  return dynamics::HarmonicExcitation{};
+}
+
+dynamics::Excitation Recorded::motion(const dynamics::Geometry& block, const dynamics::Clock& clock,
+                                      double its_size) const {
+  const auto knots = std::make_shared<const dynamics::NormalisedGroundMotion>(ground_motion->samples,
+                                                                              block.frequency_parameter, clock);
+  if (ground_motion->has_vertical) return dynamics::RecordedExcitation<true>(knots, its_size);
+  return dynamics::RecordedExcitation<false>(knots, its_size);
+}
+
+dynamics::Excitation Pulse::motion(const dynamics::Geometry&, const dynamics::Clock& clock, double) const {
+  return dynamics::PulseExcitation(shape, clock);
+}
 
 void keys_of(FieldVisitor& in, Excitation& excitation, const dynamics::Block& block, RecordFields& records) {
   in.kinds({"kind",

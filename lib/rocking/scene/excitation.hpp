@@ -15,6 +15,11 @@
 #include "rocking/dynamics/excitation/shape.hpp"
 #include "rocking/scene/quantity.hpp"
 
+namespace rocking::dynamics {
+class Clock;
+class Excitation;
+}  // namespace rocking::dynamics
+
 namespace rocking {
 
 /// Accelerations of a recorded ground motion, as data.
@@ -102,6 +107,8 @@ struct Harmonic {
     return std::numeric_limits<double>::infinity();
   }
   [[nodiscard]] std::vector<std::string_view> effects() const { return {}; }
+  [[nodiscard]] dynamics::Excitation motion(const dynamics::Geometry& block, const dynamics::Clock& clock,
+                                            double its_size) const;
 };
 
 /// Keys that give how strong a ground motion is made; all but the first are measures of its intensity.
@@ -146,6 +153,8 @@ struct Recorded {
     if (ground_motion->has_vertical) names.emplace_back("recorded vertical motion of the base");
     return names;
   }
+  [[nodiscard]] dynamics::Excitation motion(const dynamics::Geometry& block, const dynamics::Clock& clock,
+                                            double its_size) const;
 };
 
 /// A pulse as asked for: one pulse of a given shape, from tau = 0 on.
@@ -184,6 +193,8 @@ struct Pulse {
     return dynamics::pulse_length(shape) * two_pi / frequency_ratio_for(block, block);
   }
   [[nodiscard]] static std::vector<std::string_view> effects() { return {"one pulse of the base"}; }
+  [[nodiscard]] dynamics::Excitation motion(const dynamics::Geometry& block, const dynamics::Clock& clock,
+                                            double its_size) const;
 };
 
 /// The requested base motion. Every kind has: `name` as in files; `in_words`, what the base does; `is_periodic`;
@@ -191,8 +202,8 @@ struct Pulse {
 /// size(), the mean of a drawn or fluctuating amplitude as it is given, and size_unit(), by which it is divided for a block, so
 /// that the quotient is A_h or the scale [-]; frequency_ratio_for(own, mean), Omega_h of the clock and the strobe for a
 /// realisation's own block, where the mean block is that of the scene [-]; start_phase() [rad]; end_of_shaking(block),
-/// a normalised time; and effects() as described to users. Its keys: experiment_keys.hpp; how the base moves in a
-/// realisation: realisation/start.hpp.
+/// a normalised time; effects() as described to users; and motion(block, clock, size), how the base moves in a
+/// realisation. Its keys and its motion: excitation.cpp.
 using Excitation = std::variant<Harmonic, Recorded, Pulse>;
 
 [[nodiscard]] inline std::string_view name_of(const Excitation& excitation) {

@@ -6,12 +6,10 @@
 #include <initializer_list>
 #include <string>
 
-#include "rocking/fields/field_describer.hpp"
 #include "rocking/scene/check_condition.hpp"
 #include "rocking/scene/defaults.hpp"
 #include "rocking/scene/restitution.hpp"
 #include "rocking/scene/rules.hpp"
-#include "rocking/text/number_text.hpp"
 
 namespace rocking {
 namespace {
@@ -263,31 +261,6 @@ void keys_of(FieldVisitor& in, Horizon& horizon, const Scene& scene) {
   });
 }
 
-/// Of a `std::optional<ResponseMode>`.
-class ModeType final : public ValueType {
- public:
-  [[nodiscard]] Json json(const void* value) const override { return to_string(**static_cast<const Mode*>(value)); }
-  void read(const Json& json, const ReadingPlace& place, void* value) const override {
-    const auto mode = json.is_string() ? section::response_mode_named(json.get<std::string>()) : std::nullopt;
-    const bool exists =
-        mode && (mode->kind != section::ResponseKind::periodic || (mode->rocks >= 0 && mode->periods > 0));
-    if (!exists) {
-      return place.reject(json, "is not the name of a response mode",
-                          "give \"overturned\", \"rest\", \"chaotic\", \"unresolved\", or (m,n) such as \"(1,3)\"");
-    }
-    *static_cast<Mode*>(value) = mode;
-  }
-  [[nodiscard]] Json schema(const Rule&) const override {
-    return {{"type", "string"}, {"pattern", section::response_mode_pattern()}};
-  }
-  [[nodiscard]] Shown shown(const void*) const override {
-    return {.allowed = "name of a response mode", .standard = ""};
-  }
-
- private:
-  using Mode = std::optional<section::ResponseMode>;
-};
-
 void keys_of_goal(FieldVisitor& in, Until& until, Condition& condition) {
   in.optional("half_width", until.half_width, [&](double& half_width) {
     in.value({"half_width",
@@ -299,7 +272,7 @@ void keys_of_goal(FieldVisitor& in, Until& until, Condition& condition) {
     in.value({"relative_half_width", "half-width of the interval of mode, over the estimate of its probability"},
              half_width, rules::relative_half_width, Absent::omitted);
   });
-  in.value({"mode", "the response mode whose interval decides; absent: every one"}, until.mode, ModeType(),
+  in.value({"mode", "the response mode whose interval decides; absent: every one"}, until.mode, mode_type(),
            Absent::omitted);
   in.value({"at_most", "realisations, whatever the intervals"}, condition.realisations, rules::at_most, Absent::error);
 }
@@ -320,64 +293,6 @@ void keys_of_realisations(FieldVisitor& in, Condition& condition) {
                 });
   };
   in.value_or_object({"realisations", "of each condition"}, condition.until.has_value(), number, goal);
-}
-
-/// 64 bits as text or number; the canonical text has them as text.
-class SeedType final : public ValueType {
- public:
-  [[nodiscard]] Json json(const void* value) const override {
-    return seed_text(*static_cast<const std::uint64_t*>(value));
-  }
-  void read(const Json& json, const ReadingPlace& place, void* value) const override {
-    std::optional<std::uint64_t> seed;
-    if (json.is_number_unsigned()) seed = json.get<std::uint64_t>();
-    if (json.is_string()) seed = seed_from_text(json.get<std::string>());
-    *static_cast<std::uint64_t*>(value) = seed.value_or(0);
-    if (!seed) {
-      place.reject(json, "must be a whole number of at most 64 bits", "give a value such as \"0x2012\" or 8210");
-    }
-  }
-  [[nodiscard]] Json schema(const Rule&) const override {
-    return {{"oneOf", Json::array({type_of<std::uint64_t>().schema({}),
-                                   {{"type", "string"}, {"pattern", "^(0[xX][0-9a-fA-F]{1,16}|[0-9]{1,20})$"}}})}};
-  }
-  [[nodiscard]] Shown shown(const void* value) const override {
-    return {.allowed = "64 bits, as text or number",
-            .standard = std::to_string(*static_cast<const std::uint64_t*>(value))};
-  }
-};
-
-Json pointer_schema() {
-  return {{"type", "string"}, {"pattern", "^/"}, {"description", "JSON pointer into this file"}};
-}
-
-/// Read by read_sweep (input/sweep.hpp).
-const OpaqueType& sweep_type() {
-  static const OpaqueType type = [] {
-    const Json number = {{"type", "number"}};
-    const Json values = {{"type", "array"}, {"minItems", 1}};
-    const Json stepped =
-        closed_object({{"parameter", pointer_schema()}, {"from", number}, {"to", number}, {"step", number}},
-                      Json::array({"parameter", "from", "to", "step"}));
-    const Json listed =
-        closed_object({{"parameter", pointer_schema()}, {"values", values}}, Json::array({"parameter", "values"}));
-    return OpaqueType({{"type", "array"}, {"minItems", 1}, {"items", {{"oneOf", Json::array({stepped, listed})}}}},
-                      "list of entries, below");
-  }();
-  return type;
-}
-
-/// Read by read_unknowns (input/sweep.hpp).
-const OpaqueType& unknown_type() {
-  static const OpaqueType type = [] {
-    const Json number = {{"type", "number"}};
-    const Json entry = closed_object(
-        {{"parameter", pointer_schema()}, {"from", number}, {"to", number}, {"prior", {{"type", "object"}}}},
-        Json::array({"parameter", "from", "to"}));
-    return OpaqueType({{"type", "array"}, {"minItems", 1}, {"maxItems", most_unknowns}, {"items", entry}},
-                      "list of entries, below");
-  }();
-  return type;
 }
 
 void keys_of(FieldVisitor& in, LabelCheck& check) {
@@ -412,7 +327,7 @@ void keys_of(FieldVisitor& in, UnsweptExperiment& question, RecordFields& record
               Absent::omitted, [&](FieldVisitor& keys) { keys_of(keys, check); });
   });
   in.value({"confidence", "level of the intervals"}, condition.confidence, rules::confidence, Absent::standard);
-  in.value({"seed", "64 bits: \"0x2012\", \"8210\" or 8210"}, question.seed, SeedType(), Absent::standard);
+  in.value({"seed", "64 bits: \"0x2012\", \"8210\" or 8210"}, question.seed, written_seed_type(), Absent::standard);
 }
 
 }  // namespace rocking

@@ -68,6 +68,16 @@ inline constexpr auto law_names = []<std::size_t... i>(std::index_sequence<i...>
 }
 (std::make_index_sequence<std::variant_size_v<NumberOrLaw> - 1>{});
 
+/// The law with this place among the names, without its numbers.
+[[nodiscard]] Quantity law_at(std::size_t place);
+
+/// Goes through the keys of the law that the quantity has, which stand in the object that is its value. `rule` bounds
+/// every value that is given, and the mean.
+void keys_of_law(FieldVisitor& in, Quantity& quantity, const NumberRule& rule);
+
+/// Why the numbers of a law are none together.
+[[nodiscard]] std::optional<Refusal> refusal_of_law(const Quantity& quantity);
+
 /// A number, or an object with one key, the name of a law. `rule` bounds every value that a law gives, and its mean.
 class QuantityType final : public ValueType {
  public:
@@ -119,6 +129,16 @@ class FormsType final : public ValueType {
   std::span<const Form> forms_;
   std::string_view remedy_;
 };
+
+/// Of a `std::optional<section::ResponseMode>`, by its name.
+[[nodiscard]] const ValueType& mode_type();
+
+/// 64 bits as text or number; the canonical text has them as text.
+[[nodiscard]] const ValueType& written_seed_type();
+
+/// Read by read_sweep and read_unknowns (input/sweep.hpp).
+[[nodiscard]] const ValueType& sweep_type();
+[[nodiscard]] const ValueType& unknown_type();
 
 /// The type of a Formed that gives a restitution.
 [[nodiscard]] const FormsType& restitution_type();

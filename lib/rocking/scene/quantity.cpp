@@ -8,9 +8,6 @@
 
 #include "rocking/base/elementary.hpp"
 #include "rocking/base/normal_law.hpp"
-#include "rocking/fields/field_checker.hpp"
-#include "rocking/fields/field_describer.hpp"
-#include "rocking/fields/field_reader.hpp"
 #include "rocking/scene/experiment_keys.hpp"
 #include "rocking/scene/rules.hpp"
 
@@ -345,24 +342,12 @@ Quantity divided(Quantity quantity, double divisor) {
   return quantity;
 }
 
-namespace {
-
 Quantity law_at(std::size_t place) {
   Quantity law;
   static_cast<NumberOrLaw&>(law) = alternative_at<NumberOrLaw>(place + 1);
   return law;
 }
 
-/// Places among the names of the laws that an object gives.
-std::vector<std::size_t> laws_in(const Json& object) {
-  std::vector<std::size_t> given;
-  for (std::size_t i = 0; i < law_names.size(); ++i) {
-    if (object.contains(std::string(law_names[i]))) given.push_back(i);
-  }
-  return given;
-}
-
-/// The keys of the law that the quantity has, which stand in the object that is its value.
 void keys_of_law(FieldVisitor& in, Quantity& quantity, const NumberRule& rule) {
   std::visit(
       [&]<class Alternative>(Alternative& law) {
@@ -371,163 +356,10 @@ void keys_of_law(FieldVisitor& in, Quantity& quantity, const NumberRule& rule) {
       quantity);
 }
 
-/// Why the numbers of a law are none together.
 std::optional<Refusal> refusal_of_law(const Quantity& quantity) {
   return on_law(
       quantity, [](const auto& law) { return refusal_of(law); },
       [](double) -> std::optional<Refusal> { return std::nullopt; });
-}
-
-}  // namespace
-
-Json QuantityType::json(const void* value) const { return mean_of(*static_cast<const Quantity*>(value)); }
-
-void QuantityType::read(const Json& json, const ReadingPlace& place, void* value) const {
-  auto& quantity = *static_cast<Quantity*>(value);
-  if (!json.is_object()) {
-    double number = 0.0;
-    number_.read(json, place, &number);
-    quantity = number;
-    return;
-  }
-  const std::vector<std::size_t> given = laws_in(json);
-  FieldReader in(json, place.pointer, *place.problems);
-  for (const std::string_view name : law_names) static_cast<void>(in.has(name));
-  if (given.size() != 1) {
-    place.reject(json, given.empty() ? "has no distribution" : "cannot have two distributions",
-                 "give {\"uniform\": [a, b]}, {\"normal\": {\"mean\": m, \"sigma\": s}}, or another law: " +
-                     quoted_words(law_names));
-  } else {
-    const std::size_t problems_before = place.problems->size();
-    quantity = law_at(given.front());
-    keys_of_law(in, quantity, number_.rule());
-    if (place.problems->size() == problems_before) {
-      if (auto refusal = refusal_of_law(quantity)) in.reject(law_names[given.front()], *std::move(refusal));
-    }
-    if (place.problems->size() != problems_before) quantity = 0.0;  // its numbers are no law
-  }
-  Json canonical = in.finish();
-  if (place.canonical != nullptr) *place.canonical = std::move(canonical);
-}
-
-void QuantityType::report_missing(const ReadingPlace& place, void* value) const {
-  ValueType::report_missing(place, value);
-  *static_cast<Quantity*>(value) = 0.0;
-}
-
-void QuantityType::check(const void* value, const ReadingPlace& place) const {
-  const auto& quantity = *static_cast<const Quantity*>(value);
-  if (const auto* number = std::get_if<double>(&quantity)) return number_.check(number, place);
-  const std::size_t problems_before = place.problems->size();
-  Quantity law = quantity;
-  FieldChecker checker(place.pointer, *place.problems);
-  keys_of_law(checker, law, number_.rule());
-  if (place.problems->size() != problems_before) return;
-  if (auto refusal = refusal_of_law(quantity)) {
-    place.problems->push_back({place.pointer + '/' + std::string(law_names[quantity.index() - 1]), "",
-                               std::move(refusal->reason), std::move(refusal->remedy)});
-  }
-}
-
-Json QuantityType::schema(const Rule& rule) const {
-  return {{"oneOf", Json::array({number_.schema(rule), {{"$ref", "#/definitions/law"}}})}};
-}
-
-ValueType::Shown QuantityType::shown(const void* value) const {
-  const double mean = mean_of(*static_cast<const Quantity*>(value));
-  auto [allowed, standard] = number_.shown(&mean);
-  return {.allowed = "*quantity* " + allowed, .standard = standard};
-}
-
-Json law_schema() {
-  constexpr NumberRule any_number{.bounds = {}, .demand = "", .example = ""};
-  Json laws = Json::array();
-  for (std::size_t i = 0; i < law_names.size(); ++i) {
-    std::vector<KeyRow> rows;
-    FieldDescriber describer("", rows);
-    Quantity law = law_at(i);
-    keys_of_law(describer, law, any_number);
-    laws.push_back(describer.schema());
-  }
-  return {{"oneOf", laws}};
-}
-
-Json FormsType::json(const void* value) const {
-  const auto& formed = *static_cast<const Formed*>(value);
-  const Form& form = forms_[formed.form];
-  if (form.rule == nullptr) return form.name;
-  const Json number = mean_of(formed.value);
-  return form.name.empty() ? number : Json{{form.name, number}};
-}
-
-void FormsType::read(const Json& json, const ReadingPlace& place, void* value) const {
-  auto& formed = *static_cast<Formed*>(value);
-  const auto is_word = [](const Form& form) { return form.rule == nullptr; };
-  for (std::size_t i = 0; i < forms_.size(); ++i) {
-    if (!is_word(forms_[i]) || json != forms_[i].name) continue;
-    formed.form = i;
-    return;
-  }
-  formed = {.form = 0, .value = 0.0};
-  if (json.is_string() && std::ranges::any_of(forms_, is_word)) {
-    return place.reject(json, std::string(forms_.front().rule->demand), std::string(remedy_));
-  }
-  const auto of_object =
-      std::ranges::find_if(forms_, [](const Form& form) { return form.rule != nullptr && !form.name.empty(); });
-  if (!json.is_object() || !laws_in(json).empty() || of_object == forms_.end()) {
-    return QuantityType(*forms_.front().rule).read(json, place, &formed.value);
-  }
-  formed.form = static_cast<std::size_t>(of_object - forms_.begin());
-  FieldReader in(json, place.pointer, *place.problems);
-  const Key key{of_object->name, ""};
-  if (of_object->may_be_drawn) {
-    in.value(key, formed.value, *of_object->rule, Absent::error);
-  } else {
-    formed.value = in.number(key, *of_object->rule);
-  }
-  Json canonical = in.finish();
-  if (place.canonical != nullptr) *place.canonical = std::move(canonical);
-}
-
-void FormsType::report_missing(const ReadingPlace& place, void* value) const {
-  ValueType::report_missing(place, value);
-  *static_cast<Formed*>(value) = {.form = 0, .value = 0.0};
-}
-
-void FormsType::check(const void* value, const ReadingPlace& place) const {
-  const auto& formed = *static_cast<const Formed*>(value);
-  const Form& form = forms_[formed.form];
-  if (form.rule == nullptr) return;
-  QuantityType(*form.rule).check(&formed.value, form.name.empty() ? place : place.at(form.name));
-}
-
-Json FormsType::schema(const Rule& rule) const {
-  Json schema = QuantityType(*forms_.front().rule).schema(rule);
-  for (const Form& form : forms_.subspan(1)) {
-    const std::string name(form.name);
-    if (form.rule == nullptr) {
-      schema["oneOf"].push_back({{"const", name}});
-      continue;
-    }
-    const Json number = form.may_be_drawn ? QuantityType(*form.rule).schema({}) : NumberType(*form.rule).schema({});
-    schema["oneOf"].push_back(closed_object({{name, number}}, Json::array({name})));
-  }
-  return schema;
-}
-
-ValueType::Shown FormsType::shown(const void*) const {
-  std::string allowed = "*quantity* " + interval_text(forms_.front().rule->bounds);
-  for (const Form& form : forms_.subspan(1)) {
-    const std::string name(form.name);
-    allowed += &form == &forms_.back() ? ", or `" : ", `";
-    if (form.rule == nullptr) {
-      allowed += name + '`';
-    } else {
-      allowed += "{\"" + name + "\": r}` with " + (form.may_be_drawn ? "*quantity* " : "") + "r in " +
-                 interval_text(form.rule->bounds);
-    }
-  }
-  return {.allowed = allowed, .standard = ""};
 }
 
 }  // namespace rocking

@@ -41,6 +41,12 @@ std::optional<ResponseMode> response_mode_named(std::string_view name) {
   return to_string(mode) == name ? std::optional(mode) : std::nullopt;
 }
 
+std::string response_mode_words() {
+  std::string words;
+  for (const auto& [kind, name] : named_kinds) (words += words.empty() ? "" : ", ") += name;
+  return words;
+}
+
 std::string response_mode_pattern() {
   std::string pattern = "^(\\([0-9]{1,10},[0-9]{1,10}\\)";
   for (const auto& [kind, name] : named_kinds) (pattern += '|') += name;

@@ -37,6 +37,9 @@ struct ResponseMode {
 /// The mode with this name; absent if there is none.
 [[nodiscard]] std::optional<ResponseMode> response_mode_named(std::string_view name);
 
+/// The names of the modes that are not periodic, for messages: `chaotic, overturned, rest, unresolved`.
+[[nodiscard]] std::string response_mode_words();
+
 /// Regular expression of the names, for schemas.
 [[nodiscard]] std::string response_mode_pattern();
 

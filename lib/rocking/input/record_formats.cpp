@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "rocking/fields/written_types.hpp"
 #include "rocking/input/line_problems.hpp"
 #include "rocking/input/record_unit.hpp"
 

@@ -36,11 +36,13 @@ std::string table_again(const Report& report) {
 }  // namespace
 
 void HazardFile::add_to(CLI::App& command, const std::string& effect) {
-  CLI::Option* file =
-      command
-          .add_option("--hazard", file_,
-                      "Hazard curve (CSV: intensity, annual_rate or poe; its header names measure and kind): " + effect)
-          ->type_name("FILE");
+  CLI::Option* file = command
+                          .add_option("--hazard", file_,
+                                      "Hazard curve (CSV: intensity, annual_rate or poe; its header names measure and "
+                                      "kind; or of OpenQuake or the "
+                                      "USGS): " +
+                                          effect)
+                          ->type_name("FILE");
   command
       .add_option("--years", reading_.years,
                   "With --hazard: the years of its probabilities of exceedance, where the file does not state them")
@@ -48,14 +50,28 @@ void HazardFile::add_to(CLI::App& command, const std::string& effect) {
       ->needs(file);
   command
       .add_option("--imt", reading_.measure,
-                  "With --hazard: the intensity measure of the file, where it does not name it, such as PGA or SA(0.5)")
+                  "With --hazard: the intensity measure, where the file has several or does not name it, such as PGA "
+                  "or SA(0.5)")
       ->type_name("MEASURE")
+      ->needs(file);
+  command.add_option("--site", site_, "With --hazard: longitude and latitude of the site, where the file has several")
+      ->type_name("LON,LAT")
+      ->delimiter(',')
+      ->needs(file);
+  command
+      .add_option("--statistic", reading_.statistic,
+                  "With --hazard: mean or quantile-0.84, or as the file says it, where it has several")
+      ->type_name("NAME")
       ->needs(file);
 }
 
 std::optional<HazardCurve> HazardFile::read() const {
   if (!is_given()) return std::nullopt;
-  return input_of([this] { return hazard_curve(file_, reading_); });
+  return input_of([this] {
+    HazardReading reading = reading_;
+    reading.site = hazard_site(site_);
+    return hazard_curve(file_, reading);
+  });
 }
 
 ExitCode report_again(const ReportRequest& request) {

@@ -13,7 +13,8 @@
 
 namespace rocking::program {
 
-/// The hazard curve of a command: `--hazard` names its file, `--years` and `--imt` say what the file leaves open.
+/// The hazard curve of a command: `--hazard` names its file, `--years`, `--imt`, `--site` and `--statistic` say what the
+/// file leaves open, and which of its curves is meant.
 class HazardFile {
  public:
   /// `effect`: what the curve gives, for the help.
@@ -26,6 +27,7 @@ class HazardFile {
  private:
   std::string file_;
   HazardReading reading_;
+  std::vector<double> site_;
 };
 
 /// What is written again of a finished run.

@@ -29,7 +29,7 @@ set(CPACK_DEBIAN_UNSPECIFIED_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_UNSPECIFIED_DESCRIPTION "${PROJECT_DESCRIPTION}")
 set(CPACK_DEBIAN_UNSPECIFIED_PACKAGE_RECOMMENDS gnuplot-nox)
 # To link to the static library.
-set(CPACK_DEBIAN_UNSPECIFIED_PACKAGE_SUGGESTS "rocking-mpi, libssl-dev, libsqlite3-dev")
+set(CPACK_DEBIAN_UNSPECIFIED_PACKAGE_SUGGESTS "rocking-mpi, libssl-dev, libsqlite3-dev, libpugixml-dev")
 if(TARGET rocking-mpi)
   list(APPEND CPACK_COMPONENTS_ALL mpi)
   set(CPACK_DEBIAN_MPI_PACKAGE_NAME rocking-mpi)

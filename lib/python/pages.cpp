@@ -53,16 +53,20 @@ void add_pages(py::module_& module) {
                  return write_figures({experiment, run}, folder, static_cast<Column>(column), execution);
                });
              });
-  module.def("write_sheet", [](const Experiment& experiment, const RunResult& run, const std::string& hazard,
-                               std::optional<double> years, std::optional<std::string> imt, const std::string& file,
-                               unsigned threads) {
-    return write_watched([&](Execution execution) {
-      execution.threads = threads;
-      const FragilityQuestion question{.hazard = hazard_curve(hazard, {.years = years, .measure = std::move(imt)})};
-      const RunFragility found = fragility(experiment, run, question, execution);
-      return write_sheet({experiment, run}, found, *question.hazard, file, "rocking.write_sheet", execution);
-    });
-  });
+  module.def("write_sheet",
+             [](const Experiment& experiment, const RunResult& run, const std::string& hazard,
+                std::optional<double> years, std::optional<std::string> imt, const std::vector<double>& site,
+                std::optional<std::string> statistic, const std::string& file, unsigned threads) {
+               return write_watched([&](Execution execution) {
+                 execution.threads = threads;
+                 const FragilityQuestion question{.hazard = hazard_curve(hazard, {.years = years,
+                                                                                  .measure = std::move(imt),
+                                                                                  .site = hazard_site(site),
+                                                                                  .statistic = std::move(statistic)})};
+                 const RunFragility found = fragility(experiment, run, question, execution);
+                 return write_sheet({experiment, run}, found, *question.hazard, file, "rocking.write_sheet", execution);
+               });
+             });
   module.def("write_tables", [](const Experiment& experiment, const RunResult& run, const std::string& folder) {
     return write_watched([&](const Execution&) { return write_tables({experiment, run}, folder); });
   });

@@ -109,6 +109,8 @@ def write_sheet(
     hazard: str,
     years: Optional[float],
     imt: Optional[str],
+    site: List[float],
+    statistic: Optional[str],
     file: str,
     threads: int,
 ) -> Tuple[List[str], List[str]]: ...

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import Any, List, NamedTuple, Optional, Tuple, Union
+from typing import Any, List, NamedTuple, Optional, Sequence, Tuple, Union
 
 from . import _core
 from .experiments import ExperimentLike, experiment
@@ -72,12 +72,14 @@ def write_sheet(
     hazard: _Path,
     years: Optional[float] = None,
     imt: Optional[str] = None,
+    site: Sequence[float] = (),
+    statistic: Optional[str] = None,
 ) -> Written:
     """Write the answer about a suite of ground motions as one page of A4, as ``rocking fragility --sheet`` does.
 
     source: a Result, or the folder of a run. file: ends with ``.html`` or ``.pdf``; the latter needs WeasyPrint, without
-    which no file is written and ``not_drawn`` says so. hazard, years, imt: a hazard curve, as of fragility(). Raises
-    InputError if the run has no suite, otherwise errors as write_page().
+    which no file is written and ``not_drawn`` says so. hazard, years, imt, site, statistic: a hazard curve, as of
+    fragility(). Raises InputError if the run has no suite, otherwise errors as write_page().
 
     >>> import json, math, os, tempfile, rocking
     >>> suite = {"format": "rocking.experiment/1", "block": {"width_m": 0.35, "height_m": 1.6},
@@ -96,7 +98,7 @@ def write_sheet(
     """
     result = _complete(source)
     cores = result.experiment._core, result._core
-    return _call("write_sheet", *cores, os.fspath(hazard), years, imt, os.fspath(file), processors())
+    return _call("write_sheet", *cores, os.fspath(hazard), years, imt, list(site), statistic, os.fspath(file), processors())
 
 
 def write_tables(source: Union[Result, _Path], folder: _Path) -> Written:

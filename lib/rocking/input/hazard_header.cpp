@@ -64,6 +64,17 @@ std::optional<std::string> periods_of(std::string_view text) {
   return last ? std::optional(base::shortest(*first) + '-' + base::shortest(*last)) : std::nullopt;
 }
 
+/// The period of `sa0p2`, `sa10p0`, as the USGS writes it; absent: it is none.
+std::optional<double> usgs_period(std::string_view text) {
+  if (!text.starts_with("sa") || text.find_first_not_of("0123456789p", 2) != std::string_view::npos)
+    return std::nullopt;
+  std::string number(text.substr(2));
+  const std::size_t point = number.find('p');
+  if (point == std::string::npos) return std::nullopt;
+  number[point] = '.';
+  return positive(number);
+}
+
 bool is_intensity(const std::string& name) {
   return std::ranges::find(all_intensity_pointers, "/excitation/" + name) != all_intensity_pointers.end();
 }
@@ -78,6 +89,7 @@ std::optional<HazardMeasure> hazard_measure(std::string_view word) {
   for (const MeasureSpelling& spelling : other_spellings) {
     if (text == spelling.word) return HazardMeasure{.name = std::string(spelling.name), .divisor = spelling.divisor};
   }
+  if (const auto period = usgs_period(text)) return HazardMeasure{.name = "sa_g[" + base::shortest(*period) + ']'};
   auto [name, content] = in_parts(text);
   if (name == "sa") name = "sa_g";
   const bool has_periods = is_intensity(name) && name.find("sa_") != std::string::npos;

@@ -27,6 +27,7 @@ constexpr std::array<IntensityUnit, 4> intensity_units{{{"_g", 1.0, 10.0, 981.0,
                                                         {"_m_s2", 1.0, 100.0, 100.0, "cm/s2"}}};
 /// A hazard curve in cm/s does not end here [cm/s].
 constexpr double least_last_velocity = 10.0;
+constexpr std::size_t most_problems = 20;
 
 }  // namespace
 
@@ -44,7 +45,13 @@ HazardPoints::HazardPoints(std::string name, HazardReading reading) : reading_(s
 }
 
 void HazardPoints::reject(std::string place, std::string found, std::string reason, std::string remedy) {
+  if (problems_.size() == most_problems) return;
   problems_.push_back({std::move(place), std::move(found), std::move(reason), std::move(remedy)});
+}
+
+void HazardPoints::set_origin(const std::string& statistic, const std::optional<HazardSite>& site) {
+  curve_.statistic = statistic;
+  curve_.site = site;
 }
 
 void HazardPoints::set_measure(const std::string& place, const std::optional<HazardMeasure>& named) {
@@ -89,6 +96,10 @@ void HazardPoints::add(const std::string& place, const std::string& intensity, c
                   "give a number below 1, or name the column annual_rate if it is a rate");
   }
   if (curve_.years && *y == 1.0) {
+    if (size() == 0) {
+      ++curve_.certain;
+      return;
+    }
     return reject(place, value, "is a probability that no rate of exceedance gives", "omit the line");
   }
   const double rate = curve_.years ? -std::log1p(-*y) / *curve_.years : *y;
@@ -99,7 +110,15 @@ void HazardPoints::add(const std::string& place, const std::string& intensity, c
   curve_.points.push_back(point);
 }
 
+bool HazardPoints::is_enough() const { return size() > most_hazard_points || problems_.size() == most_problems; }
+
 HazardCurve HazardPoints::finish() {
+  if (size() > most_hazard_points) {
+    const std::string most = std::to_string(most_hazard_points);
+    problems_ = {{curve_.name, "more than " + most + " points", "is too large for a hazard curve",
+                  "give at most " + most +
+                      " points: between them the logarithm of the rate is linear in that of the intensity"}};
+  }
   if (problems_.empty()) check_whole();
   if (!problems_.empty()) throw base::InputError(std::move(problems_));
   return std::move(curve_);

@@ -9,11 +9,10 @@
 
 #include "rocking/base/error.hpp"
 #include "rocking/base/number_text.hpp"
+#include "rocking/input/line_problems.hpp"
 
 namespace rocking {
 namespace {
-
-constexpr std::size_t most_hazard_problems = 20;
 
 /// Without the quotation marks that programs write around the name of a column.
 std::string unquoted(const std::string& field) {
@@ -47,30 +46,17 @@ class TwoColumns {
       : name_(std::move(name)), is_given_years_(reading.years), points_(name_, reading) {}
 
   HazardCurve read(std::string_view text) {
-    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-    if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
-    if (text.size() > most_hazard_bytes) reject_file("more than 10 MB");
-    while (!text.empty() && points_.problems() < most_hazard_problems && points_.size() <= most_hazard_points) {
+    while (!text.empty() && !points_.is_enough()) {
       ++line_;
       const std::size_t end = text.find('\n');
       read_line(text.substr(0, end));
       text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
     }
-    if (points_.size() > most_hazard_points) reject_file("more than " + std::to_string(most_hazard_points) + " points");
     return points_.finish();
   }
 
  private:
   [[nodiscard]] std::string place() const { return name_ + ", line " + std::to_string(line_); }
-
-  [[noreturn]] void reject_file(std::string found) const {
-    throw base::InputError(
-        {.place = name_,
-         .value = std::move(found),
-         .reason = "is too large for a hazard curve",
-         .remedy = "give at most " + std::to_string(most_hazard_points) +
-                   " points: between them the logarithm of the rate is linear in that of the intensity"});
-  }
 
   void read_line(std::string_view line) {
     const std::vector<std::string> fields = fields_of(line);
@@ -122,6 +108,19 @@ HazardCurve read_hazard(std::string_view text, const std::string& name, const Ha
   if (reading.years && !(*reading.years > 0.0 && std::isfinite(*reading.years))) {
     throw base::InputError(
         {"--years", base::shortest(*reading.years), "must be a positive number of years", "write --years 50"});
+  }
+  if (text.size() > most_hazard_bytes) {
+    throw base::InputError({name, "more than 10 MB", "is too large for a hazard curve", "keep the site that is meant"});
+  }
+  text = without_byte_order_mark(text);
+  const std::size_t first = std::min(text.find_first_not_of(" \t\r\n"), text.size());
+  if (text.substr(first).starts_with('<')) return chosen_hazard(nrml_hazards(text, name), name, reading);
+  if (text.substr(first).starts_with('{')) return chosen_hazard(usgs_json_hazards(text, name), name, reading);
+  if (auto curves = hazard_table(text, name)) return chosen_hazard(*std::move(curves), name, reading);
+  for (const auto& [flag, is_given] :
+       {std::pair{"--site", reading.site.has_value()}, std::pair{"--statistic", reading.statistic.has_value()}}) {
+    if (is_given)
+      throw base::InputError({flag, "", "chooses one of several curves, and " + name + " holds one", "omit it"});
   }
   return TwoColumns(name, reading).read(text);
 }

@@ -7,6 +7,13 @@
 
 namespace rocking {
 
+std::optional<HazardSite> hazard_site(const std::vector<double>& numbers) {
+  if (numbers.empty()) return std::nullopt;
+  if (numbers.size() == 2) return HazardSite{.longitude = numbers[0], .latitude = numbers[1]};
+  throw base::InputError({"--site", std::to_string(numbers.size()) + " numbers", "is no longitude and latitude",
+                          "write --site 13.4,42.35"});
+}
+
 std::optional<HazardFault> fault_of(const HazardPoint& point, const HazardPoint* before) {
   constexpr auto intensity = &HazardPoint::intensity;
   constexpr auto rate = &HazardPoint::rate;

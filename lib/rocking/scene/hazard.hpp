@@ -15,6 +15,12 @@ struct HazardPoint {
   double rate = 0.0;       ///< annual rate at which this intensity is exceeded [1/year], >= 0
 };
 
+/// Where a hazard curve holds [degrees].
+struct HazardSite {
+  double longitude = 0.0;
+  double latitude = 0.0;
+};
+
 /// A hazard curve: the logarithm of the rate is linear in that of the intensity between points. Beyond the last point it
 /// continues as on the last piece on which the rate falls; a rate of 0 ends the curve, and up to there it continues in
 /// the same way. Nothing is known below the first point. At least two points; intensities rise, rates do not, and the
@@ -26,13 +32,20 @@ struct HazardCurve {
   std::vector<HazardPoint> points;
   /// The file holds probabilities of exceedance in this time [years], from which the rates follow; absent: rates.
   std::optional<double> years = std::nullopt;
+  std::string statistic = {};  ///< as the file states it: `mean`, `quantile-0.84`; empty: it does not
+  std::optional<HazardSite> site = std::nullopt;
+  std::size_t certain = 0;  ///< weaker points of the file with the probability 1, which gives no rate: left out
 };
 
-/// What is said of a hazard file beside its text.
+/// The site of `longitude, latitude`; absent if the list is empty. Throws base::InputError unless it has two numbers.
+[[nodiscard]] std::optional<HazardSite> hazard_site(const std::vector<double>& numbers);
+
+/// What is said of a hazard file beside its text: what it leaves open, and which of its curves is meant.
 struct HazardReading {
-  std::optional<double> years = std::nullopt;  ///< of its probabilities of exceedance, where it does not state it
-  std::optional<std::string> measure =
-      std::nullopt;  ///< of its intensities, where it does not name it: `PGA`, `sa_g[1]`
+  std::optional<double> years = std::nullopt;           ///< of its probabilities of exceedance
+  std::optional<std::string> measure = std::nullopt;    ///< of its intensities: `PGA`, `sa_g[1]`
+  std::optional<HazardSite> site = std::nullopt;        ///< to a tenth of a thousandth of a degree
+  std::optional<std::string> statistic = std::nullopt;  ///< `mean`, `quantile-0.84`
 };
 
 /// What is known of the earthquake of a record.

@@ -49,12 +49,13 @@ TEST(Hazard, HeaderNamesTheMeasureInEachSpelling) {
   for (const auto& [word, name] :
        {std::pair{"pga_g", "pga_g"}, std::pair{"PGA", "pga_g"}, std::pair{"PGA (g)", "pga_g"},
         std::pair{"/excitation/pga_g", "pga_g"}, std::pair{"SA(1.0)", "sa_g[1]"}, std::pair{"sa_g[1.0]", "sa_g[1]"},
-        std::pair{"SA(0.20)", "sa_g[0.2]"}, std::pair{"sa_g", "sa_g"}, std::pair{"avgsa_g[0.20-2.0]", "avgsa_g[0.2-2]"},
-        std::pair{"sa_p_g", "sa_p_g"}, std::pair{"amplitude", "amplitude"}, std::pair{"scale", "scale"}}) {
+        std::pair{"SA(0.20)", "sa_g[0.2]"}, std::pair{"SA0P2", "sa_g[0.2]"}, std::pair{"SA10P0", "sa_g[10]"},
+        std::pair{"sa_g", "sa_g"}, std::pair{"avgsa_g[0.20-2.0]", "avgsa_g[0.2-2]"}, std::pair{"sa_p_g", "sa_p_g"},
+        std::pair{"amplitude", "amplitude"}, std::pair{"scale", "scale"}}) {
     EXPECT_EQ(hazard_of(std::string(word) + ", annual_rate\n" + two_points).intensity, name) << word;
   }
-  for (const std::string word :
-       {"pgd_m", "SA", "SA(0)", "SA(x)", "SA(1", "pga_g[1]", "PGA(cm/s2)", "annual_rate", "\"\""}) {
+  for (const std::string word : {"pgd_m", "SA", "SA(0)", "SA(x)", "SA(1", "pga_g[1]", "SA0P0", "SAP", "SA1",
+                                 "PGA(cm/s2)", "annual_rate", "\"\""}) {
     EXPECT_THAT(complaint(word + ", annual_rate\n" + two_points), HasSubstr("line 1")) << word;
     EXPECT_THAT(complaint(word + ", annual_rate\n" + two_points), HasSubstr("is no known intensity measure")) << word;
   }
@@ -106,8 +107,16 @@ TEST(Hazard, RefusesProbabilitiesWithoutOneTime) {
   }
   EXPECT_THAT(complaint("pga_g, poe\n0.1,39\n0.2,10\n", {.years = 50.0}),
               AllOf(HasSubstr("line 2 = 39"), HasSubstr("is no probability")));
-  EXPECT_THAT(complaint("pga_g, poe\n0.1,1\n0.2,0.5\n", {.years = 50.0}),
-              HasSubstr("line 2 = 1: is a probability that"));
+  EXPECT_THAT(complaint("pga_g, poe\n0.1,0.9\n0.2,1\n", {.years = 50.0}),
+              HasSubstr("line 3 = 1: is a probability that"));
+}
+
+// OpenQuake writes 1 for what nearly always happens.
+TEST(Hazard, LeavesOutTheProbabilityOneBeforeOthersAndCountsIt) {
+  const HazardCurve found = hazard_of("pga_g, poe\n0.01,1\n0.02,1.0\n0.1,0.5\n0.2,0.1\n", {.years = 50.0});
+  EXPECT_EQ(found.points.front().intensity, 0.1);
+  EXPECT_EQ(found.certain, 2U);
+  EXPECT_THAT(complaint("pga_g, poe\n0.1,1\n0.2,0.5\n", {.years = 50.0}), HasSubstr("at least two points"));
 }
 
 TEST(Hazard, WithoutAMeasureNeedsOne) {

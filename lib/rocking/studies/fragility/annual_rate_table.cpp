@@ -205,8 +205,14 @@ std::string annual_rate_table(const AnnualRate& rate, const CurveSubject& subjec
 std::string hazard_in_words(const HazardCurve& hazard) {
   const std::string kind =
       hazard.years ? "probabilities of exceedance in " + significant(*hazard.years, 6) + " years" : "annual rates";
-  return kind + " of " + hazard.intensity + " at " + std::to_string(hazard.points.size()) + " points from " +
-         significant(hazard.points.front().intensity, 3) + " to " + significant(hazard.points.back().intensity, 3);
+  std::string text = kind + " of " + hazard.intensity + " at " + std::to_string(hazard.points.size()) +
+                     " points from " + significant(hazard.points.front().intensity, 3) + " to " +
+                     significant(hazard.points.back().intensity, 3);
+  if (!hazard.statistic.empty()) text += ", " + hazard.statistic;
+  if (hazard.site)
+    text += ", site " + base::shortest(hazard.site->longitude) + ',' + base::shortest(hazard.site->latitude);
+  if (hazard.certain == 0) return text;
+  return text + "; left out: " + std::to_string(hazard.certain) + " weaker with the probability 1";
 }
 
 }  // namespace rocking

@@ -47,6 +47,8 @@ struct RunsQuestion {
   std::optional<std::string> hazard;
   std::optional<double> years;
   std::optional<std::string> imt;
+  std::vector<double> site;  ///< longitude and latitude [degrees]; empty: not asked for
+  std::optional<std::string> statistic;
   std::optional<std::string> metadata;
   std::optional<std::string> rare;  ///< folder of rare.json, or the file
   std::optional<std::string> sheet;
@@ -59,20 +61,25 @@ const StructType& fields_of(const RunsQuestion*) {
   static const StructType fields{
       "RunsQuestion",
       inlined<&Type::question>(),
-      asked(
-          field<&Type::hazard>("hazard",
-                               "Hazard curve (CSV: intensity, annual_rate or poe; its header names measure and kind): "
-                               "gives the mean annual rate"),
-          {.names = "--hazard", .letter = "FILE"}),
+      asked(field<&Type::hazard>(
+                "hazard",
+                "Hazard curve (CSV: intensity, annual_rate or poe; its header names measure and kind; or "
+                "of OpenQuake or the USGS): gives the mean annual rate"),
+            {.names = "--hazard", .letter = "FILE"}),
       asked(field<&Type::years>(
                 "years",
                 "With --hazard: the years of its probabilities of exceedance, where the file does not state them"),
             {.names = "--years", .letter = "T", .needs = "--hazard"}),
-      asked(
-          field<&Type::imt>("imt",
-                            "With --hazard: the intensity measure of the file, where it does not name it, such as PGA "
-                            "or SA(0.5)"),
-          {.names = "--imt", .letter = "MEASURE", .needs = "--hazard"}),
+      asked(field<&Type::imt>("imt",
+                              "With --hazard: the intensity measure, where the file has several or does not name it, "
+                              "such as PGA or SA(0.5)"),
+            {.names = "--imt", .letter = "MEASURE", .needs = "--hazard"}),
+      asked(field<&Type::site>("site", "With --hazard: longitude and latitude of the site, where the file has several",
+                               Rule{.least = -360.0, .most = 360.0}),
+            {.names = "--site", .letter = "LON,LAT", .kind = FlagKind::commas, .needs = "--hazard"}),
+      asked(field<&Type::statistic>(
+                "statistic", "With --hazard: mean or quantile-0.84, or as the file says it, where it has several"),
+            {.names = "--statistic", .letter = "NAME", .needs = "--hazard"}),
       asked(field<&Type::metadata>("metadata_file",
                                    "Magnitudes and distances of the records (CSV: file, magnitude, distance_km): says "
                                    "which measures of intensity are sufficient"),
@@ -100,8 +107,9 @@ const StructType& fields_of(const RunsQuestion*) {
 }
 
 void expect_sensible(const Subject& subject, const RunsQuestion& question) {
-  if (!question.hazard && (question.years || question.imt)) {
-    throw UnfitQuestion("years and intensity measure say how a hazard curve is read, which is missing");
+  if (!question.hazard && (question.years || question.imt || !question.site.empty() || question.statistic)) {
+    throw UnfitQuestion(
+        "years, intensity measure, site and statistic say how a hazard curve is read, which is missing");
   }
   if (!question.hazard && question.suggest) throw UnfitQuestion("--suggest: needs a rate; add --hazard FILE");
   if (!question.sheet) return;
@@ -116,7 +124,10 @@ void expect_sensible(const Subject& subject, const RunsQuestion& question) {
 void check(const Subject& subject, RunsQuestion& question) {
   expect_sensible(subject, question);
   if (question.hazard) {
-    question.question.hazard = hazard_curve(*question.hazard, {.years = question.years, .measure = question.imt});
+    question.question.hazard = hazard_curve(*question.hazard, {.years = question.years,
+                                                               .measure = question.imt,
+                                                               .site = hazard_site(question.site),
+                                                               .statistic = question.statistic});
   }
   if (question.metadata) question.question.metadata = record_metadata(*question.metadata);
 }
@@ -188,6 +199,10 @@ More sheet_of(const NamedRun& run, const RunsQuestion& question, const RunFragil
   std::string again = "rocking fragility " + shell_word(run.folder) + " --hazard " + shell_word(*question.hazard);
   if (question.years) again += " --years " + base::shortest(*question.years);
   if (question.imt) again += " --imt " + shell_word(*question.imt);
+  if (!question.site.empty()) {
+    again += " --site " + base::shortest(question.site[0]) + ',' + base::shortest(question.site[1]);
+  }
+  if (question.statistic) again += " --statistic " + shell_word(*question.statistic);
   again += " --sheet " + shell_word(*question.sheet);
   Written sheet = write_sheet(run.stored, found, *question.question.hazard, *question.sheet, again, execution);
   const bool is_written = !sheet.files.empty();

@@ -52,6 +52,8 @@ struct RunsQuestion {
   std::optional<std::string> metadata;
   std::optional<std::string> rare;  ///< folder of rare.json, or the file
   std::optional<std::string> sheet;
+  std::optional<std::string> export_file;
+  std::optional<std::string> export_as;
   bool suggest = false;
   bool per_record = false;
 };
@@ -99,11 +101,30 @@ const StructType& fields_of(const RunsQuestion*) {
                                 "With --hazard: the answer about a suite as one page of A4; FILE ends with .pdf or "
                                 ".html"),
             {.names = "--sheet", .letter = "FILE", .kind = FlagKind::new_file}, no_keyword),
+      asked(field<&Type::export_file>(
+                "export",
+                "The fragility functions for other programs: FILE.xml is NRML of OpenQuake, FILE.csv "
+                "CSV, or as --as says"),
+            {.names = "--export", .letter = "FILE", .kind = FlagKind::new_file}, no_keyword),
+      asked(field<&Type::export_as>("export_as", "Format of --export", Rule{.choices = export_format_names}),
+            {.names = "--as", .letter = "FORMAT", .needs = "--export"}, no_keyword),
       asked(field<&Type::per_record>("per_record",
                                      "List the curve of each record of a suite in the table; the JSON always has them"),
             {.names = "--per-record", .kind = FlagKind::on}, no_keyword),
   };
   return fields;
+}
+
+/// The format of the exported file, by its name or the ending of the file.
+ExportFormat export_format(const RunsQuestion& question) {
+  const std::string ending = std::filesystem::path(*question.export_file).extension().string();
+  const std::string name = question.export_as ? *question.export_as
+                           : ending == ".xml" ? "nrml"
+                                              : ending.substr(ending.empty() ? 0 : 1);
+  const auto* const found = std::ranges::find(export_format_names, name);
+  if (found != export_format_names.end()) return static_cast<ExportFormat>(found - export_format_names.begin());
+  throw UnfitQuestion("--export " + *question.export_file +
+                      ": must end with .xml or .csv, or add --as nrml, pelicun or csv");
 }
 
 void expect_sensible(const Subject& subject, const RunsQuestion& question) {
@@ -112,6 +133,7 @@ void expect_sensible(const Subject& subject, const RunsQuestion& question) {
         "years, intensity measure, site and statistic say how a hazard curve is read, which is missing");
   }
   if (!question.hazard && question.suggest) throw UnfitQuestion("--suggest: needs a rate; add --hazard FILE");
+  if (question.export_file) static_cast<void>(export_format(question));
   if (!question.sheet) return;
   if (!question.hazard) throw UnfitQuestion("--sheet: needs a rate; add --hazard FILE");
   if (subject.runs.size() > 1) throw UnfitQuestion("--sheet: is about one run; name one folder");
@@ -224,9 +246,17 @@ Answer find(const Subject& subject, const RunsQuestion& question, const Circumst
     answer.table = fragility_table(report, records, circumstances.extent) + as_read(subject, question);
   }
   if (circumstances.draws) answer.figures = figures_of(report);
-  if (question.sheet) {
-    answer.write_more = [&run = subject.runs.front(), question, of_run = found.front()](const Execution& execution) {
-      return sheet_of(run, question, of_run, execution);
+  ExportedFragility out;
+  if (question.export_file) out = exported(found, export_format(question));
+  if (question.sheet || question.export_file) {
+    answer.write_more = [&run = subject.runs.front(), question, of_run = found.front(),
+                         out](const Execution& execution) {
+      More more = question.sheet ? sheet_of(run, question, of_run, execution) : More{};
+      if (!question.export_file) return more;
+      write_atomically(*question.export_file, out.text);
+      more.lines += "export: " + *question.export_file + '\n';
+      more.notices.insert(more.notices.end(), out.notices.begin(), out.notices.end());
+      return more;
     };
   }
   return answer;

@@ -64,6 +64,22 @@ struct FragilityReport {
 
 [[nodiscard]] const StructType& fields_of(const FragilityQuestion*);
 
+/// Formats of other programs: NRML 0.5 of OpenQuake, the fragility table of pelicun, or CSV.
+enum class ExportFormat : std::uint8_t { nrml, pelicun, csv };
+/// Their names, in their order.
+inline constexpr std::array<std::string_view, 3> export_format_names{"nrml", "pelicun", "csv"};
+
+/// Fragility functions for another program, and what it cannot be told of them.
+struct ExportedFragility {
+  std::string text;
+  std::vector<std::string> notices;
+};
+
+/// A function for each run and each combination of values of the rest of its sweep, with a limit state for each event:
+/// the lognormal law, or where there is none the shares of the levels that do not decrease (lib/docs/fragility.md).
+/// Throws UnfitQuestion where a format has no such measure of intensity, or where a curve has neither law nor such shares.
+[[nodiscard]] ExportedFragility exported(const std::vector<RunFragility>& runs, ExportFormat format);
+
 [[nodiscard]] const Study& fragility_study();
 
 }  // namespace rocking

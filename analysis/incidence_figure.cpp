@@ -28,7 +28,7 @@ std::vector<std::size_t> shown_conditions(const Report& report) {
     if (report.conditions[i].result.settling) shown.push_back(i);
   }
   const auto share = [&report](std::size_t i) {
-    const SettlingRow row = settling_row(report, report.conditions[i]).value();
+    const SettlingRow row = settling_row(report.conditions[i]).value();
     return static_cast<double>(row.unresolved_at_horizon) / static_cast<double>(row.realisations);
   };
   std::ranges::stable_sort(shown, std::greater{}, share);
@@ -58,7 +58,7 @@ Span span_of(const Report& report, const std::vector<std::size_t>& shown) {
   double last = 0.0;
   for (const std::size_t i : shown) {
     const SettlingResult& incidence = *report.conditions[i].result.settling;
-    const SettlingRow row = settling_row(report, report.conditions[i]).value();
+    const SettlingRow row = settling_row(report.conditions[i]).value();
     if (row.fixed_horizon) horizon = std::min(horizon, static_cast<double>(*row.fixed_horizon));
     for (const auto& [mode, curve] : incidence.incidence) {
       if (curve.empty()) continue;
@@ -171,7 +171,7 @@ std::string title_of(const Report& report, const ReportedCondition& condition) {
   if (report.swept.size() < 2) return name_of_condition(report, condition);
   std::string title;
   for (std::size_t i = 0; i < report.swept.size(); ++i) {
-    title += (title.empty() ? "" : ", ") + short_value(condition.parameters[i]);
+    title += (title.empty() ? "" : ", ") + short_value(condition.asked.parameters[i]);
   }
   return title;
 }
@@ -198,7 +198,7 @@ void add_panel(const Report& report, std::size_t condition, const std::vector<Re
   panel.x.logarithmic = span.high > linear_ratio * span.low;
   panel.x.high = panel.x.logarithmic ? 1.2 * span.high : span.high + 0.04 * (span.high - span.low);
   figure.panels.push_back(std::move(panel));
-  if (const auto horizon = settling_row(report, report.conditions[condition])->fixed_horizon)
+  if (const auto horizon = settling_row(report.conditions[condition])->fixed_horizon)
     add_horizon(*horizon, span, figure);
   for (std::size_t m = 0; m < modes.size(); ++m) {
     if (!incidence.incidence.contains(modes[m])) continue;

@@ -194,7 +194,8 @@ Axis strip_axis(const Report& report, const SweepView& view) {
     axis.symbol = is_first ? own.symbol : "";
     axis.unit = is_first ? own.unit : "";
     for (std::size_t i = 0; i < view.slices.size(); ++i) {
-      const std::string value = short_value(report.conditions[view.slices[i].conditions.front()].parameters[entry]);
+      const std::string value =
+          short_value(report.conditions[view.slices[i].conditions.front()].asked.parameters[entry]);
       axis.ticks[i].text += is_first ? value : ", " + value;
     }
   }

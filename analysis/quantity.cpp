@@ -6,7 +6,6 @@
 #include <type_traits>
 #include <variant>
 
-#include "rocking/input/quantities_in_text.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking::analysis {
@@ -39,8 +38,6 @@ std::optional<double> standard_deviation_in(const Quantity& quantity) {
 
 }  // namespace
 
-double mean_of(const Json& quantity) { return rocking::mean_of(quantity_in(quantity)); }
-
 Spread spread_of(const std::vector<double>& numbers) {
   const auto [low, high] = std::ranges::minmax(numbers);
   return {.low = low, .high = high};
@@ -52,10 +49,9 @@ std::string spread_in_words(const Spread& spread, int digits) {
   return low == high ? low : low + " to " + high;
 }
 
-std::string quantity_in_words(const Json& written) {
+std::string quantity_in_words(const Quantity& quantity) {
   const auto in_words = [](double number) { return significant(number, 6); };
-  const Quantity quantity = quantity_in(written);
-  const double mean = rocking::mean_of(quantity);
+  const double mean = mean_of(quantity);
   if (!is_drawn(quantity)) return in_words(mean);
   const std::string name(name_of_law(quantity));
   if (const auto sigma = standard_deviation_in(quantity)) {

@@ -3,12 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "rocking/text/json.hpp"
+#include "rocking/input/quantities_in_text.hpp"
 
 namespace rocking::analysis {
-
-/// Mean of a number or a law as it stands in an experiment file.
-[[nodiscard]] double mean_of(const Json& quantity);
 
 /// Smallest and largest of some numbers: `0.5`, `0.5 to 2`; in `digits` digits.
 struct Spread {
@@ -19,6 +16,6 @@ struct Spread {
 [[nodiscard]] std::string spread_in_words(const Spread& spread, int digits);
 
 /// `0.5`, `0.4 to 0.6 (drawn)`, `0.5 (drawn, standard deviation 0.05)`, `0.4 to 0.6 (drawn, triangular)`.
-[[nodiscard]] std::string quantity_in_words(const Json& quantity);
+[[nodiscard]] std::string quantity_in_words(const Quantity& quantity);
 
 }  // namespace rocking::analysis

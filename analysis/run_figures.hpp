@@ -45,9 +45,9 @@ inline constexpr std::size_t most_incidence_panels = 6;
 /// is visible.
 [[nodiscard]] Figure scene_sketch(const Report& report);
 
-/// The numbers of a canonical experiment in words: `B = 1 m, H = 4 m; ψ = 0.245 rad, R = 2.06 m, p = 1.89 rad/s; A_h
+/// The numbers of a condition in words: `B = 1 m, H = 4 m; ψ = 0.245 rad, R = 2.06 m, p = 1.89 rad/s; A_h
 /// 4.2 = 1.03 g, Ω_h 10 = 3.01 Hz; ...`.
-[[nodiscard]] std::string scene_in_words(const Json& experiment, const std::optional<Shaking>& shaking);
+[[nodiscard]] std::string scene_in_words(const Report& report, const ReportedCondition& condition);
 
 // How far the block tilts and slips, as quantiles over the realisations of each condition.
 

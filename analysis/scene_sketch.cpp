@@ -117,50 +117,43 @@ void draw_angles(Sketch& sketch, const TiltedBlock& block, double size, double s
 
 std::string short_number(double number) { return significant(number, 3); }
 
-std::string in_metres(const Json& length) {
-  return length.is_number() ? number_text(length.get<double>()) + " m" : quantity_in_words(length) + " m";
-}
-
-/// `, A_h = 4.2`, if the experiment contains it.
-std::string in_words(const Json& experiment, const std::string& pointer, const std::string& words) {
-  const Json::json_pointer place(pointer);
-  if (!experiment.contains(place)) return "";
-  const Json& value = experiment.at(place);
-  return value.is_number() || has_law(value) ? ", " + words + ' ' + quantity_in_words(value) : "";
+std::string in_metres(const Quantity& length) {
+  return (is_drawn(length) ? quantity_in_words(length) : number_text(mean_of(length))) + " m";
 }
 
 }  // namespace
 
-std::string scene_in_words(const Json& experiment, const std::optional<Shaking>& shaking) {
-  const dynamics::Geometry block = dynamics::geometry_of(mean_block_in(experiment.at("block")));
-  std::string text = "B = " + in_metres(experiment.at("block").at("width_m")) +
-                     ", H = " + in_metres(experiment.at("block").at("height_m")) +
+std::string scene_in_words(const Report& report, const ReportedCondition& condition) {
+  const Scene& scene = condition.asked.scene;
+  const dynamics::Geometry block = dynamics::geometry_of(mean_block(scene));
+  std::string text = "B = " + in_metres(scene.block.width) + ", H = " + in_metres(scene.block.height) +
                      ", ψ = " + short_number(block.shape_angle) + " rad, R = " + short_number(block.half_diagonal) +
                      " m, p = " + short_number(block.frequency_parameter) + " rad/s";
-  if (shaking) {
-    for (const std::string_view key : {shaking->given_amplitude, shaking->given_frequency}) {
-      text += ", " + with_greek(in_both_forms(*shaking, key));
+  if (condition.shaking) {
+    for (const std::string_view key : {condition.shaking->given_amplitude, condition.shaking->given_frequency}) {
+      text += ", " + with_greek(in_both_forms(*condition.shaking, key));
     }
-  } else {
-    text += in_words(experiment, "/excitation/amplitude", "A_h =");
-    text += in_words(experiment, "/excitation/frequency_ratio", "Ω_h =");
   }
-  text += in_words(experiment, "/friction/static", "μ_s =");
-  text += in_words(experiment, "/friction/kinetic", "μ_k =");
-  const Json fluctuation = experiment.value("fluctuation", Json::object());
+  // `, A_h = 4.2`, if it stands in the experiment.
+  const auto quote = [&](const std::string& pointer, const std::string& words) {
+    const Json value = value_at(report, condition, pointer);
+    if (value.is_number() || has_law(value)) text += ", " + words + ' ' + quantity_in_words(quantity_in(value));
+  };
+  if (!condition.shaking) quote("/excitation/frequency_ratio", "Ω_h =");
+  quote("/friction/static", "μ_s =");
+  quote("/friction/kinetic", "μ_k =");
+  const Json fluctuation = value_at(report, condition, "/fluctuation");
   for (const auto& [source, scatter] : fluctuation.items()) {
     std::string name = source;
     std::ranges::replace(name, '_', ' ');
-    const std::string place = "/fluctuation/" + source;
-    text += in_words(experiment, place + "/sigma", name + " fluctuates with σ =");
-    text += in_words(experiment, place + "/relative_sigma", name + " fluctuates with relative σ =");
+    quote("/fluctuation/" + source + "/sigma", name + " fluctuates with σ =");
+    quote("/fluctuation/" + source + "/relative_sigma", name + " fluctuates with relative σ =");
   }
   return text;
 }
 
 Figure scene_sketch(const Report& report) {
-  const Json experiment = experiment_of(report, 0);
-  const dynamics::Block mean = mean_block_in(experiment.at("block"));
+  const dynamics::Block mean = mean_block(report.conditions.front().asked.scene);
   const double width = mean.width;
   const double height = mean.height;
   const double size = std::max(width, height);
@@ -169,7 +162,7 @@ Figure scene_sketch(const Report& report) {
   Figure figure;
   figure.name = "scene";
   figure.title = "The block, to scale, and the forces on it";
-  figure.subtitle = experiment.at("title").get<std::string>();
+  figure.subtitle = report.title();
   figure.panels.push_back({.title = "", .x = {}, .y = {}, .layers = {}, .to_scale = true});
   Panel& panel = figure.panels.front();
   panel.x.low = -0.6 * size;
@@ -190,7 +183,7 @@ Figure scene_sketch(const Report& report) {
   sketch.finish(figure);
   const bool is_first = report.conditions.size() > 1;
   figure.caption = (is_first ? "The first of " + std::to_string(report.conditions.size()) + " conditions: " : "") +
-                   scene_in_words(experiment, report.conditions.front().shaking) + ". The tilt θ is drawn at " +
+                   scene_in_words(report, report.conditions.front()) + ". The tilt θ is drawn at " +
                    short_number(tilt / shape_angle) + " ψ. N and F act at the edge on which the block stands.";
   return figure;
 }

@@ -37,7 +37,7 @@ std::string settling_csv(const Report& report) {
     table.columns.push_back({.title = title, .has_interval = true});
   }
   for (const ReportedCondition& condition : report.conditions) {
-    const auto row = settling_row(report, condition);
+    const auto row = settling_row(condition);
     if (!row) continue;
     const SettlingResult& settling = *condition.result.settling;
     look::Row cells{look::whole(row->unresolved_at_horizon), look::whole(row->censored)};
@@ -88,7 +88,7 @@ std::string leaving_csv(const Report& report) {
   look::Table table =
       start.table({{"mode"}, {"left"}, {"watched_periods"}, {.title = "per_1000_periods", .has_interval = true}});
   for (const ReportedCondition& condition : report.conditions) {
-    const auto row = settling_row(report, condition);
+    const auto row = settling_row(condition);
     if (!row) continue;
     for (const LeftMode& found : row->leaving) {
       const double rate = 1000.0 * static_cast<double>(found.left) / static_cast<double>(found.watched_periods);
@@ -106,7 +106,7 @@ std::string settling_latex(const Report& report) {
   look::Table table = table_of(parameters, {"n", "unresolved", "in the end", "settled by", "differ", "in the end"});
   table.columns[parameters.size()].latex = "$n$";
   for (std::size_t i = 0; i < report.conditions.size(); ++i) {
-    const auto row = settling_row(report, report.conditions[i]);
+    const auto row = settling_row(report.conditions[i]);
     if (!row) continue;
     table.rows.push_back(row_of(
         parameters, i,
@@ -131,7 +131,7 @@ std::string long_run_csv(const Report& report) {
   const CsvStart start(report);
   look::Table table = start.table({{"mode"}, {"long_runs"}, {"windows"}, {.title = "share", .has_interval = true}});
   for (const ReportedCondition& condition : report.conditions) {
-    const auto row = settling_row(report, condition);
+    const auto row = settling_row(condition);
     if (!row || !row->long_runs) continue;
     const LongRunRow& runs = *row->long_runs;
     for (const LongRunShare& found : runs.shares) {
@@ -150,7 +150,7 @@ std::string long_run_latex(const Report& report) {
   for (const section::ResponseMode& mode : modes) add_columns(table, {to_string(mode)});
   add_columns(table, {"others"});
   for (std::size_t i = 0; i < report.conditions.size(); ++i) {
-    const auto row = settling_row(report, report.conditions[i]);
+    const auto row = settling_row(report.conditions[i]);
     if (!row || !row->long_runs) continue;
     look::Row& cells = table.rows.emplace_back(row_of(parameters, i, {look::whole(row->long_runs->realisations)}));
     for (const section::ResponseMode& mode : modes) cells.push_back(long_run_cell(*row, mode));

@@ -29,7 +29,7 @@ look::Table CsvStart::table(const std::vector<look::Column>& further) const {
 
 look::Row CsvStart::row(const ReportedCondition& condition, const look::Row& further) const {
   look::Row row;
-  for (const Parameter& parameter : condition.parameters) {
+  for (const Parameter& parameter : condition.asked.parameters) {
     const Json value = json_of(parameter.value);
     row.emplace_back(value.is_string() ? value.get<std::string>() : value.dump());
   }

@@ -36,12 +36,12 @@ class Along {
   }
   /// `A_h = 4.5`, as HTML.
   [[nodiscard]] std::string name(std::size_t place) const {
-    const Parameter& parameter = at(place).parameters[entry_];
+    const Parameter& parameter = at(place).asked.parameters[entry_];
     return place_html(parameter.pointer, json_of(parameter.value));
   }
   /// The value only, where the quantity has been named.
   [[nodiscard]] std::string value(std::size_t place) const {
-    const Parameter& parameter = at(place).parameters[entry_];
+    const Parameter& parameter = at(place).asked.parameters[entry_];
     return place_value_html(parameter.pointer, json_of(parameter.value));
   }
   [[nodiscard]] std::string name(const Range& range) const {

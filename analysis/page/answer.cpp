@@ -20,8 +20,6 @@ std::string suite_in_brief(const std::string& sentences) {
   return text;
 }
 
-bool is_suite(const Report& report) { return report.input.experiment.at("excitation").contains("suite"); }
-
 std::string divergences(const Report& report, const char* cause, DivergenceTimes NonRecurrence::*member) {
   const PooledDivergence pooled = pooled_divergence(report, member);
   if (pooled.pairs == 0) return "";
@@ -47,7 +45,7 @@ std::string alike(const Report& report) {
   const bool lone = report.conditions.size() == 1;
   const std::string limit = fmt::format(" {} runs differ with a probability of at most {} % ({}).",
                                         lone ? "Two" : "In any one of them, two", per_cent(most), report.level());
-  if (is_suite(report)) {
+  if (report.has_suite()) {
     return "Under each ground motion, at each level, all realisations responded alike, although the block is random: "
            "one realisation of each suffices for the response mode. What differs is the ground motion." +
            limit;

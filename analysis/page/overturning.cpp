@@ -25,7 +25,7 @@ bool overturns(const ReportedCondition& condition) { return share_of(condition, 
 /// Whether it is not known of some realisation.
 bool is_open(const ReportedCondition& condition) { return condition.result.without_answer() > 0; }
 
-std::string level_of(const ReportedCondition& condition) { return level_text(condition.confidence) + " %"; }
+std::string level_of(const ReportedCondition& condition) { return level_text(condition.asked.confidence) + " %"; }
 
 /// `(at most 2.8 % there, 95 %)`; empty if the report has no bound.
 std::string bound_at(const ReportedCondition& condition) {

@@ -26,30 +26,16 @@ constexpr std::size_t most_listed = 4;
 std::string number(const Json& value) {
   if (value.is_number()) return significant(value.get<double>(), 6);
   if (value.is_object() && value.contains("ratio")) return number(value.at("ratio")) + " of it";
-  return value.is_object() ? escaped(quantity_in_words(value)) : escaped(brief(value));
-}
-
-dynamics::Geometry geometry_of_mean_block(const Report& report, const ReportedCondition& condition) {
-  return dynamics::geometry_of(mean_block_in(value_at(report, condition, "/block")));
+  return value.is_object() ? escaped(quantity_in_words(quantity_in(value))) : escaped(brief(value));
 }
 
 /// A number of the mean block of each condition.
 Spread of_blocks(const Report& report, double dynamics::Geometry::*number) {
   std::vector<double> numbers;
   for (const ReportedCondition& condition : report.conditions) {
-    numbers.push_back(geometry_of_mean_block(report, condition).*number);
+    numbers.push_back(dynamics::geometry_of(mean_block(condition.asked.scene)).*number);
   }
   return spread_of(numbers);
-}
-
-/// What impacts leave of the tilt rate.
-std::string impacts_in_brief(const Report& report) {
-  std::vector<ReportedImpact> impacts;
-  for (const ReportedCondition& condition : report.conditions) {
-    impacts.push_back({.block = geometry_of_mean_block(report, condition),
-                       .restitution = value_at(report, condition, "/restitution")});
-  }
-  return escaped(impacts_text(impacts));
 }
 
 bool is_swept(const Report& report, const std::string& pointer) {
@@ -110,16 +96,16 @@ bool has_random_block(const Report& report) {
 }
 
 /// `0.5 to 2 m wide (swept)`: a side of the blocks of all conditions.
-std::string side_in_brief(const Report& report, const std::string& pointer, std::string_view word) {
+std::string side_in_brief(const Report& report, Quantity SceneBlock::*side, const std::string& pointer,
+                          std::string_view word) {
   const auto in_words = [&](const std::string& size) {
     return fmt::format("{} m {}{}", size, word, swept_mark(report, pointer));
   };
-  const Json first = value_at(report, report.conditions.front(), pointer);
   std::vector<double> numbers;
   for (const ReportedCondition& condition : report.conditions) {
-    const Json side = value_at(report, condition, pointer);
-    if (!side.is_number()) return in_words(quantity_in_words(first));
-    numbers.push_back(side);
+    const Quantity& own = condition.asked.scene.block.*side;
+    if (is_drawn(own)) return in_words(quantity_in_words(report.conditions.front().asked.scene.block.*side));
+    numbers.push_back(mean_of(own));
   }
   return in_words(spread_in_words(spread_of(numbers), 6));
 }
@@ -144,7 +130,7 @@ std::string shaking_in_brief(const Report& report) {
     const std::string both =
         both_forms_html(report, is_amplitude ? &Shaking::given_amplitude : &Shaking::given_frequency);
     const Json& given = excitation.at(std::string(each.key));
-    const double written = mean_of(given);
+    const double written = mean_of(quantity_in(given));
     text += is_amplitude ? " with amplitude " : each.key == "period_s" ? " at a period of " : " at ";
     text += both.empty() ? form_html(each.key, {.low = written, .high = written}, 6) : both;
     if (has_law(given)) text += " on average";
@@ -228,7 +214,7 @@ std::vector<Json> values_of(const Report& report, std::size_t entry) {
   std::vector<Json> values;
   std::set<SweptValue> seen;
   for (const ReportedCondition& condition : report.conditions) {
-    const Parameter& parameter = condition.parameters[entry];
+    const Parameter& parameter = condition.asked.parameters[entry];
     if (seen.insert(parameter.value).second) values.push_back(json_of(parameter.value));
   }
   return values;
@@ -276,17 +262,26 @@ void add_settings(const Report& report, const std::string& pointer, const Json& 
 }
 
 std::string horizon_in_brief(const Report& report) {
-  if (!report.periods()) return "each as long as the base moves, and until the block has come to rest";
-  const Json& horizon = report.input.experiment.at("horizon");
+  const auto states = [](const ReportedCondition& condition) { return condition.states_horizon; };
+  if (!std::ranges::all_of(report.conditions, states)) {
+    return "each as long as the base moves, and until the block has come to rest";
+  }
+  const auto spread = [&report](int Horizon::*periods) {
+    std::vector<double> numbers;
+    for (const ReportedCondition& condition : report.conditions) numbers.push_back(condition.asked.horizon.*periods);
+    return spread_of(numbers);
+  };
+  const Spread transient = spread(&Horizon::transient_periods);
   return fmt::format("{} of transient, then {} sampled",
-                     counted(horizon.at("transient_periods").get<std::uint64_t>(), "period"),
-                     number(horizon.at("sampled_periods")));
+                     transient.is_one() ? counted(static_cast<std::uint64_t>(transient.low), "period")
+                                        : spread_in_words(transient, 6) + " periods",
+                     spread_in_words(spread(&Horizon::sampled_periods), 6));
 }
 
 /// The impacts, what a suite is, and how much was run.
 std::string further_question(const Report& report) {
-  std::string text = fmt::format("<p>{}.</p>\n", impacts_in_brief(report));
-  if (report.input.experiment.at("excitation").contains("suite")) {
+  std::string text = fmt::format("<p>{}.</p>\n", escaped(impacts_text(report)));
+  if (report.has_suite()) {
     text +=
         "<p>Each ground motion stands for one earthquake. Its realisations show what is random in the block; the "
         "differences "
@@ -305,8 +300,9 @@ std::string further_question(const Report& report) {
 
 std::string question_at_once(const Report& report) {
   const std::string sweep = sweep_in_brief(report);
-  return fmt::format("<p>A block {} and {} stands {}. {}</p>\n{}", side_in_brief(report, "/block/width_m", "wide"),
-                     side_in_brief(report, "/block/height_m", "high"), shaking_in_brief(report),
+  return fmt::format("<p>A block {} and {} stands {}. {}</p>\n{}",
+                     side_in_brief(report, &SceneBlock::width, "/block/width_m", "wide"),
+                     side_in_brief(report, &SceneBlock::height, "/block/height_m", "high"), shaking_in_brief(report),
                      friction_in_brief(report), sweep.empty() ? "" : fmt::format("<p>Swept: {}.</p>\n", sweep));
 }
 

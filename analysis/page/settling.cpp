@@ -48,7 +48,7 @@ look::Table settling_table(const Report& report) {
                       "99 % settled by period", "two runs differ at the fixed horizon [%]",
                       "two runs differ in the end [%]", "median divergence time of two runs [periods]"});
   for (std::size_t i = 0; i < report.conditions.size(); ++i) {
-    const auto row = settling_row(report, report.conditions[i]);
+    const auto row = settling_row(report.conditions[i]);
     if (!row) continue;
     const ConditionResult& result = report.conditions[i].result;
     const auto interval = result.non_recurrence ? std::optional(result.non_recurrence->differ_interval) : std::nullopt;
@@ -66,7 +66,7 @@ look::Table leaving_table(const Report& report) {
   look::Table table = table_of_conditions(report, parameters);
   add_columns(table, {"response mode", "left", "watched periods", "left per 1000 periods"});
   for (std::size_t i = 0; i < report.conditions.size(); ++i) {
-    const auto row = settling_row(report, report.conditions[i]);
+    const auto row = settling_row(report.conditions[i]);
     if (!row) continue;
     for (const LeftMode& found : row->leaving) {
       append(table.rows.emplace_back(row_of_condition(report, parameters, i)),
@@ -79,7 +79,7 @@ look::Table leaving_table(const Report& report) {
 std::string remedies_html(const Report& report) {
   std::string entries;
   for (std::size_t i = 0; i < report.conditions.size(); ++i) {
-    const auto row = settling_row(report, report.conditions[i]);
+    const auto row = settling_row(report.conditions[i]);
     if (!row) continue;
     const std::string remedy = limit_remedy(*row, name_of_condition(report, report.conditions[i]));
     if (!remedy.empty()) entries += "<li>" + with_symbols(remedy) + ".</li>\n";
@@ -119,7 +119,7 @@ look::Table long_run_table(const Report& report, const std::vector<ResponseMode>
   for (const ResponseMode& mode : modes) add_columns(table, {to_string(mode) + " [%]"});
   add_columns(table, {"others [%]"});
   for (std::size_t i = 0; i < report.conditions.size(); ++i) {
-    const auto row = settling_row(report, report.conditions[i]);
+    const auto row = settling_row(report.conditions[i]);
     if (!row || !row->long_runs) continue;
     look::Row& cells = table.rows.emplace_back(row_of_condition(report, parameters, i));
     append(cells, {look::whole(row->long_runs->realisations), look::whole(row->long_runs->windows)});

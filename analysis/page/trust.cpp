@@ -123,9 +123,9 @@ Check arithmetic(const Report& report) {
       break;
     case NumericalError::not_small:
       check.rating = Rating::look;
-      check.finding +=
-          "<strong>not</strong> small compared with the narrowest half-width of an interval, " + half_width +
-          " Remedy: " + escaped(tolerance_remedy(report.input.experiment.at("accuracy").at("tolerance"))) + '.';
+      check.finding += "<strong>not</strong> small compared with the narrowest half-width of an interval, " +
+                       half_width + " Remedy: " + escaped(tolerance_remedy(report.conditions.front().asked.tolerance)) +
+                       '.';
       break;
     case NumericalError::undecided:
       check.finding += "too few reruns to compare with the narrowest half-width of an interval, " + half_width;
@@ -194,7 +194,7 @@ std::vector<Check> checks_of(const Report& report) {
   std::vector<Check> checks{arithmetic(report), unresolved(report), enough(report), contact(report)};
   for (const Kind& kind : kinds) checks.push_back(check_of(report, kind));
   checks.push_back(clamped(report));
-  if (const auto names = left_out_records(report)) {
+  if (const auto names = left_out_records(report.left_out)) {
     checks.push_back(
         {.name = "records of the suite", .rating = Rating::look, .finding = escaped(*names) + '.', .where = {}});
   }

@@ -10,7 +10,6 @@
 #include "interrupt.hpp"
 #include "machine.hpp"
 #include "output.hpp"
-#include "rocking/input/suite.hpp"
 #include "rocking/output/ground_motion_facts.hpp"
 #include "rocking/output/plan_text.hpp"
 #include "rocking/plan/plan.hpp"
@@ -72,7 +71,7 @@ std::vector<UsedMotion> used_motions(const Experiment& experiment) {
 
 std::vector<std::string> ground_motion_notes(const Experiment& experiment) {
   std::vector<std::string> notes;
-  for (const std::string& name : left_out_of(Json::parse(experiment.canonical_text))) {
+  for (const std::string& name : experiment.left_out) {
     notes.push_back(name + ": cannot be read; it is left out of the suite");
   }
   for (const UsedMotion& used : used_motions(experiment)) {

@@ -168,7 +168,7 @@ std::exception_ptr failure_of(const std::function<void()>& act) {
 ExitCode write_results(FolderRun& run, ExperimentResult result, const SystemFacts& system,
                        const ExecutionOptions& how) {
   RunFolder& folder = run.folder;
-  const Report report = report_of(run.experiment, std::move(result), system);
+  const Report report = report_of(std::move(run.experiment), std::move(result), system);
   const auto write = [&](const TextSink& sink) { report_document().write(sink, report); };
   std::exception_ptr failure;
   std::vector<analysis::Drawing> failures;
@@ -196,7 +196,7 @@ ExitCode write_results(FolderRun& run, ExperimentResult result, const SystemFact
     if (how.page == PageChoice::drawn) where += fmt::format("page: {}\n", folder.page_path().string());
     TableLook look = table_look();
     if (how.extent == Extent::one_screen) look.most_rows = most_screen_rows;
-    print_result(base::printable(run_table(run.experiment, report, look) + where));
+    print_result(base::printable(run_table(report, look) + where));
   }
   if (failure) std::rethrow_exception(failure);
   return tell(failures, no_page_picture, PictureRole::addition);

@@ -181,8 +181,7 @@ std::string report(const Experiment& experiment, const RunResult& run, const Pro
 }
 
 std::string table(const Experiment& experiment, const RunResult& run, std::size_t width) {
-  return run_table(experiment, report_of(with_text(experiment), complete_result(experiment, run), {}),
-                   {.width = width});
+  return run_table(report_of(with_text(experiment), complete_result(experiment, run), {}), {.width = width});
 }
 
 std::string digest_of(const RunResult& run) { return base::to_hex(complete_result(run).digest); }

@@ -20,9 +20,9 @@ namespace {
 std::size_t numbers_taken(const Report& report, std::size_t entry) {
   std::set<double> numbers;
   for (const ReportedCondition& condition : report.conditions) {
-    const Json value = json_of(condition.parameters[entry].value);
-    if (!value.is_number()) return 0;
-    numbers.insert(value.get<double>());
+    const auto number = number_in(condition.asked.parameters[entry].value);
+    if (!number) return 0;
+    numbers.insert(*number);
   }
   return numbers.size();
 }
@@ -58,7 +58,7 @@ std::string name_of_others(const Report& report, const ReportedCondition& condit
   for (std::size_t i = 0; i < report.swept.size(); ++i) {
     if (i == shown) continue;
     const Axis axis = axis_of_parameter(report.swept[i]);
-    name += (name.empty() ? "" : ", ") + axis.quantity + ' ' + rocking::short_value(condition.parameters[i]);
+    name += (name.empty() ? "" : ", ") + axis.quantity + ' ' + rocking::short_value(condition.asked.parameters[i]);
     if (!axis.unit.empty()) name += ' ' + axis.unit;
     const std::string_view key = shaking_key(report.swept[i], condition.shaking);
     if (other_forms && !key.empty()) name += " = " + other_form(*condition.shaking, key);
@@ -103,7 +103,7 @@ std::string conversion_text(std::string_view key, Shakings shakings) {
 void place_by_name(const Report& report, std::size_t shown, SweepView& view) {
   std::map<SweptValue, double> places;
   for (const ReportedCondition& condition : report.conditions) {
-    const Parameter& parameter = condition.parameters[shown];
+    const Parameter& parameter = condition.asked.parameters[shown];
     const auto [found, is_new] = places.try_emplace(parameter.value, static_cast<double>(places.size()));
     if (is_new) view.axis.ticks.push_back({.place = found->second, .text = rocking::short_value(parameter)});
     view.x.push_back(found->second);
@@ -113,8 +113,8 @@ void place_by_name(const Report& report, std::size_t shown, SweepView& view) {
 /// The values of all parameters but the shown one, in full: short names may be equal where values differ.
 std::string others_in_full(const ReportedCondition& condition, std::size_t shown) {
   std::string values;
-  for (std::size_t i = 0; i < condition.parameters.size(); ++i) {
-    if (i != shown) values += json_text_of(condition.parameters[i].value) + ' ';
+  for (std::size_t i = 0; i < condition.asked.parameters.size(); ++i) {
+    if (i != shown) values += json_text_of(condition.asked.parameters[i].value) + ' ';
   }
   return values;
 }
@@ -224,7 +224,7 @@ std::vector<ParameterColumn> parameter_columns(const Report& report) {
     const std::string& pointer = report.swept[entry];
     ParameterColumn column{.pointer = pointer, .axis = axis_of_parameter(pointer), .values = {}};
     for (const ReportedCondition& condition : report.conditions) {
-      column.values.push_back(rocking::short_value(condition.parameters[entry]));
+      column.values.push_back(rocking::short_value(condition.asked.parameters[entry]));
     }
     columns.push_back(std::move(column));
   }
@@ -239,14 +239,6 @@ std::vector<ParameterColumn> parameter_columns(const Report& report) {
   return columns;
 }
 
-Json experiment_of(const Report& report, std::size_t condition) {
-  Json experiment = report.input.experiment;
-  for (std::size_t i = 0; i < report.swept.size(); ++i) {
-    experiment[Json::json_pointer(report.swept[i])] = json_of(report.conditions[condition].parameters[i].value);
-  }
-  return experiment;
-}
-
 Json value_at(const Report& report, const ReportedCondition& condition, const std::string& pointer) {
   const auto at = [](const Json& document, const std::string& place) {
     const Json::json_pointer found(place);
@@ -256,9 +248,9 @@ Json value_at(const Report& report, const ReportedCondition& condition, const st
   for (std::size_t i = 0; i < report.swept.size(); ++i) {
     const std::string& swept = report.swept[i];
     if (pointer == swept || pointer.starts_with(swept + '/')) {
-      value = at(json_of(condition.parameters[i].value), pointer.substr(swept.size()));
+      value = at(json_of(condition.asked.parameters[i].value), pointer.substr(swept.size()));
     } else if (swept.starts_with(pointer + '/')) {
-      value[Json::json_pointer(swept.substr(pointer.size()))] = json_of(condition.parameters[i].value);
+      value[Json::json_pointer(swept.substr(pointer.size()))] = json_of(condition.asked.parameters[i].value);
     }
   }
   return value;
@@ -322,7 +314,7 @@ SweepView view_of(const Report& report, std::size_t most) {
   view.is_line = numbers_taken(report, shown) > 1;
   if (numbers_taken(report, shown) > 0) {
     for (const ReportedCondition& condition : report.conditions) {
-      view.x.push_back(number_in(condition.parameters[shown].value).value());
+      view.x.push_back(number_in(condition.asked.parameters[shown].value).value());
     }
   } else {
     place_by_name(report, shown, view);

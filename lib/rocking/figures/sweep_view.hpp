@@ -81,10 +81,8 @@ struct ParameterColumn {
 /// common to all conditions: common_shaking(report.swept, shakings_of(report)).
 [[nodiscard]] std::vector<ParameterColumn> parameter_columns(const Report& report);
 
-/// The canonical experiment of one condition: the values of its parameters stand in their places.
-[[nodiscard]] Json experiment_of(const Report& report, std::size_t condition);
-
-/// What stands at a place of the canonical experiment of one condition; null if nothing does.
+/// What stands at a place of the canonical experiment of one condition, for texts that quote it; null if nothing does.
+/// What is computed follows from ReportedCondition::asked.
 [[nodiscard]] Json value_at(const Report& report, const ReportedCondition& condition, const std::string& pointer);
 
 /// The values of all swept parameters of a condition, those of its shaking in both forms: `friction 0.35/0.3, base

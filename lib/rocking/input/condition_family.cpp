@@ -1,8 +1,14 @@
 #include "rocking/input/condition_family.hpp"
 
+#include <array>
+#include <string_view>
+#include <utility>
+
 #include "rocking/base/error.hpp"
 #include "rocking/input/quantities_in_text.hpp"
 #include "rocking/input/read_experiment.hpp"
+#include "rocking/input/read_question.hpp"
+#include "rocking/input/suite.hpp"
 #include "rocking/text/json.hpp"
 
 namespace rocking {
@@ -14,6 +20,17 @@ std::optional<Condition> condition_of(const Json& document) {
     return experiment_in(document.dump()).conditions.front();
   } catch (const base::InputError&) {
     return std::nullopt;
+  }
+}
+
+void put_value(Json& document, const Parameter& parameter, const std::string& place) {
+  try {
+    document[Json::json_pointer(parameter.pointer)] = json_of(parameter.value);
+  } catch (const Json::exception&) {
+    throw base::InputError({.place = child_pointer(place, parameter.pointer),
+                            .value = json_text_of(parameter.value),
+                            .reason = "is at no place of the experiment",
+                            .remedy = ""});
   }
 }
 
@@ -96,6 +113,38 @@ std::function<Condition(const std::vector<Parameter>&)> condition_maker(const Ex
     condition.parameters = values;
     return condition;
   };
+}
+
+ConditionReader::ConditionReader(const Json& experiment) : document_(without_suite(experiment)) {
+  if (document_.is_null()) return;
+  document_.erase("sweep");
+  if (!suite_axis(experiment)) return;
+  for (const Json& record : experiment["excitation"]["suite"]) records_[record.at("file")] = record;
+}
+
+Condition ConditionReader::read(std::vector<Parameter> parameters, const std::string& place) {
+  UnsweptExperiment question;
+  if (!document_.is_null()) {
+    std::uint64_t stream = 0;
+    for (const Parameter& parameter : parameters) {
+      const auto* name = std::get_if<std::string>(&parameter.value);
+      const auto record = name != nullptr ? records_.find(*name) : records_.end();
+      if (parameter.pointer == suite_place && record != records_.end()) {
+        put_record(document_, record->second);
+        stream = stream_of(record->second);
+      } else {
+        put_value(document_, parameter, place);
+      }
+    }
+    Problems problems;
+    static const std::array<std::string, 1> canonical{"format"};  // no more of the canonical text is needed
+    question = read_question(document_, nullptr, problems, canonical).question;
+    for (base::Problem& problem : problems) problem.place = place + ": " + problem.place;
+    if (!problems.empty()) throw base::InputError(std::move(problems));
+    question.condition.record_stream = stream;
+  }
+  question.condition.parameters = std::move(parameters);
+  return std::move(question.condition);
 }
 
 }  // namespace rocking

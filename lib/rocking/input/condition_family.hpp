@@ -1,12 +1,14 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "rocking/input/read_experiment.hpp"
 #include "rocking/scene/experiment.hpp"
+#include "rocking/text/json.hpp"
 
 namespace rocking {
 
@@ -42,5 +44,18 @@ struct SecondParameter {
 /// left aside. Throws base::InputError where a value is not allowed.
 [[nodiscard]] std::function<Condition(const std::vector<Parameter>& values)> condition_maker(
     const Experiment& experiment, const Surroundings& surroundings);
+
+/// Reads the conditions of a canonical experiment one by one, without looking at the files of ground motions.
+class ConditionReader {
+ public:
+  /// `experiment`: null, if it was made in C++; its conditions have their parameters alone.
+  explicit ConditionReader(const Json& experiment);
+  /// The condition at these values of the sweep. Throws base::InputError, at `place`, where there is none.
+  [[nodiscard]] Condition read(std::vector<Parameter> parameters, const std::string& place);
+
+ private:
+  Json document_;
+  std::map<std::string, Json> records_;  ///< of its suite, by the names of their files
+};
 
 }  // namespace rocking

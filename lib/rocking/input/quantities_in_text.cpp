@@ -45,13 +45,6 @@ std::vector<DrawnPlace> collected_places() {
   return places;
 }
 
-/// Reads a value that stands alone.
-void read_alone(const Json& json, const ValueType& type, void* value) {
-  Problems problems;
-  type.read(json, {.pointer = "/value", .problems = &problems}, value);
-  if (!problems.empty()) throw base::InputError(std::move(problems));
-}
-
 template <class... Kinds>
 std::string_view words_of(std::string_view name, std::variant<Kinds...>*) {
   std::string_view words;
@@ -84,21 +77,11 @@ bool has_law(const Json& value) {
 }
 
 Quantity quantity_in(const Json& value) {
+  Problems problems;
   Quantity quantity = 0.0;
-  read_alone(value, QuantityType(any_number), &quantity);
+  QuantityType(any_number).read(value, {.pointer = "/value", .problems = &problems}, &quantity);
+  if (!problems.empty()) throw base::InputError(std::move(problems));
   return quantity;
-}
-
-Restitution restitution_in(const Json& value) {
-  Formed restitution;
-  read_alone(value, restitution_type(), &restitution);
-  return restitution_of(std::move(restitution));
-}
-
-dynamics::Block mean_block_in(const Json& block) {
-  return mean_of(SceneBlock{.width = quantity_in(block.at("width_m")),
-                            .height = quantity_in(block.at("height_m")),
-                            .gravity = block.at("gravity_m_s2").get<double>()});
 }
 
 const std::vector<DrawnPlace>& places_of_quantities() {

@@ -18,14 +18,8 @@ namespace rocking {
 /// Whether it is an object that gives a law.
 [[nodiscard]] bool has_law(const Json& value);
 
-/// A restitution as an experiment has it. Throws base::InputError where it is none.
-[[nodiscard]] Restitution restitution_in(const Json& value);
-
 /// A number or a law. Throws base::InputError where it is neither.
 [[nodiscard]] Quantity quantity_in(const Json& value);
-
-/// The mean block of a `block`.
-[[nodiscard]] dynamics::Block mean_block_in(const Json& block);
 
 /// A number that each realisation draws once.
 struct DrawnPlace {

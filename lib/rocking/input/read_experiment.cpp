@@ -97,7 +97,8 @@ class ExperimentBuilder {
             .conditions = std::move(conditions_),
             .canonical_text = base.canonical.dump(),
             .sweep_sizes = sweep_sizes(),
-            .unknowns = std::move(unknowns_)};
+            .unknowns = std::move(unknowns_),
+            .left_out = std::move(suite_.left_out)};
   }
 
  private:

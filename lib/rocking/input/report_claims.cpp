@@ -28,12 +28,7 @@ constexpr const char* experiment_place = "/input/experiment";
 class ReportChecker {
  public:
   explicit ReportChecker(const Json& report)
-      : report_(report), experiment_(report["input"]["experiment"]), one_record_(experiment_) {
-    if (suite_axis(experiment_)) {
-      one_record_["excitation"].erase("suite");
-      one_record_["excitation"].erase("left_out");
-    }
-  }
+      : report_(report), experiment_(report["input"]["experiment"]), one_record_(without_suite(experiment_)) {}
 
   Problems check() {
     check_experiment();

@@ -227,6 +227,12 @@ std::optional<SweepAxis> suite_axis(const Json& canonical) {
   return axis;
 }
 
+Json without_suite(Json canonical) {
+  if (!suite_axis(canonical)) return canonical;
+  for (const char* key : {"suite", left_out_key}) canonical["excitation"].erase(key);
+  return canonical;
+}
+
 void write_suite(Json& canonical, const Suite& suite) {
   Json written = Json::object();
   for (const auto& [key, value] : canonical.at("excitation").items()) {

@@ -48,6 +48,9 @@ void put_record(Json& document, const Json& record);
 /// The suite of a canonical experiment as an entry of its sweep, with the names of the files; absent if it has none.
 [[nodiscard]] std::optional<SweepAxis> suite_axis(const Json& canonical);
 
+/// The canonical experiment without its suite: put_record puts a record there.
+[[nodiscard]] Json without_suite(Json canonical);
+
 /// Writes a suite, with records in canonical form, in place of the one record that a canonical experiment has.
 void write_suite(Json& canonical, const Suite& suite);
 

@@ -2,72 +2,78 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <variant>
 
 #include "rocking/base/number_text.hpp"
 #include "rocking/ensemble/law_in_force.hpp"
-#include "rocking/input/suite.hpp"
 #include "rocking/output/report.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking {
 namespace {
 
-/// JSON pointers to the sigma and the law of a number: that of both frictions, or its own.
-using Fluctuations = std::array<std::string_view, 2>;
-constexpr Fluctuations of_static{"/fluctuation/friction", "/fluctuation/static_friction"};
-constexpr Fluctuations of_kinetic{"/fluctuation/friction", "/fluctuation/kinetic_friction"};
+/// The normal law in which a number scatters along the way; absent if there is no number, or it has another law.
+std::optional<stats::MeanAndSigma> normal_law_of(const Quantity* number, double sigma, FluctuationLaw law) {
+  const double* mean = number == nullptr ? nullptr : std::get_if<double>(number);
+  if (mean == nullptr || !(sigma > 0.0) || law != FluctuationLaw::normal) return std::nullopt;
+  return stats::MeanAndSigma{*mean, sigma};
+}
 
-/// Where an experiment has the law of a number that may be clamped.
+std::optional<stats::MeanAndSigma> law_of_static(const Scene& scene) {
+  const Quantity* number = scene.friction ? &scene.friction->static_coefficient : nullptr;
+  return normal_law_of(number, scene.fluctuation.static_friction, scene.fluctuation.laws.static_friction);
+}
+
+std::optional<stats::MeanAndSigma> law_of_kinetic(const Scene& scene) {
+  const bool is_given = scene.friction && !scene.friction->kinetic_ratio;
+  const Quantity* number = is_given ? &scene.friction->kinetic_coefficient : nullptr;
+  return normal_law_of(number, scene.fluctuation.kinetic_friction, scene.fluctuation.laws.kinetic_friction);
+}
+
+std::optional<stats::MeanAndSigma> law_of_restitution(const Scene& scene) {
+  return normal_law_of(std::get_if<Quantity>(&scene.restitution), scene.fluctuation.restitution,
+                       scene.fluctuation.laws.restitution);
+}
+
+std::optional<stats::MeanAndSigma> law_of_amplitude(const Scene& scene) {
+  const Quantity* number = std::visit(
+      []<class Kind>(const Kind& kind) -> const Quantity* {
+        if constexpr (requires { kind.physical_amplitude; }) return kind.physical_amplitude ? nullptr : &kind.amplitude;
+        return nullptr;
+      },
+      scene.excitation);
+  return normal_law_of(number, scene.fluctuation.amplitude, scene.fluctuation.laws.amplitude);
+}
+
+/// A number that may be clamped.
 struct ClampedNumber {
   std::string_view key;  ///< of the kind of clamp
   const char* name;
-  const char* mean;  ///< JSON pointer
-  Fluctuations fluctuations;
+  std::optional<stats::MeanAndSigma> (*law)(const Scene& scene);
 };
 
-constexpr std::array clamped_numbers{
-    ClampedNumber{"static_friction_at_zero", "static friction", "/friction/static", of_static},
-    ClampedNumber{"kinetic_friction_at_zero", "kinetic friction", "/friction/kinetic", of_kinetic},
-    ClampedNumber{"kinetic_friction_at_static", "kinetic friction", "/friction/kinetic", of_kinetic},
-    ClampedNumber{"restitution", "restitution", "/restitution", {"/fluctuation/restitution"}},
-    ClampedNumber{"amplitude_at_zero", "amplitude", "/excitation/amplitude", {"/fluctuation/amplitude"}}};
-
-/// The normal law of a number; absent if it has another one.
-std::optional<stats::MeanAndSigma> normal_law_of(const Report& report, const ReportedCondition& condition,
-                                                 const std::string& mean, const Fluctuations& fluctuations) {
-  const auto centre = report.number(mean, condition);
-  for (const std::string_view each : fluctuations) {
-    const std::string fluctuation(each);
-    auto sigma = report.number(fluctuation + "/sigma", condition);
-    const auto relative = report.number(fluctuation + "/relative_sigma", condition);
-    if (centre && !sigma && relative) sigma = *relative * std::abs(*centre);
-    if (!centre || !sigma || !(*sigma > 0.0)) continue;
-    const Json::json_pointer law(fluctuation + "/law");
-    if (report.input.experiment.contains(law) && report.input.experiment.at(law) != "normal") return std::nullopt;
-    return stats::MeanAndSigma{*centre, *sigma};
-  }
-  return std::nullopt;
-}
+constexpr std::array clamped_numbers{ClampedNumber{"static_friction_at_zero", "static friction", law_of_static},
+                                     ClampedNumber{"kinetic_friction_at_zero", "kinetic friction", law_of_kinetic},
+                                     ClampedNumber{"kinetic_friction_at_static", "kinetic friction", law_of_kinetic},
+                                     ClampedNumber{"restitution", "restitution", law_of_restitution},
+                                     ClampedNumber{"amplitude_at_zero", "amplitude", law_of_amplitude}};
 
 /// What clamps of a kind leave of the law of a random number, `the kinetic friction in force has mean 0.348 and sigma 0.0274,
 /// not 0.35 and 0.03`. Empty if the law is not normal or not known. `key`: that of the kind of clamp in a report.
-std::string law_in_force_words(const Report& report, const ReportedCondition& condition, std::string_view key) {
-  const auto* const place = std::ranges::find(clamped_numbers, key, &ClampedNumber::key);
-  if (place == clamped_numbers.end()) return "";
-  const auto given = normal_law_of(report, condition, place->mean, place->fluctuations);
+std::string law_in_force_words(const Scene& scene, std::string_view key) {
+  const auto* const clamped = std::ranges::find(clamped_numbers, key, &ClampedNumber::key);
+  if (clamped == clamped_numbers.end()) return "";
+  const auto given = clamped->law(scene);
   if (!given) return "";
   const FluctuatingNumber number{
-      .law = *given,
-      .limit = normal_law_of(report, condition, "/friction/static", of_static),
-      .correlation = report.number("/fluctuation/friction/correlation", condition).value_or(0.0)};
+      .law = *given, .limit = law_of_static(scene), .correlation = scene.fluctuation.friction_correlation};
   const auto in_force = law_in_force(number, key);
   if (!in_force) return "";
-  return std::string("the ") + place->name + " in force has mean " + significant(in_force->mean, 3) + " and sigma " +
+  return std::string("the ") + clamped->name + " in force has mean " + significant(in_force->mean, 3) + " and sigma " +
          significant(in_force->sigma, 3) + ", not " + significant(given->mean, 3) + " and " +
          significant(given->sigma, 3);
 }
@@ -147,11 +153,11 @@ constexpr std::array remedies{
            "width or height of the block outside of its bounds: reduce the sigma of /block/width_m or /block/height_m"},
 };
 
-std::string clamp_remedy(const Report& report, const ReportedCondition& condition) {
+std::string clamp_remedy(const ReportedCondition& condition) {
   const std::string_view key = commonest_clamp(condition.result.validity.clamps);
   const auto* const found = std::ranges::find(remedies, key, &Remedy::key);
   std::string text(found == remedies.end() ? std::string_view("another kind") : found->text);
-  const std::string in_force = law_in_force_words(report, condition, key);
+  const std::string in_force = law_in_force_words(condition.asked.scene, key);
   return in_force.empty() ? text : text + ". The probabilities are those of other numbers: " + in_force;
 }
 
@@ -177,13 +183,9 @@ std::optional<WorstClamps> worst_clamps(const Report& report) {
                             .draws = result.validity.clamps.all(),
                             .of_draws = result.operations.draws()};
     if (!here.is_alarming() || (worst && here.share_of_draws() <= worst->share.share_of_draws())) continue;
-    worst = {.condition = i, .share = here, .remedy = clamp_remedy(report, report.conditions[i])};
+    worst = {.condition = i, .share = here, .remedy = clamp_remedy(report.conditions[i])};
   }
   return worst;
-}
-
-std::optional<std::string> left_out_records(const Report& report) {
-  return left_out_records(left_out_of(report.input.experiment));
 }
 
 std::optional<std::string> left_out_records(const std::vector<std::string>& names) {
@@ -205,7 +207,7 @@ std::string tolerance_remedy(double tolerance) {
 
 std::vector<std::string> alarms_of(const Report& report) {
   std::vector<std::string> alarms;
-  for (auto& alarm : {left_out_records(report), answer_alarm(report), far_scaled(report.ground_motions),
+  for (auto& alarm : {left_out_records(report.left_out), answer_alarm(report), far_scaled(report.ground_motions),
                       contact_alarm(report), clamp_alarm(report)}) {
     if (alarm) alarms.push_back(*alarm);
   }

@@ -41,7 +41,6 @@ struct WorstClamps {
 [[nodiscard]] std::optional<WorstClamps> worst_clamps(const Report& report);
 
 /// Names of the records of a suite that could not be read, in a sentence; absent if none was left out.
-[[nodiscard]] std::optional<std::string> left_out_records(const Report& report);
 /// The same of their names.
 [[nodiscard]] std::optional<std::string> left_out_records(const std::vector<std::string>& names);
 

@@ -220,7 +220,7 @@ std::vector<TableRow> table_rows(const Report& report) {
   const auto modes = report.listed();
   std::vector<TableRow> rows;
   for (const ReportedCondition& condition : report.conditions) {
-    TableRow row{.parameters = condition.parameters,
+    TableRow row{.parameters = condition.asked.parameters,
                  .realisations = condition.result.realisations,
                  .without_answer = condition.result.without_answer(),
                  .modes = {},

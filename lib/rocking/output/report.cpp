@@ -10,8 +10,10 @@
 #include "rocking/base/error.hpp"
 #include "rocking/base/number_rule.hpp"
 #include "rocking/ensemble/mode_family.hpp"
+#include "rocking/input/condition_family.hpp"
 #include "rocking/input/quantities_in_text.hpp"
 #include "rocking/input/report_claims.hpp"
+#include "rocking/input/suite.hpp"
 #include "rocking/output/validity_fields.hpp"
 #include "rocking/scene/rules.hpp"
 #include "rocking/text/json.hpp"
@@ -119,40 +121,58 @@ class CountChecker {
 /// realisations, an estimate that is not count/n, parts that are larger than the whole.
 void check_reported_counts(const Report& report, Problems& problems) { CountChecker(problems).check(report); }
 
-std::vector<std::string> pointers_of(const std::vector<Parameter>& parameters) {
-  std::vector<std::string> pointers;
-  for (const Parameter& parameter : parameters) pointers.push_back(parameter.pointer);
-  return pointers;
+/// Whether the experiment states a number of its horizon for a condition.
+bool states_horizon(const Json& experiment, const Condition& condition, const std::string& key) {
+  const std::string place = "/horizon/" + key;
+  for (const Parameter& parameter : condition.parameters) {
+    if (parameter.pointer == place) return true;
+    if (parameter.pointer == "/horizon") return json_of(parameter.value).contains(key);
+  }
+  return experiment.contains(Json::json_pointer(place));
+}
+
+/// What follows from the experiment and its conditions.
+void set_what_follows(Report& report) {
+  if (report.conditions.empty()) return;
+  for (const Parameter& parameter : report.conditions.front().asked.parameters) {
+    report.swept.push_back(parameter.pointer);
+  }
+  for (ReportedCondition& condition : report.conditions) {
+    condition.states_horizon = states_horizon(report.input.experiment, condition.asked, "transient_periods") &&
+                               states_horizon(report.input.experiment, condition.asked, "sampled_periods");
+  }
+}
+
+/// Reads what was asked for in each condition from the experiment and its parameters.
+void read_conditions(Report& report) {
+  report.left_out = left_out_of(report.input.experiment);
+  ConditionReader reader(report.input.experiment);
+  for (std::size_t i = 0; i < report.conditions.size(); ++i) {
+    auto& [asked, states_horizon, shaking, scale, result] = report.conditions[i];
+    asked = reader.read(std::move(asked.parameters), "/result/conditions/" + std::to_string(i) + "/parameters");
+    for (ModeEstimate& each : result.modes) each.probability.counts.trials = result.realisations;
+  }
+  set_what_follows(report);
 }
 
 }  // namespace
 
-std::optional<double> Report::number(const std::string& pointer, const ReportedCondition& condition) const {
-  Json value;
-  const Json::json_pointer place(pointer);
-  if (input.experiment.contains(place)) value = input.experiment.at(place);
-  for (const Parameter& parameter : condition.parameters) {
-    if (parameter.pointer == pointer) value = json_of(parameter.value);
-    if (!pointer.starts_with(parameter.pointer + '/')) continue;
-    const Json whole = json_of(parameter.value);
-    const Json::json_pointer within(pointer.substr(parameter.pointer.size()));
-    value = whole.contains(within) ? whole.at(within) : Json();
-  }
-  return value.is_number() ? std::optional(value.get<double>()) : std::nullopt;
-}
-
 std::optional<std::uint64_t> Report::periods() const {
-  static const Json::json_pointer transient("/horizon/transient_periods");
-  static const Json::json_pointer sampled("/horizon/sampled_periods");
-  const Json& experiment = input.experiment;
-  if (!experiment.contains(transient) || !experiment.contains(sampled)) return std::nullopt;
-  return experiment.at(transient).get<std::uint64_t>() + experiment.at(sampled).get<std::uint64_t>();
+  const auto periods_of = [](const ReportedCondition& condition) -> std::optional<std::uint64_t> {
+    if (!condition.states_horizon) return std::nullopt;
+    const Horizon& horizon = condition.asked.horizon;
+    return static_cast<std::uint64_t>(horizon.transient_periods) + static_cast<std::uint64_t>(horizon.sampled_periods);
+  };
+  const auto first = periods_of(conditions.front());
+  const bool differs = std::ranges::any_of(conditions, [&](const auto& each) { return periods_of(each) != first; });
+  return differs ? std::nullopt : first;
 }
 
-std::string Report::level() const {
-  const double first = conditions.front().confidence;
-  const bool differs = std::ranges::any_of(conditions, [first](const auto& each) { return each.confidence != first; });
-  return differs ? "each condition's own confidence" : level_text(first) + " %";
+std::string Report::level(const std::string& swept_text) const {
+  const double first = conditions.front().asked.confidence;
+  const bool differs =
+      std::ranges::any_of(conditions, [first](const auto& each) { return each.asked.confidence != first; });
+  return differs ? swept_text : level_text(first) + " %";
 }
 
 std::map<section::ResponseMode, std::uint64_t> Report::occurring() const {
@@ -194,13 +214,13 @@ AnyShare share_of(const ReportedCondition& condition, const section::ResponseMod
     share = {.count = found->counts.successes, .estimate = found->estimate, .interval = found->quoted()};
   } else if (!result.is_stopped_by_data()) {
     const stats::Proportion none{.successes = 0, .trials = result.realisations};
-    share.interval = simultaneous_interval(mode, none, condition.confidence);
+    share.interval = simultaneous_interval(mode, none, condition.asked.confidence);
   }
   if (!result.is_random()) share.interval.reset();
   return share;
 }
 
-Report report_of(const Experiment& experiment, ExperimentResult result, SystemFacts system) {
+Report report_of(Experiment experiment, ExperimentResult result, SystemFacts system) {
   ROCKING_EXPECT(experiment.conditions.size() == result.conditions.size());
   Report report{.input = input_of(experiment),
                 .digest = result.digest,
@@ -208,17 +228,17 @@ Report report_of(const Experiment& experiment, ExperimentResult result, SystemFa
                 .conditions = {},
                 .ground_motions = used_ground_motions(experiment.conditions),
                 .system = std::move(system),
-                .swept = {}};
+                .swept = {},
+                .left_out = std::move(experiment.left_out)};
   report.conditions.reserve(result.conditions.size());
   for (std::size_t i = 0; i < result.conditions.size(); ++i) {
-    const Condition& condition = experiment.conditions[i];
-    report.conditions.push_back({.parameters = condition.parameters,
-                                 .shaking = shaking_of(condition.scene),
-                                 .scale = scale_of(condition.scene),
-                                 .result = std::move(result.conditions[i]),
-                                 .confidence = condition.confidence});
+    ReportedCondition& condition = report.conditions.emplace_back();
+    condition.asked = std::move(experiment.conditions[i]);
+    condition.shaking = shaking_of(condition.asked.scene);
+    condition.scale = scale_of(condition.asked.scene);
+    condition.result = std::move(result.conditions[i]);
   }
-  if (!report.conditions.empty()) report.swept = pointers_of(report.conditions.front().parameters);
+  set_what_follows(report);
   return report;
 }
 
@@ -228,12 +248,7 @@ std::string report_text(const Experiment& experiment, const ExperimentResult& re
 
 Report report_in(const Json& document) {
   Report report = report_document().read(document);
-  if (report.conditions.empty()) return report;
-  report.swept = pointers_of(report.conditions.front().parameters);
-  for (ReportedCondition& condition : report.conditions) {
-    condition.confidence = report.number("/confidence", condition).value_or(condition.confidence);
-    for (ModeEstimate& each : condition.result.modes) each.probability.counts.trials = condition.result.realisations;
-  }
+  read_conditions(report);
   return report;
 }
 
@@ -242,10 +257,11 @@ Report parse_report(std::string_view text) {
   std::vector<base::Problem> problems;
   const Json json = parse_json(text, problems);
   if (!problems.empty()) throw base::InputError(std::move(problems));
-  Report report = report_in(json);
+  Report report = report_document().read(json);
   problems = problems_of_report(json);
   if (problems.empty()) check_reported_counts(report, problems);
   if (!problems.empty()) throw base::InputError(std::move(problems));
+  read_conditions(report);
   return report;
 }
 

@@ -20,11 +20,13 @@ namespace rocking {
 
 /// A condition with what it found.
 struct ReportedCondition {
-  std::vector<Parameter> parameters;  ///< swept; the same pointers in every condition
-  std::optional<Shaking> shaking;     ///< absent under a ground motion
-  std::optional<double> scale;        ///< of a ground motion, otherwise absent
+  /// Its parameters are the same pointers in every condition. In a report that was read it has no ground motion, nor
+  /// what follows from one: the scale, and a horizon that is not stated.
+  Condition asked;
+  bool states_horizon = true;      ///< the experiment; otherwise the horizon follows from the condition's base motion
+  std::optional<Shaking> shaking;  ///< absent under a ground motion
+  std::optional<double> scale;     ///< of a ground motion, otherwise absent
   ConditionResult result;
-  double confidence = 0.95;  ///< of its intervals; follows from the experiment and the parameters
 };
 
 /// A run: what was asked and what was found.
@@ -35,16 +37,17 @@ struct Report {
   std::vector<ReportedCondition> conditions;                  ///< at least one
   std::vector<UsedGroundMotion> ground_motions;
   SystemFacts system;
-  std::vector<std::string> swept;  ///< pointers of the parameters
+  std::vector<std::string> swept;     ///< pointers of the parameters
+  std::vector<std::string> left_out;  ///< Experiment::left_out
 
-  [[nodiscard]] std::string title() const { return input.experiment.at("title"); }
-  /// A number of the experiment for a condition: the swept one, or that of all. Absent if there is none, for example
-  /// a horizon that depends on the ground motion.
-  [[nodiscard]] std::optional<double> number(const std::string& pointer, const ReportedCondition& condition) const;
-  /// Transient and sampled periods of a realisation; absent if they differ between the conditions.
+  [[nodiscard]] std::string title() const { return input.title(); }
+  /// Whether the conditions have the records of a suite of ground motions, named in the experiment.
+  [[nodiscard]] bool has_suite() const { return conditions.front().asked.record_stream != 0; }
+  /// Transient and sampled periods of a realisation; absent if they differ between the conditions, or follow from the
+  /// base motion of each.
   [[nodiscard]] std::optional<std::uint64_t> periods() const;
   /// The confidence of the intervals, `95 %`; if it is swept, a text that says so.
-  [[nodiscard]] std::string level() const;
+  [[nodiscard]] std::string level(const std::string& swept_text = "each condition's own confidence") const;
   /// Response modes that occur in any condition, with their counts.
   [[nodiscard]] std::map<section::ResponseMode, std::uint64_t> occurring() const;
   /// Response modes that any condition lists; some of them may not occur.
@@ -70,7 +73,7 @@ struct AnyShare {
 [[nodiscard]] AnyShare share_of(const ReportedCondition& condition, const section::ResponseMode& mode);
 
 /// The report of a complete run.
-[[nodiscard]] Report report_of(const Experiment& experiment, ExperimentResult result, SystemFacts system);
+[[nodiscard]] Report report_of(Experiment experiment, ExperimentResult result, SystemFacts system);
 
 /// Whether the conditions have the records of a suite of ground motions.
 [[nodiscard]] bool sweeps_records(const Report& report);
@@ -85,7 +88,7 @@ struct AnyShare {
                                       const SystemFacts& system);
 
 /// The report in a document of the right form, whose parts are not compared. Throws base::InputError with every key that
-/// is missing, unknown or wrong.
+/// is missing, unknown or wrong, also of a condition.
 [[nodiscard]] Report report_in(const Json& document);
 
 /// Reads and checks the text of a report.json. Throws base::InputError if it is no report, or if its parts contradict

@@ -15,7 +15,8 @@ static const StructType& fields_of(const ReportedCondition*) {
   using Reported = ReportedCondition;
   static const StructType fields{
       "Condition",
-      field<&Reported::parameters>("parameters", "JSON pointer to value, for each entry of the sweep"),
+      field<&Reported::asked, &Condition::parameters>("parameters",
+                                                      "JSON pointer to value, for each entry of the sweep"),
       field<&Reported::shaking>("shaking",
                                 "amplitude and frequency of the base in every unit, for the mean block; absent under a "
                                 "ground motion",

@@ -75,10 +75,7 @@ std::string noise_line(const std::optional<ToleranceSensitivity>& floor, double 
 }
 
 /// `95 %`; if the conditions have different confidences, words that say so.
-std::string level_of(const Experiment& experiment) {
-  const auto common = common_confidence(experiment);
-  return common ? level_text(*common) + " %" : "(at the confidence of each condition)";
-}
+std::string level_of(const Report& report) { return report.level("(at the confidence of each condition)"); }
 
 /// The only response mode of a condition; null if realisations differ.
 const TableEntry* only_mode(const TableRow& condition) {
@@ -87,7 +84,7 @@ const TableEntry* only_mode(const TableRow& condition) {
 }
 
 /// A line where no condition has two responses; empty if one has, or nothing is random.
-std::string alike_line(const Experiment& experiment, const std::vector<TableRow>& rows) {
+std::string alike_line(const Report& report, const std::vector<TableRow>& rows) {
   double most = 0.0;
   for (const TableRow& row : rows) {
     const TableEntry* only = only_mode(row);
@@ -96,7 +93,7 @@ std::string alike_line(const Experiment& experiment, const std::vector<TableRow>
   }
   return "in no condition did two realisations respond differently; another response than that of its condition has a "
          "probability\nof at most " +
-         per_cent(most) + " % (" + level_of(experiment) +
+         per_cent(most) + " % (" + level_of(report) +
          "): if that is enough, one realisation of each suffices for the response modes\n";
 }
 
@@ -113,19 +110,18 @@ std::string late_settling_of(const Report& report) {
          significant(100.0 * least_held, 3) + " % of their sampled periods or more\n";
 }
 
-/// The tightest tolerance of an experiment.
-double tightest_tolerance(const Experiment& experiment) {
+double tightest_tolerance(const Report& report) {
   double tightest = 1.0;
-  for (const Condition& condition : experiment.conditions) tightest = std::min(tightest, condition.tolerance);
+  for (const ReportedCondition& each : report.conditions) tightest = std::min(tightest, each.asked.tolerance);
   return tightest;
 }
 
 /// The legend of the table of every condition.
-std::string legend_of(const Experiment& experiment, const Report& report, const std::string& table) {
+std::string legend_of(const Report& report, const std::string& table) {
   std::string text;
   if (report.is_random()) {
-    text += "\nper cent of n realisations [simultaneous " + level_of(experiment) + " interval" +
-            (experiment.conditions.front().until ? ", valid whenever the run stops" : "") +
+    text += "\nper cent of n realisations [simultaneous " + level_of(report) + " interval" +
+            (report.conditions.front().asked.until ? ", valid whenever the run stops" : "") +
             "]; < x: did not occur, x is the upper end of its interval" + count_legend(report.most_realisations()) +
             '\n';
   } else {
@@ -175,11 +171,11 @@ look::Cell quantile_at(const Exponents& found, double level, bool with_interval)
 
 }  // namespace
 
-std::string unreached_precision(const Experiment& experiment, const Report& report) {
+std::string unreached_precision(const Report& report) {
   std::string list;
   std::size_t number = 0;
   for (std::size_t i = 0; i < report.conditions.size(); ++i) {
-    const Condition& condition = experiment.conditions[i];
+    const Condition& condition = report.conditions[i].asked;
     const ConditionResult& result = report.conditions[i].result;
     if (result.stopped_because != StoppedBecause::at_most_reached || !condition.until) continue;
     if (++number > most_unreached_listed) continue;
@@ -193,17 +189,17 @@ std::string unreached_precision(const Experiment& experiment, const Report& repo
          list + "raise `at_most`, or accept a larger half-width\n";
 }
 
-std::string run_table(const Experiment& experiment, const Report& report, const TableLook& look) {
+std::string run_table(const Report& report, const TableLook& look) {
   std::uint64_t realisations = 0;
   for (const ReportedCondition& condition : report.conditions) realisations += condition.result.realisations;
-  std::string text = experiment.title.empty() ? "" : experiment.title + "\n\n";
+  std::string text = report.title().empty() ? "" : report.title() + "\n\n";
   const std::vector<TableRow> rows = table_rows(report);
   const bool is_summary = look.most_rows && rows.size() > *look.most_rows;
   if (is_summary) {
     text += summary_of(rows, *look.most_rows);
   } else {
     const std::string table = mode_table(rows, look);
-    text += table + legend_of(experiment, report, table);
+    text += table + legend_of(report, table);
   }
   if (!look.most_rows) text += exponent_table(report);
   text += counted(report.conditions.size(), "condition") + ", " + counted(realisations, "realisation") + ", of which " +
@@ -212,10 +208,10 @@ std::string run_table(const Experiment& experiment, const Report& report, const 
   if (const std::string remedy = unresolved_remedy(report); !remedy.empty()) {
     text += "horizon too short: " + remedy + '\n';
   }
-  text += unreached_precision(experiment, report);
-  text += overturning_line(rows) + alike_line(experiment, rows);
+  text += unreached_precision(report);
+  text += overturning_line(rows) + alike_line(report, rows);
   text += late_settling_of(report);
-  text += noise_line(report.tolerance_sensitivity, tightest_tolerance(experiment));
+  text += noise_line(report.tolerance_sensitivity, tightest_tolerance(report));
   for (const std::string& line : ground_motion_lines(report.ground_motions)) text += line + '\n';
   for (const std::string& alarm : alarms_of(report)) text += "warning: " + alarm + '\n';
   return text;
@@ -228,11 +224,12 @@ std::string exponent_table(const Report& report) {
   for (const ReportedCondition& condition : report.conditions) {
     if (!condition.result.exponents) continue;
     const Exponents& found = *condition.result.exponents;
-    table.rows.push_back(row_of(
-        condition.parameters, {look::whole(condition.result.realisations), look::whole(found.quantiles.realisations),
-                               quantile_at(found, 0.5, true), quantile_at(found, 0.05, false),
-                               quantile_at(found, 0.95, false), look::number(found.mean, digits),
-                               look::number(found.standard_error, digits), look::number(found.error_of_one, digits)}));
+    table.rows.push_back(
+        row_of(condition.asked.parameters,
+               {look::whole(condition.result.realisations), look::whole(found.quantiles.realisations),
+                quantile_at(found, 0.5, true), quantile_at(found, 0.05, false), quantile_at(found, 0.95, false),
+                look::number(found.mean, digits), look::number(found.standard_error, digits),
+                look::number(found.error_of_one, digits)}));
   }
   if (table.rows.empty()) return {};
   table.title = "\nlargest Lyapunov exponent per excitation period, of the realisations whose classification needed it";

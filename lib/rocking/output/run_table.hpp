@@ -7,13 +7,12 @@
 #include "rocking/look/text_table.hpp"
 #include "rocking/output/mode_table.hpp"
 #include "rocking/output/report.hpp"
-#include "rocking/scene/experiment.hpp"
 
 namespace rocking {
 
 /// A run as text for a terminal: its title, the table of response modes with its legend, and a line each on
 /// overturning, settling, precision that was not reached, sensitivity to the tolerance, and warnings.
-[[nodiscard]] std::string run_table(const Experiment& experiment, const Report& report, const TableLook& look = {});
+[[nodiscard]] std::string run_table(const Report& report, const TableLook& look = {});
 
 /// The largest Lyapunov exponents of the conditions whose classification needed some, as a table with a legend; empty
 /// without any.
@@ -22,7 +21,7 @@ namespace rocking {
 /// Text for a terminal on the conditions that ended at their largest number of realisations before the half-width of
 /// `until` was reached: their number, the first few with the half-width that they have, and what to do. Ends with a
 /// line break; empty without such conditions.
-[[nodiscard]] std::string unreached_precision(const Experiment& experiment, const Report& report);
+[[nodiscard]] std::string unreached_precision(const Report& report);
 
 /// The conditions of a run in at most `most` rows: neighbours with the same most frequent response together, or, if these
 /// are still too many, all conditions with equal values of the first entries of the sweep. Empty without rows.

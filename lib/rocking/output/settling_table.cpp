@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <functional>
+#include <variant>
 
 #include "rocking/ensemble/settling_tally.hpp"
 #include "rocking/look/text_table.hpp"
 #include "rocking/output/long_run_table.hpp"
 #include "rocking/output/mode_table.hpp"
-#include "rocking/text/json.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking {
@@ -101,44 +101,29 @@ LongRunRow long_run_row(const LongRuns& runs) {
   return row;
 }
 
-std::optional<std::int64_t> periods_at(const Report& report, const ReportedCondition& condition, const char* pointer) {
-  const auto number = report.number(pointer, condition);
-  return number ? std::optional(static_cast<std::int64_t>(*number)) : std::nullopt;
-}
-
-/// Transient and sampled periods; absent if they follow from the base motion.
-struct FixedHorizon {
-  std::int64_t transient = 0;
-  std::int64_t sampled = 0;
-};
-
-std::optional<FixedHorizon> fixed_horizon(const Report& report, const ReportedCondition& condition) {
-  const auto transient = periods_at(report, condition, "/horizon/transient_periods");
-  const auto sampled = periods_at(report, condition, "/horizon/sampled_periods");
-  return transient && sampled ? std::optional(FixedHorizon{*transient, *sampled}) : std::nullopt;
-}
-
 }  // namespace
 
-std::optional<SettlingRow> settling_row(const Report& report, const ReportedCondition& condition) {
+std::optional<SettlingRow> settling_row(const ReportedCondition& condition) {
   const ConditionResult& result = condition.result;
   if (!result.settling) return std::nullopt;
   const SettlingResult& settling = *result.settling;
   SettlingRow row;
-  row.parameters = condition.parameters;
+  row.parameters = condition.asked.parameters;
   row.realisations = result.realisations;
-  row.confidence = condition.confidence;
+  row.confidence = condition.asked.confidence;
   row.censored = settling.censored;
-  row.limit = periods_at(report, condition, "/horizon/until_classified/at_most_periods");
   row.all_but_one_per_cent = settling.times.nearly_all;
   row.differ_at_horizon = settling.differ;
   const auto unresolved = settling.at_horizon.find(section::ResponseMode{});
   if (unresolved != settling.at_horizon.end()) row.unresolved_at_horizon = unresolved->second;
-  const std::int64_t held = periods_at(report, condition, "/horizon/until_classified/held_windows").value_or(1);
-  row.held_windows = static_cast<int>(held);
-  if (const auto horizon = fixed_horizon(report, condition)) {
-    row.fixed_horizon = horizon->transient + horizon->sampled;
-    row.confirmation = (held - 1) * horizon->sampled;
+  const Horizon& horizon = condition.asked.horizon;
+  if (horizon.until_classified) {
+    row.limit = horizon.until_classified->at_most_periods;
+    row.held_windows = horizon.until_classified->held_windows;
+  }
+  if (condition.states_horizon) {
+    row.fixed_horizon = std::int64_t{horizon.transient_periods} + horizon.sampled_periods;
+    row.confirmation = (std::int64_t{row.held_windows} - 1) * horizon.sampled_periods;
   }
   if (result.non_recurrence) row.differ_in_the_end = result.non_recurrence->differ;
   for (const auto& [mode, leaving] : settling.leaving) {
@@ -156,7 +141,7 @@ std::optional<SettlingRow> settling_row(const Report& report, const ReportedCond
 std::vector<SettlingRow> settling_rows(const Report& report) {
   std::vector<SettlingRow> rows;
   for (const ReportedCondition& condition : report.conditions) {
-    if (auto row = settling_row(report, condition)) rows.push_back(*std::move(row));
+    if (auto row = settling_row(condition)) rows.push_back(*std::move(row));
   }
   return rows;
 }
@@ -268,8 +253,6 @@ std::string unresolved_remedy(double share, std::int64_t transient, std::int64_t
 }
 
 std::string unresolved_remedy(const Report& report) {
-  static const Json::json_pointer kind("/excitation/kind");
-  if (!report.input.experiment.contains(kind) || report.input.experiment.at(kind) != "harmonic") return "";
   double largest = 0.0;
   const ReportedCondition* worst = nullptr;
   for (const ReportedCondition& condition : report.conditions) {
@@ -282,8 +265,10 @@ std::string unresolved_remedy(const Report& report) {
     largest = share;
     worst = &condition;
   }
-  const auto horizon = worst == nullptr ? std::nullopt : fixed_horizon(report, *worst);
-  return horizon ? unresolved_remedy(largest, horizon->transient, horizon->sampled) : "";
+  if (worst == nullptr || !worst->states_horizon) return "";
+  if (!std::holds_alternative<Harmonic>(worst->asked.scene.excitation)) return "";
+  const Horizon& horizon = worst->asked.horizon;
+  return unresolved_remedy(largest, horizon.transient_periods, horizon.sampled_periods);
 }
 
 }  // namespace rocking

@@ -59,7 +59,7 @@ struct SettlingRow {
 };
 
 /// The row of a condition; absent without UntilClassified.
-[[nodiscard]] std::optional<SettlingRow> settling_row(const Report& report, const ReportedCondition& condition);
+[[nodiscard]] std::optional<SettlingRow> settling_row(const ReportedCondition& condition);
 
 /// The rows of a run with UntilClassified; none of another run.
 [[nodiscard]] std::vector<SettlingRow> settling_rows(const Report& report);

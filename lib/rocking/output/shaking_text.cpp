@@ -8,7 +8,7 @@
 #include "rocking/base/error.hpp"
 #include "rocking/fields/container_types.hpp"
 #include "rocking/fields/converted_type.hpp"
-#include "rocking/input/quantities_in_text.hpp"
+#include "rocking/output/report.hpp"
 #include "rocking/scene/experiment.hpp"
 #include "rocking/scene/restitution.hpp"
 #include "rocking/text/number_text.hpp"
@@ -134,10 +134,11 @@ const StructType& fields_of(const Shaking*) {
   return fields;
 }
 
-std::string impacts_text(const std::vector<ReportedImpact>& impacts) {
+std::string impacts_text(const Report& report) {
   RateRatios ratios;
-  for (const ReportedImpact& impact : impacts) {
-    ratios.add(impact.block, mean_restitution(restitution_in(impact.restitution), impact.block));
+  for (const ReportedCondition& condition : report.conditions) {
+    const dynamics::Geometry block = dynamics::geometry_of(mean_block(condition.asked.scene));
+    ratios.add(block, mean_restitution(condition.asked.scene.restitution, block));
   }
   return ratios.text();
 }

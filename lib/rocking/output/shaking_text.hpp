@@ -6,10 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "rocking/dynamics/block.hpp"
 #include "rocking/fields/struct_type.hpp"
 #include "rocking/scene/shaking.hpp"
-#include "rocking/text/json.hpp"
 
 /// The amplitude and the frequency of a base motion in the units of the file, and the other form beside them: g and Hz
 /// beside A_h and Omega_h, these beside any physical unit.
@@ -48,13 +46,8 @@ using Shakings = std::span<const std::optional<Shaking>>;
 /// How a shaking stands in documents: the keys that the experiment gives, and the numbers in every unit.
 [[nodiscard]] const StructType& fields_of(const Shaking*);
 
-/// A block and its restitution as a report has them.
-struct ReportedImpact {
-  dynamics::Geometry block;  ///< the mean one
-  Json restitution;          ///< as in a canonical experiment
-};
-
+struct Report;
 /// What impacts leave of the tilt rate, in a sentence (RateRatios).
-[[nodiscard]] std::string impacts_text(const std::vector<ReportedImpact>& impacts);
+[[nodiscard]] std::string impacts_text(const Report& report);
 
 }  // namespace rocking

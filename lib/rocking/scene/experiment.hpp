@@ -210,6 +210,7 @@ struct Experiment {
   std::string canonical_text;                 ///< the file with all defaults, as JSON text: equal for equal experiments
   std::vector<std::size_t> sweep_sizes = {};  ///< number of values of each entry of the sweep
   std::vector<Unknown> unknowns = {};         ///< of `rocking infer`; no run looks at them
+  std::vector<std::string> left_out = {};     ///< names of records of its suite that could not be read
 };
 
 /// The block that stands for all blocks of a scene where only one can: in tables and sketches, in the horizon and the

@@ -79,9 +79,10 @@ TEST(Categories, OfSeveralSlicesStandSideBySide) {
   Report report = categories();
   report.swept.push_back("/formulation");
   const auto first = report.conditions;
-  for (ReportedCondition& condition : report.conditions) condition.parameters.push_back({"/formulation", "consistent"});
+  for (ReportedCondition& condition : report.conditions)
+    condition.asked.parameters.push_back({"/formulation", "consistent"});
   for (ReportedCondition condition : first) {
-    condition.parameters.push_back({"/formulation", "as-printed"});
+    condition.asked.parameters.push_back({"/formulation", "as-printed"});
     report.conditions.push_back(condition);
   }
   const Figure figure = non_recurrence(report).value();

@@ -25,9 +25,9 @@ using ::testing::Not;
 /// A run with `until_classified` of which no realisation settled; `limit` in excitation periods.
 Report unsettled(std::int64_t limit) {
   Report report = report_in(sample_report());
-  report.input.experiment["horizon"]["until_classified"] = {{"at_most_periods", limit}, {"held_windows", 2}};
   for (ReportedCondition& condition : report.conditions) {
     condition.result.modes = {{.mode = {}, .probability = support::sample_estimate(30, 30)}};
+    condition.asked.horizon.until_classified = {.at_most_periods = limit, .held_windows = 2};
     SettlingResult& settling = condition.result.settling.emplace();
     settling.censored = 30;
     settling.at_horizon[{}] = 30;

@@ -31,7 +31,7 @@ Report made() {
   report.swept = {"/excitation/amplitude"};
   for (const double amplitude : {1.0, 2.0, 3.0}) {
     ReportedCondition& condition = report.conditions.emplace_back();
-    condition.parameters = {{.pointer = "/excitation/amplitude", .value = amplitude}};
+    condition.asked.parameters = {{.pointer = "/excitation/amplitude", .value = amplitude}};
     condition.result.realisations = 30;
     if (amplitude == 3.0) continue;
     condition.result.peaks.tilt = {.realisations = 30, .beyond = 2, .levels = levels(0.25 * amplitude)};

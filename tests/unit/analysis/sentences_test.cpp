@@ -12,6 +12,7 @@
 #include "analysis/page/sections.hpp"
 #include "analysis/page/words.hpp"
 #include "rocking/figures/sweep_view.hpp"
+#include "rocking/input/quantities_in_text.hpp"
 #include "rocking/output/report.hpp"
 #include "support/sample_report.hpp"
 
@@ -66,14 +67,16 @@ Report report_of(const std::vector<Entry>& grid, const std::string& line) {
   }
   const Json model = report["result"]["conditions"][0];
   Json& conditions = report["result"]["conditions"] = Json::array();
+  std::vector<std::vector<rocking::Parameter>> parameters;  // of which no experiment may be
   std::vector<std::size_t> place(grid.size(), 0);
   for (bool more = true; more;) {
     Json condition = model;
     condition["parameters"] = Json::object();
+    parameters.emplace_back();
     bool is_last = false;
     for (std::size_t i = 0; i < grid.size(); ++i) {
       const Json& value = grid[i].values[place[i]];
-      condition["parameters"][grid[i].pointer] = value;
+      parameters.back().push_back({.pointer = grid[i].pointer, .value = rocking::swept_value(value)});
       if (grid[i].pointer != line) continue;
       is_last = place[i] + 1 == grid[i].values.size();
       if (line.starts_with("/excitation/amplitude")) {
@@ -97,7 +100,10 @@ Report report_of(const std::vector<Entry>& grid, const std::string& line) {
       if (!more) place[i] = 0;
     }
   }
-  return report_in(std::move(report));
+  Report read = report_in(std::move(report));
+  for (const Entry& entry : grid) read.swept.emplace_back(entry.pointer);
+  for (std::size_t i = 0; i < parameters.size(); ++i) read.conditions[i].asked.parameters = std::move(parameters[i]);
+  return read;
 }
 
 std::size_t occurrences_of(const std::string& part, const std::string& text) {

@@ -182,7 +182,7 @@ TEST(AValue, IsThatOfTheConditionWhateverThePartThatIsSwept) {
   const Report part = report_of(normalised, widths);
   EXPECT_EQ(value_at(part, part.conditions[2], "/block").at("width_m"), Json(2.0));
   EXPECT_EQ(value_at(part, part.conditions[2], "/block/height_m"), Json(4.0));
-  EXPECT_EQ(experiment_of(part, 2).at("block").at("width_m"), Json(2.0));
+  EXPECT_EQ(mean_block(part.conditions[2].asked.scene).width, 2.0);
 }
 
 }  // namespace

@@ -60,21 +60,25 @@ TEST(Alarms, HaveARemedyForEveryKindOfClamp) {
 TEST(Alarms, GiveTheLawThatClampsLeave) {
   Report report = calm();
   report.conditions[0].result.validity.clamps.kinetic_at_static = 50'000;
-  Json& experiment = report.input.experiment;
-  experiment["friction"] = {{"static", 0.35}, {"kinetic", 0.30}};
-  experiment["fluctuation"] = {{"friction", {{"sigma", 0.03}}}};
+  Scene& scene = report.conditions[0].asked.scene;
+  scene.friction = {.static_coefficient = 0.35, .kinetic_coefficient = 0.30};
+  scene.fluctuation = {.static_friction = 0.03, .kinetic_friction = 0.03};
   const std::string in_force = "the kinetic friction in force has mean 0.298 and sigma 0.0277, not 0.3 and 0.03";
   EXPECT_THAT(worst_clamps(report).value().remedy, HasSubstr(in_force));
   EXPECT_THAT(alarms_of(report), ElementsAre(HasSubstr(in_force)));
-  experiment["fluctuation"] = {{"static_friction", {{"sigma", 0.03}}}, {"kinetic_friction", {{"relative_sigma", 0.1}}}};
-  EXPECT_THAT(worst_clamps(report).value().remedy, HasSubstr(in_force)) << "each with its own scatter";
-  experiment["fluctuation"] = {{"friction", {{"sigma", 0.03}, {"law", "lognormal"}}}};
+  scene.fluctuation.laws.kinetic_friction = FluctuationLaw::lognormal;
   EXPECT_THAT(worst_clamps(report).value().remedy, Not(HasSubstr("in force has")));
+  scene.fluctuation.laws.kinetic_friction = FluctuationLaw::normal;
+  scene.friction->kinetic_coefficient = Uniform{.low = 0.29, .high = 0.31};
+  EXPECT_THAT(worst_clamps(report).value().remedy, Not(HasSubstr("in force has"))) << "drawn";
+  scene.friction->kinetic_coefficient = 0.30;
+  scene.friction->kinetic_ratio = 0.9;
+  EXPECT_THAT(worst_clamps(report).value().remedy, Not(HasSubstr("in force has"))) << "a ratio";
 }
 
 TEST(Alarms, NameTheRecordsThatWereLeftOut) {
   Report report = calm();
-  report.input.experiment["excitation"]["left_out"] = {"a.at2", "b.at2"};
+  report.left_out = {"a.at2", "b.at2"};
   EXPECT_THAT(alarms_of(report), ElementsAre(HasSubstr("2 records of the suite could not be read and were left out: "
                                                        "a.at2, b.at2. The probabilities are those of the others")));
 }

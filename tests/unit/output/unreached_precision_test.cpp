@@ -41,7 +41,7 @@ struct Made {
     result.conditions.push_back(found);
   }
 
-  [[nodiscard]] std::string text() const { return unreached_precision(experiment, report_of(experiment, result, {})); }
+  [[nodiscard]] std::string text() const { return unreached_precision(report_of(experiment, result, {})); }
 };
 
 TEST(UnreachedPrecision, IsNotMentionedWhereItWasReached) {

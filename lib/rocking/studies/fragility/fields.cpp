@@ -5,7 +5,6 @@
 
 #include "rocking/fields/container_types.hpp"
 #include "rocking/fields/converted_type.hpp"
-#include "rocking/input/suite.hpp"
 #include "rocking/output/provenance.hpp"
 #include "rocking/output/shaking_text.hpp"
 #include "rocking/output/stats_fields.hpp"
@@ -365,11 +364,9 @@ const DocumentOf<FragilityReport>& fragility_document() {
 FragilityReport fragility_report(const std::vector<RunFragility>& runs) {
   FragilityReport report;
   for (const RunFragility& found : runs) {
-    const std::string& experiment = found.experiment.canonical_text;
-    const CurveRun run{
-        .title = found.experiment.title,
-        .experiment = base::sha256(experiment),
-        .left_out = experiment.empty() ? std::vector<std::string>{} : left_out_of(Json::parse(experiment))};
+    const CurveRun run{.title = found.experiment.title,
+                       .experiment = base::sha256(found.experiment.canonical_text),
+                       .left_out = found.experiment.left_out};
     for (const auto& [curve, rate] : found.curves) report.curves.emplace_back(ReportedCurve{run, curve, rate});
     for (const auto& [curve, rate] : found.suites) report.curves.emplace_back(ReportedSuite{run, curve, rate});
     for (const RateComparison& comparison : found.comparisons) report.comparisons.push_back({run, comparison});

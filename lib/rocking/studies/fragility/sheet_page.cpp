@@ -91,8 +91,8 @@ class Drawing {
 };
 
 std::string drawing(const Report& run) {
-  const Json block = value_at(run, run.conditions.front(), "/block");
-  return Drawing(mean_of(block.at("width_m")), mean_of(block.at("height_m"))).svg();
+  const dynamics::Block block = mean_block(run.conditions.front().asked.scene);
+  return Drawing(block.width, block.height).svg();
 }
 
 std::string answer(const SheetContent& sheet) {
@@ -136,7 +136,7 @@ std::string motions(const SheetContent& sheet) {
     names += (i == 0 ? "" : ", ") + escaped(last_part(records[i].name));
   }
   if (records.size() > most_records_named) names += fmt::format(", and {} more", records.size() - most_records_named);
-  const auto missing = left_out_records(sheet.run);
+  const auto missing = left_out_records(sheet.run.left_out);
   return fmt::format(
              "<h2>Hazard and records</h2>\n<p>{}: {}.{}</p>\n<p class=\"small\">{} records, each scaled to {} levels "
              "from {} to {}: {}.</p>\n",

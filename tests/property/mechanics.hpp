@@ -35,7 +35,7 @@ inline double slipping_normal(const dynamics::State& state, const Scene& scene, 
 inline dynamics::Forces sticking_forces(const dynamics::State& state, const Scene& scene, double tau) {
   const auto ground = scene.ground(tau);
   return dynamics::rocking_forces(state, {.horizontal = ground.alpha, .weight = ground.weight},
-                                  equation_constants(scene.stage.setting()));
+                                  equation_constants(scene.stage.setting(), state.side));
 }
 
 inline bool slips(const dynamics::State& state) {

@@ -60,13 +60,15 @@ struct ArmedGuards {
     return !slips() && has_friction && !off_ground && !known.sticks_beyond_friction;
   }
   [[nodiscard]] bool determinant_may_vanish() const { return slips() && determinant_can_vanish; }
-  [[nodiscard]] EquationConstants<double> constants() const { return equation_constants(setting); }
+  [[nodiscard]] double shape_angle() const { return setting.block.edge(state.side).shape_angle; }
+  [[nodiscard]] double inertia() const { return setting.inertia; }
+  [[nodiscard]] double load() const { return setting.block.load; }
   [[nodiscard]] double slip_sign() const { return side * state.slip_direction; }
   [[nodiscard]] double static_friction() const { return mu_s; }
   [[nodiscard]] double seen_from_ground(double normal) const { return off_ground ? -normal : normal; }
 };
 
-/// As for_each_rocking_guard, for a block in full contact, where N = (4/3)(1 + alpha_v).
+/// As for_each_rocking_guard, for a block in full contact, where N = G (1 + alpha_v).
 template <class Visitor>
 void for_each_full_contact_guard(const MotionSeries<double>& m, const ArmedGuards& armed, std::size_t order,
                                  Visitor&& visit) {
@@ -75,15 +77,16 @@ void for_each_full_contact_guard(const MotionSeries<double>& m, const ArmedGuard
         .guard = guard, .out_of_reach = false, .length = order + 1, .zeros = zeros};
   };
   if (armed.state.contact == ContactState::rest) {
-    const bool slides_first = armed.mu_s <= armed.setting.block.tangent;
-    const double threshold = slides_first ? armed.mu_s : armed.setting.block.sine;
-    const double lever = armed.side * (slides_first ? 1.0 : armed.setting.block.cosine);
-    const auto hold = [&](std::size_t k) {
-      if (armed.vertical) return threshold * m.weight[k];
-      return k == 0 ? threshold : 0.0;
-    };
-    visit(row(Guard::leave_right, 0), [&](std::size_t k) { return hold(k) - lever * m.base[k]; });
-    visit(row(Guard::leave_left, 0), [&](std::size_t k) { return hold(k) + lever * m.base[k]; });
+    for (const double push : {1.0, -1.0}) {  // the sign of the base acceleration at the event, and the side then
+      const Edge& edge = armed.setting.block.edge(push);
+      const bool slides_first = armed.mu_s <= edge.tangent;
+      const double threshold = slides_first ? armed.mu_s : edge.sine;
+      const double lever = push * (armed.side * (slides_first ? 1.0 : edge.cosine));
+      visit(row(push > 0.0 ? Guard::leave_right : Guard::leave_left, 0), [&](std::size_t k) {
+        const double hold = armed.vertical ? threshold * m.weight[k] : k == 0 ? threshold : 0.0;
+        return hold - lever * m.base[k];
+      });
+    }
   }
   if (armed.slips()) {
     visit(row(Guard::slip, armed.slip_zeros()), [&](std::size_t k) { return armed.slip_sign() * m.slip_rate[k]; });

@@ -51,7 +51,7 @@ class Automaton {
       start_slipping(context, side, at_threshold);
     } else if (firing.has(Guard::leave_right) || firing.has(Guard::leave_left)) {
       leave_full_contact(context, firing.has(Guard::leave_right) ? 1.0 : -1.0, at_threshold);
-      // N = (4/3)(1 + alpha_v) = 0 in full contact: it is 0 in the new contact state too.
+      // N = G (1 + alpha_v) = 0 in full contact: it is 0 in the new contact state too.
       if (firing.has(Guard::normal) && !firing.at_breakpoint) cross_normal(context);
     } else if (firing.has(Guard::cell)) {
       context.enter_next_cell();
@@ -78,7 +78,7 @@ class Automaton {
  private:
   template <CoefficientSource Coefficients>
   [[nodiscard]] static bool is_beyond_balance(const MotionContext<Coefficients>& context) {
-    return std::abs(context.state.tilt) > context.setting.block.shape_angle;
+    return std::abs(context.state.tilt) > context.setting.block.edge(context.state.side).shape_angle;
   }
 
   template <CoefficientSource Coefficients>

@@ -24,7 +24,7 @@ class BlockMotion {
   BlockMotion(const Setting& setting, const Clock& clock, const Coefficients& coefficients, const State& initial,
               const Schedule& schedule, Observer& observer, const Excitation& excitation = {}, Steps steps = {})
       : course_{.context = MotionContext<Coefficients>(setting, clock, coefficients, excitation, observer),
-                .automaton = Automaton(std::abs(initial.tilt) >= setting.block.shape_angle),
+                .automaton = Automaton(std::abs(initial.tilt) >= setting.block.edge(initial.tilt).shape_angle),
                 .progress = MotionProgress(schedule)},
         step_(steps) {
     enter(context(), initial);
@@ -161,7 +161,8 @@ class BlockMotion {
 
   /// Displaces the state, within its contact state, by `wanted`; returns the displacement made.
   Displacement displace(const Displacement& wanted) {
-    const Displacement done = dynamics::displace(context().state, wanted, setting().block.shape_angle);
+    const Displacement done =
+        dynamics::displace(context().state, wanted, setting().block.edge(state().side).shape_angle);
     progress().settle(context());
     return done;
   }

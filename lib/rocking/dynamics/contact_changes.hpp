@@ -18,9 +18,10 @@ inline void leave_full_contact(MotionContext<Coefficients>& context, double push
   const Forces forces = sticking_forces(context);
   if (context.coefficients.has_friction()) {
     const double mu_s = context.coefficients.static_friction();
-    if (mu_s <= context.setting.block.tangent) return start_sliding(context, push, at_threshold, was_sliding);
+    if (mu_s <= context.setting.block.edge(push).tangent)
+      return start_sliding(context, push, at_threshold, was_sliding);
     if (!friction_holds(context, forces)) {
-      if (!kinetic_friction_tips(context)) return start_sliding(context, push, at_threshold, was_sliding);
+      if (!kinetic_friction_tips(context, -push)) return start_sliding(context, push, at_threshold, was_sliding);
       state.contact = ContactState::rock;
       context.record(EventKind::lift);
       return start_slipping(context, -sign(forces.friction), false);
@@ -46,7 +47,7 @@ inline void tip(MotionContext<Coefficients>& context) {
 
 template <CoefficientSource Coefficients>
 inline void check_tipping(MotionContext<Coefficients>& context) {
-  if (kinetic_friction_tips(context)) tip(context);
+  if (kinetic_friction_tips(context, context.state.slip_direction)) tip(context);
 }
 
 /// A rocking block without slip: whether friction suffices.
@@ -88,7 +89,8 @@ inline void enter(MotionContext<Coefficients>& context, const State& initial) {
 /// 0.
 template <CoefficientSource Coefficients>
 inline void press_again(MotionContext<Coefficients>& context) {
-  if (context.state.contact != ContactState::slide || !friction_is_above_tangent(context)) return;
+  const State& state = context.state;
+  if (state.contact != ContactState::slide || !friction_is_above_tangent(context, state.slip_direction)) return;
   tip(context);
   context.known.lift_is_flat = true;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "rocking/dynamics/contact.hpp"
@@ -13,13 +14,13 @@ namespace rocking::dynamics {
 
 [[nodiscard]] inline double sign(double value) { return value < 0.0 ? -1.0 : 1.0; }
 
-[[nodiscard]] inline bool is_centroidal(const Setting& setting) {
-  return setting.inertia == inertia_ratio(SlideInertia::centroidal);
-}
+[[nodiscard]] inline bool is_centroidal(const Setting& setting) { return setting.inertia == setting.block.inertia; }
 
-/// Whether D can vanish at some tilt: the smallest D over all phi is J + 1/2 - sqrt(1 + mu_k^2)/2.
+/// Whether D can vanish at some tilt on one of the sides: the smallest D over all phi is J + r^2/2 - (r^2/2) sqrt(1 +
+/// mu_k^2).
 [[nodiscard]] inline bool determinant_may_vanish(const Setting& setting, double kinetic_friction) {
-  const double limit = 2.0 * setting.inertia + 1.0;
+  const double radius = std::max(setting.block.edges[0].radius, setting.block.edges[1].radius);
+  const double limit = 2.0 * setting.inertia / (radius * radius) + 1.0;
   return 1.0 + kinetic_friction * kinetic_friction >= limit * limit;
 }
 
@@ -31,7 +32,7 @@ template <CoefficientSource Coefficients>
 /// Forces of rocking without slip.
 template <CoefficientSource Coefficients>
 [[nodiscard]] inline Forces sticking_forces(MotionContext<Coefficients>& context) {
-  return rocking_forces(context.state, context.base_motion(), equation_constants(context.setting));
+  return rocking_forces(context.state, context.base_motion(), equation_constants(context.setting, context.state.side));
 }
 
 /// Rates of slip in `direction`.
@@ -40,7 +41,7 @@ template <CoefficientSource Coefficients>
   State slipping = context.state;
   slipping.slip_direction = direction;
   return slipping_rates(slipping, context.base_motion(), context.kinetic_friction(),
-                        equation_constants(context.setting));
+                        equation_constants(context.setting, slipping.side));
 }
 
 /// Whether slip that starts from V = 0 in `direction` is accelerated in that direction.
@@ -70,19 +71,20 @@ template <CoefficientSource Coefficients>
   const BaseMotion base = context.base_motion();
   const Geometry& block = context.setting.block;
   const double mu_s = context.coefficients.static_friction();
-  return mu_s <= block.tangent ? std::abs(base.horizontal) <= mu_s * base.weight : edges_hold(base, block);
+  return mu_s <= block.edge(base.horizontal).tangent ? std::abs(base.horizontal) <= mu_s * base.weight
+                                                     : edges_hold(base, block);
 }
 
 template <CoefficientSource Coefficients>
-[[nodiscard]] inline bool friction_is_above_tangent(MotionContext<Coefficients>& context) {
-  return friction_tips(context.kinetic_friction(), context.setting.block);
+[[nodiscard]] inline bool friction_is_above_tangent(MotionContext<Coefficients>& context, double slip_direction) {
+  return friction_tips(context.kinetic_friction(), context.setting.block.edge(-slip_direction));
 }
 
-/// Whether kinetic friction turns a sliding block over its leading edge. It has no torque where N = (4/3)(1 + alpha_v)
-/// <= 0.
+/// Whether kinetic friction turns a block that slides in this direction over its leading edge, that of side S = -s. It has
+/// no torque where N = G (1 + alpha_v) <= 0.
 template <CoefficientSource Coefficients>
-[[nodiscard]] inline bool kinetic_friction_tips(MotionContext<Coefficients>& context) {
-  return friction_is_above_tangent(context) && context.weight() > 0.0;
+[[nodiscard]] inline bool kinetic_friction_tips(MotionContext<Coefficients>& context, double slip_direction) {
+  return friction_is_above_tangent(context, slip_direction) && context.weight() > 0.0;
 }
 
 }  // namespace rocking::dynamics

@@ -18,7 +18,7 @@ enum class Guard : std::size_t {
   slip,              ///< V times the direction of slip
   friction_inward,   ///< mu_s N - S F
   friction_outward,  ///< mu_s N + S F
-  leave_right,       ///< full contact: mu_s (1 + alpha_v) - alpha, or sin(psi) (1 + alpha_v) - alpha cos(psi)
+  leave_right,       ///< full contact: mu_s (1 + alpha_v) - alpha, or s (1 + alpha_v) - alpha c
   leave_left,        ///< the same with + alpha
   past_balance,      ///< psi - S theta, until the first time
   normal,            ///< N on the ground, -N off it
@@ -71,7 +71,7 @@ inline void for_each_rocking_guard(const MotionSeries<Real>& m, const Armed& arm
     visit(row(Guard::overturn, armed.in_reach(), plus<2>(order), armed.no_zeros()), below(Real(half_pi)));
   } else {
     visit(row(Guard::past_balance, armed.past_balance_out_of_reach(), plus<2>(order), armed.no_zeros()),
-          below(armed.constants().shape_angle));
+          below(armed.shape_angle()));
   }
   visit(row(Guard::normal, armed.normal_out_of_reach(), order, armed.normal_zeros()),
         [&](std::size_t k) { return armed.seen_from_ground(m.normal[k]); });
@@ -82,8 +82,8 @@ inline void for_each_rocking_guard(const MotionSeries<Real>& m, const Armed& arm
   }
   if (armed.tests_friction()) {
     const Real mu_s = armed.static_friction();
-    const auto friction = [&m](std::size_t k) {
-      return Real(4.0 / 3.0) * m.base[k] - Real(static_cast<double>(k + 1)) * m.rate_cosine[k + 1];
+    const auto friction = [&m, load = Real(armed.load())](std::size_t k) {
+      return load * m.base[k] - Real(static_cast<double>(k + 1)) * m.rate_cosine[k + 1];
     };
     visit(row(Guard::friction_inward, armed.in_reach(), order, armed.inward_zeros()),
           [&, mu_s](std::size_t k) { return mu_s * m.normal[k] - friction(k); });
@@ -92,7 +92,7 @@ inline void for_each_rocking_guard(const MotionSeries<Real>& m, const Armed& arm
   }
   if (armed.determinant_may_vanish()) {
     visit(row(Guard::determinant, armed.in_reach(), plus<1>(order), armed.no_zeros()), [&](std::size_t k) {
-      Real sum = k == 0 ? armed.constants().inertia : Real(0.0);
+      Real sum = k == 0 ? armed.inertia() : Real(0.0);
       for (std::size_t i = 0; i <= k; ++i) sum = sum + m.sine[i] * m.arm[k - i];
       return sum;
     });

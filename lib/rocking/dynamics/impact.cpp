@@ -5,39 +5,46 @@
 
 namespace rocking::dynamics {
 
-double impact_loss(double restitution, const Geometry& block) {
-  return 1.5 * (1.0 + restitution) * (block.sine * block.sine);
-}
-
-double inelastic_rate_ratio(const Geometry& block, double restitution) {
-  return 1.0 - 1.5 * (1.0 + restitution) * block.sine * block.sine;
-}
-
-double restitution_of_rate_ratio(const Geometry& block, double rate_ratio) {
-  return (1.0 - rate_ratio) / (1.5 * block.sine * block.sine) - 1.0;
-}
-
 namespace {
 
-LandingEdge<double> landing_edge(double restitution, const Geometry& block) {
-  return {
-      .restitution = restitution, .loss = impact_loss(restitution, block), .sine = block.sine, .cosine = block.cosine};
-}
+double direction_of(double tilt_rate) { return tilt_rate < 0.0 ? -1.0 : 1.0; }
+
+/// (b_1 + b_-1)/(2 R): sin(psi) of a rectangle.
+double half_base(const Edge& edge) { return 0.5 * (edge.sine + edge.other_sine); }
 
 LandingRates<double> rates_of(const ImpactConditions& before) {
   return {.tilt_rate = before.tilt_rate, .slip_rate = before.slip_rate};
 }
 
 StickingImpulse<double> sticking_impulse_of(const ImpactConditions& before, const Geometry& block) {
-  return sticking_impulse<double>(rates_of(before), landing_edge(before.restitution, block));
+  return sticking_impulse(rates_of(before), landing_edge(before.restitution, block.edge(before.tilt_rate)));
 }
-
-double direction_of(double tilt_rate) { return tilt_rate < 0.0 ? -1.0 : 1.0; }
 
 }  // namespace
 
+double impact_loss(double restitution, const Edge& landing) {
+  return landing.impact_gain * (1.0 + restitution) * (landing.sine * half_base(landing));
+}
+
+double inelastic_rate_ratio(const Edge& landing, double restitution) {
+  return 1.0 - landing.impact_gain * (1.0 + restitution) * landing.sine * half_base(landing);
+}
+
+double restitution_of_rate_ratio(const Edge& landing, double rate_ratio) {
+  return (1.0 - rate_ratio) / (landing.impact_gain * landing.sine * half_base(landing)) - 1.0;
+}
+
+LandingEdge<double, BlockForm::general> landing_edge(double restitution, const Edge& landing) {
+  return {.restitution = restitution,
+          .loss = impact_loss(restitution, landing),
+          .sine = landing.sine,
+          .cosine = landing.cosine,
+          .gain = landing.impact_gain,
+          .sideways = landing.other_sine / landing.sine};
+}
+
 double sticking_tilt_rate(const LandingRates<double>& before, double restitution, const Geometry& block) {
-  return sticking_rate<double>(before, landing_edge(restitution, block));
+  return sticking_rate(before, landing_edge(restitution, block.edge(before.tilt_rate)));
 }
 
 std::optional<ImpactOutcome> sticking_impact(const ImpactConditions& before, const Geometry& block,
@@ -54,25 +61,38 @@ ImpactOutcome slipping_impact(const ImpactConditions& before, double kinetic_fri
   const double w1 = before.tilt_rate;
   const double slip_direction = sticking_impulse_of(before, block).horizontal > 0.0 ? -1.0 : 1.0;
   const double friction = slip_direction * kinetic_friction;
-  const double q = block.sine * block.sine + direction_of(w1) * friction * block.sine * block.cosine;
-  if (1.0 + 3.0 * q <= 0.0) {
-    return {.tilt_rate = w1, .slip_rate = before.slip_rate, .kind = ImpactKind::painleve};
-  }
-  const double rebound = 1.0 + 2.0 * before.restitution;
-  const double ratio = (1.0 - 3.0 * rebound * q) / (1.0 + 3.0 * q);
-  const double w2 = ratio * w1;
-  const double vertical = block.sine * (rebound + ratio) * std::abs(w1);
-  const double slip_rate =
-      lambda_term<double>(rates_of(before), block.cosine) - friction * vertical + block.cosine * w2;
+  const auto edge = landing_edge(before.restitution, block.edge(w1));
+  const std::optional<double> ratio = slipping_rate_ratio(edge, direction_of(w1) * friction, block);
+  if (!ratio) return {.tilt_rate = w1, .slip_rate = before.slip_rate, .kind = ImpactKind::painleve};
+  const double w2 = *ratio * w1;
+  const double vertical = edge.sine * (edge.rebound() + *ratio) * std::abs(w1);
+  const double slip_rate = lambda_term(rates_of(before), edge.cosine) - friction * vertical + edge.cosine * w2;
   const bool slip_ends = !(slip_direction * slip_rate > 0.0);
   return {.tilt_rate = w2, .slip_rate = slip_ends ? 0.0 : slip_rate, .kind = ImpactKind::slip};
 }
 
-double painleve_friction(const Geometry& block, SlideInertia inertia) {
-  const double twice = 2.0 * inertia_ratio(inertia) + 1.0;
+std::optional<double> slipping_rate_ratio(const LandingEdge<double, BlockForm::general>& edge, double friction,
+                                          const Geometry& block) {
+  const double q = edge.sine * edge.sine + friction * edge.sine * edge.cosine;
+  if (1.0 + block.over_inertia * q <= 0.0) return std::nullopt;
+  return (1.0 - block.over_inertia * edge.rebound() * q) / (1.0 + block.over_inertia * q);
+}
+
+namespace {
+
+double painleve_friction(const Edge& edge, double inertia, double centroidal_inertia) {
+  const double twice = 2.0 * inertia / (edge.radius * edge.radius) + 1.0;
   const double in_motion = std::sqrt(twice * twice - 1.0);
-  const double in_impact = (1.0 / 3.0 + block.sine * block.sine) / (block.sine * block.cosine);
+  const double in_impact = (centroidal_inertia + edge.sine * edge.sine) / (edge.sine * edge.cosine);
   return std::min(in_motion, in_impact);
+}
+
+}  // namespace
+
+double painleve_friction(const Geometry& block, SlideInertia inertia) {
+  const double in_slip = slip_inertia(block, inertia);
+  const auto& [left, right] = block.edges;
+  return std::min(painleve_friction(left, in_slip, block.inertia), painleve_friction(right, in_slip, block.inertia));
 }
 
 }  // namespace rocking::dynamics

@@ -78,8 +78,9 @@ class MotionProgress {
   /// After events: finds the friction in force and the next breakpoint.
   template <CoefficientSource Coefficients>
   void settle(MotionContext<Coefficients>& context) {
-    context.set_peaks({.tilt = peaks::larger(context.peaks.tilt, std::abs(context.state.tilt)),
-                       .tilt_rate = peaks::larger(context.peaks.tilt_rate, std::abs(context.state.tilt_rate))});
+    const double scale = context.setting.block.edge(context.state.side).tilt_scale;
+    context.set_peaks({.tilt = peaks::larger(context.peaks.tilt, scale * std::abs(context.state.tilt)),
+                       .tilt_rate = peaks::larger(context.peaks.tilt_rate, scale * std::abs(context.state.tilt_rate))});
     if (context.ended()) return;
     const Clock& clock = context.clock;
     kinetic_friction_ = context.slips() ? context.kinetic_friction() : 0.0;

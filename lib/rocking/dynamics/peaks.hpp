@@ -17,9 +17,10 @@
 namespace rocking::dynamics {
 
 /// Largest values so far, >= 0. Infinite if they are not wanted: nothing exceeds them, so that nothing is searched for.
+/// Tilts and tilt rates are in units in which balance is psi of the nearer edge on both sides.
 struct Peaks {
-  double tilt = 0.0;       ///< abs(theta) [rad]
-  double tilt_rate = 0.0;  ///< abs(w) [rad]
+  double tilt = 0.0;       ///< abs(theta) times Edge::tilt_scale [rad]
+  double tilt_rate = 0.0;  ///< abs(w) times that of the same side [rad]
   double slip = 0.0;       ///< abs(X)
 
   [[nodiscard]] static Peaks unwanted() {
@@ -34,6 +35,17 @@ struct TiltPeaks {
   Real tilt;
   Real tilt_rate;
 };
+
+/// What is kept of them, as abs(theta) and abs(w) of a block on this side.
+template <base::Lane Real, BlockForm form>
+[[nodiscard]] inline TiltPeaks<Real> peaks_on_side(const TiltPeaks<Real>& kept,
+                                                   const EquationConstants<Real, form>& constants) {
+  if constexpr (form == BlockForm::general) {
+    return {kept.tilt / constants.tilt_scale, kept.tilt_rate / constants.tilt_scale};
+  } else {
+    return kept;
+  }
+}
 
 /// How far a step of a rocking block goes, in the side frame.
 template <base::Lane Real>
@@ -177,6 +189,22 @@ template <base::Lane Real>
   const auto may_exceed = grows && now.tilt_rate < fastest + peaks::rise(m.tilt_rate.data(), end.length);
   if (in_any(may_exceed)) now.tilt_rate = peaks::rate_after_growth(m, order, end, now.tilt_rate, may_exceed);
   return now;
+}
+
+/// What is kept after that step: `kept` before it, `before` and `after` on the side of the block.
+template <base::Lane Real, BlockForm form>
+[[nodiscard]] inline TiltPeaks<Real> peaks_to_keep(const TiltPeaks<Real>& kept, const TiltPeaks<Real>& before,
+                                                   const TiltPeaks<Real>& after,
+                                                   const EquationConstants<Real, form>& constants) {
+  if constexpr (form == BlockForm::general) {
+    using base::select;
+    const auto raised = [&](const Real& old, const Real& low, const Real& high) {
+      return select(low < high, peaks::larger(old, constants.tilt_scale * high), old);
+    };
+    return {raised(kept.tilt, before.tilt, after.tilt), raised(kept.tilt_rate, before.tilt_rate, after.tilt_rate)};
+  } else {
+    return after;
+  }
 }
 
 }  // namespace rocking::dynamics

@@ -15,7 +15,8 @@ namespace rocking::dynamics {
 template <CoefficientSource Coefficients>
 [[nodiscard]] inline double threshold_at_rest(const MotionContext<Coefficients>& context) {
   constexpr double margin = 1e-6;
-  return (1.0 - margin) * std::min(context.coefficients.static_friction(), context.setting.block.tangent);
+  return (1.0 - margin) *
+         std::min(context.coefficients.static_friction(), context.setting.block.tangent);  // of the nearer edge
 }
 
 /// Whether one step leads to the next breakpoint and a block at rest certainly stays so until then.

@@ -22,13 +22,13 @@ namespace rocking::dynamics {
 
 /// dz/dtau of a state.
 [[nodiscard]] inline Tangent<double> rates_of(const State& state, const BaseMotion& base, double kinetic_friction,
-                                              const EquationConstants<double>& constants) {
+                                              const AnyConstants& constants) {
   switch (state.contact) {
     case ContactState::rest:
     case ContactState::overturned: return {};
     case ContactState::slide: {
       const double drag = state.slip_direction * kinetic_friction;
-      return {.slip = state.slip_rate, .slip_rate = -4.0 / 3.0 * (base.horizontal + drag * base.weight)};
+      return {.slip = state.slip_rate, .slip_rate = -constants.load * (base.horizontal + drag * base.weight)};
     }
     case ContactState::rock:
       return {.tilt = state.tilt_rate, .tilt_rate = rocking_forces(state, base, constants).acceleration};
@@ -56,8 +56,7 @@ struct MovingBase {
 /// g = by_normal N + by_friction S F of a block that rocks without slip. N and S F are those of forces_without_slip,
 /// evaluated with dual numbers.
 [[nodiscard]] inline GuardSlope slope_of_forces(const State& state, const MovingBase& base,
-                                                const EquationConstants<double>& constants, double by_normal,
-                                                double by_friction) {
+                                                const AnyConstants& constants, double by_normal, double by_friction) {
   const base::SinCos<double> angle = edge_angle(state, constants);
   const double omega = state.side * state.tilt_rate;
   struct Direction {
@@ -68,7 +67,8 @@ struct MovingBase {
         {.edge = {{angle.sine, -angle.cosine * d.tilt}, {angle.cosine, angle.sine * d.tilt}},
          .omega = {omega, d.omega},
          .beta = {state.side * base.now.horizontal, d.beta},
-         .weight = {base.now.weight, d.weight}});
+         .weight = {base.now.weight, d.weight}},
+        constants);
   };
   const auto slope = [&](const Direction& d) {
     const auto forces = forces_along(d);
@@ -92,31 +92,26 @@ struct ImpactDerivative {
 };
 
 /// Of sticking_impact.
-[[nodiscard]] inline ImpactDerivative sticking_derivative(double restitution, const Geometry& block) {
-  return {.tilt_rate_by_tilt_rate = 1.0 - impact_loss(restitution, block),
-          .tilt_rate_by_slip_rate = -0.75 * block.cosine,
+[[nodiscard]] inline ImpactDerivative sticking_derivative(double restitution, const Edge& landing) {
+  return {.tilt_rate_by_tilt_rate = 1.0 - impact_loss(restitution, landing),
+          .tilt_rate_by_slip_rate = -0.5 * landing.impact_gain * landing.cosine,
           .slip_rate_by_tilt_rate = 0.0,
           .slip_rate_by_slip_rate = 0.0};
 }
 
-/// Of slipping_impact; 1 + 3 q > 0.
+/// Of slipping_impact that has a solution.
 [[nodiscard]] inline ImpactDerivative slipping_derivative(const ImpactConditions& before, double kinetic_friction,
                                                           const Geometry& block) {
-  const LandingEdge<double> edge{.restitution = before.restitution,
-                                 .loss = impact_loss(before.restitution, block),
-                                 .sine = block.sine,
-                                 .cosine = block.cosine};
+  const auto edge = landing_edge(before.restitution, block.edge(before.tilt_rate));
   const LandingRates<double> rates{.tilt_rate = before.tilt_rate, .slip_rate = before.slip_rate};
-  const double direction = sticking_impulse<double>(rates, edge).horizontal > 0.0 ? -1.0 : 1.0;
+  const double direction = sticking_impulse(rates, edge).horizontal > 0.0 ? -1.0 : 1.0;
   const double along = before.tilt_rate < 0.0 ? -1.0 : 1.0;
   const double friction = direction * kinetic_friction;
-  const double q = block.sine * block.sine + along * friction * block.sine * block.cosine;
-  const double rebound = 1.0 + 2.0 * before.restitution;
-  const double ratio = (1.0 - 3.0 * rebound * q) / (1.0 + 3.0 * q);
-  const double impulse = block.sine * (rebound + ratio) * along;
+  const double ratio = slipping_rate_ratio(edge, along * friction, block).value_or(1.0);
+  const double impulse = edge.sine * (edge.rebound() + ratio) * along;
   return {.tilt_rate_by_tilt_rate = ratio,
           .tilt_rate_by_slip_rate = 0.0,
-          .slip_rate_by_tilt_rate = block.cosine * (ratio - 1.0) - friction * impulse,
+          .slip_rate_by_tilt_rate = edge.cosine * (ratio - 1.0) - friction * impulse,
           .slip_rate_by_slip_rate = 1.0};
 }
 

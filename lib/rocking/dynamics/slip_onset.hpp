@@ -32,7 +32,7 @@ template <CoefficientSource Coefficients>
 inline void start_slipping(MotionContext<Coefficients>& context, double direction, bool at_threshold) {
   State& state = context.state;
   const bool is_full_contact = state.tilt == 0.0 && state.tilt_rate == 0.0;
-  if (is_full_contact && !kinetic_friction_tips(context)) {
+  if (is_full_contact && !kinetic_friction_tips(context, direction)) {
     return start_sliding(context, -direction, at_threshold, false);
   }
   // With the centroidal inertia s V' >= c (abs(F) - mu_s N) for some c > 0: a value that is not > 0 is 0 up to

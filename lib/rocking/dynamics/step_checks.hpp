@@ -22,11 +22,12 @@ template <CoefficientSource Coefficients>
   const bool may_hop = course.automaton.is_off_ground() || context.known.normal_is_zero;
   const bool is_excluded = state.contact != ContactState::rock || course.automaton.was_past_balance() || may_hop;
   if (is_excluded || context.excitation.has_vertical()) return {};
-  return out_of_reach<double>({.tilt = state.side * state.tilt,
-                               .tilt_rate = state.side * state.tilt_rate,
-                               .base_amplitude = context.excitation.most_horizontal(context.base_amplitude()),
-                               .length = length},
-                              equation_constants(context.setting));
+  const ReachOfStep<double> step{.tilt = state.side * state.tilt,
+                                 .tilt_rate = state.side * state.tilt_rate,
+                                 .base_amplitude = context.excitation.most_horizontal(context.base_amplitude()),
+                                 .length = length};
+  return with_constants(context.setting, state.side,
+                        [&](const auto& constants) { return out_of_reach<double>(step, constants); });
 }
 
 /// A reset makes the forces jump: whether the block still presses on the base, and the equations still have a solution.
@@ -39,7 +40,7 @@ inline void check_validity(MotionCourse<Coefficients>& course, const MotionSerie
     if (determinant <= 0.0) context.end(Termination::painleve);
   }
   if (context.known.normal_is_zero) return;
-  // In full contact N = (4/3)(1 + alpha_v).
+  // In full contact N = G (1 + alpha_v).
   const bool has_no_weight = context.excitation.has_vertical() && rows.weight[0] <= 0.0;
   const bool rocks = is_rocking(context.state.contact);
   course.automaton.set_off_ground(context, rocks ? rows.normal[0] <= 0.0 : has_no_weight);

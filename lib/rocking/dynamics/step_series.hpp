@@ -43,7 +43,10 @@ class StepSeries {
   double expand(const StepStart& start, const Excitation& excitation) {
     order_ = order;
     has_vertical_ = excitation.has_vertical();
-    return excitation.visit([&](const auto& kind) { return expand_under<order>(start, kind); });
+    return excitation.visit([&](const auto& kind) {
+      return with_constants(start.setting, frame_side(start.state),
+                            [&](const auto& constants) { return expand_under<order>(start, kind, constants); });
+    });
   }
 
   /// The state x after `start`, where the series begin.
@@ -68,14 +71,13 @@ class StepSeries {
   }
 
  private:
-  template <int order, BaseExcitation Kind>
-  double expand_under(const StepStart& start, const Kind& excitation) {
+  template <int order, BaseExcitation Kind, class Constants>
+  double expand_under(const StepStart& start, const Kind& excitation, const Constants& constants) {
     const State& state = start.state;
     const double side = frame_side(state);
     constexpr bool vertical = Kind::has_vertical;
     Kind::template expand<order>(rows_, excitation.piece(start.clock), side * start.amplitude, moment_of(start.clock));
     const double largest = start.setting.tolerance * start.setting.block.shape_angle;
-    const EquationConstants<double> constants = equation_constants(start.setting);
     const SlipParameters<double> slip{.drag = side * state.slip_direction * start.kinetic_friction,
                                       .first_rate_gate = start.slip_starts_flat ? 0.0 : 1.0};
     const auto length = [this, largest](const auto& row) { return steps_(row[order - 1], row[order], order, largest); };
@@ -83,11 +85,11 @@ class StepSeries {
     rows_.slip[0] = side * state.slip;
     switch (state.contact) {
       case ContactState::rest: return length(rows_.base);
-      case ContactState::slide: expand_slide<order, vertical>(rows_, slip); return length(rows_.slip_rate);
+      case ContactState::slide: expand_slide<order, vertical>(rows_, constants, slip); return length(rows_.slip_rate);
       case ContactState::rock:
         begin_rocking(state, constants);
         expand_rock<order, vertical>(rows_, constants, start.lift_starts_flat ? 0.0 : 1.0);
-        expand_normal<order, vertical>(rows_);
+        expand_normal<order, vertical>(rows_, constants);
         return length(rows_.tilt_rate);
       case ContactState::rock_slide:
         begin_rocking(state, constants);
@@ -105,7 +107,8 @@ class StepSeries {
     return sum;
   }
 
-  void begin_rocking(const State& state, const EquationConstants<double>& constants) {
+  template <class Constants>
+  void begin_rocking(const State& state, const Constants& constants) {
     rows_.tilt[0] = state.side * state.tilt;
     rows_.tilt_rate[0] = state.side * state.tilt_rate;
     begin_angle(rows_, constants);

@@ -27,7 +27,7 @@ class VariationOfStep {
   using Tangents = std::array<Tangent<double>, count>;
 
   /// `start`: the vectors at the start of the step.
-  void expand(const MotionSeries<double>& rows, const VariedStep& step, const EquationConstants<double>& constants,
+  void expand(const MotionSeries<double>& rows, const VariedStep& step, const AnyConstants& constants,
               const Tangents& start) {
     step_ = step;
     start_ = start;
@@ -81,13 +81,13 @@ class VariationOfStep {
   static constexpr std::size_t solution_count = count == 1 ? 1 : 2;
 
   template <int order>
-  void expand_to(const MotionSeries<double>& rows, const EquationConstants<double>& constants) {
+  void expand_to(const MotionSeries<double>& rows, const AnyConstants& constants) {
     begin();
     if (step_.contact == ContactState::rock) {
       if (step_.has_vertical) {
-        expand_rock_variation<order, true>(rows, coefficients_);
+        expand_rock_variation<order, true>(rows, constants, coefficients_);
       } else {
-        expand_rock_variation<order, false>(rows, coefficients_);
+        expand_rock_variation<order, false>(rows, constants, coefficients_);
       }
       for (auto& solution : solutions_) solve_rock_variation<order>(coefficients_, solution);
     } else {

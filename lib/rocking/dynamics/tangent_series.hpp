@@ -14,10 +14,11 @@
 /// In the side frame of motion_series.hpp, with a = S dtheta and its rate b = S dw, the derivatives of the equations of
 /// rock and rock-slide with respect to the state are linear with known series as coefficients:
 ///
-///     rock:        b' = K a                  K = beta s + g c
+///     rock:        b' = K a                  K = beta s + g c, times the gain of w'
 ///     rock-slide:  D b' = P b + Q a          D = J + s r,  P = 2 r (omega c),  Q = r (omega c)' + N (c - nu s)
 ///
-/// The second one follows from J omega' = -N r with N = (4/3) g + (omega s)'. With v' = -(4/3) beta - nu N + (omega c)'
+/// with r = s + nu c. The second one follows from J omega' = -N r with N = G g + (omega s)'. With v' = -G beta - nu N +
+/// (omega c)'
 /// the slip rate changes by dv = dv(0) + [(c - nu s) a]' - [(c - nu s) a]'(0): no series is needed for it.
 /// Slide: dv is constant. The mirrored frame has the same matrices.
 /// Source: the equations of lib/docs/model.md, section 2.
@@ -42,27 +43,29 @@ struct VariationSeries {
 
 namespace kernel {
 
-template <int k, bool vertical, base::Lane Real>
-inline void extend_rock_coefficients(const MotionSeries<Real>& m, VariationCoefficients<Real>& of) {
+template <int k, bool vertical, base::Lane Real, BlockForm form>
+inline void extend_rock_coefficients(const MotionSeries<Real>& m, const EquationConstants<Real, form>& constants,
+                                     VariationCoefficients<Real>& of) {
   const Real pull = product<k>(m.base.data(), m.sine.data());
   if constexpr (vertical) {
-    of.stiffness[k] = pull + product<k>(m.weight.data(), m.cosine.data());
+    of.stiffness[k] = constants.geared(pull + product<k>(m.weight.data(), m.cosine.data()));
   } else {
-    of.stiffness[k] = pull + m.cosine[k];
+    of.stiffness[k] = constants.geared(pull + m.cosine[k]);
   }
 }
 
 }  // namespace kernel
 
 /// Rock: K, to one order less than the step's.
-template <int order, bool vertical, base::Lane Real>
-inline void expand_rock_variation(const MotionSeries<Real>& m, VariationCoefficients<Real>& of) {
-  kernel::repeat<order>([&](auto index) { kernel::extend_rock_coefficients<index, vertical>(m, of); });
+template <int order, bool vertical, base::Lane Real, BlockForm form>
+inline void expand_rock_variation(const MotionSeries<Real>& m, const EquationConstants<Real, form>& constants,
+                                  VariationCoefficients<Real>& of) {
+  kernel::repeat<order>([&](auto index) { kernel::extend_rock_coefficients<index, vertical>(m, constants, of); });
 }
 
 /// Rock-slide: P, Q, D, to one order less than the step's.
-template <int order, base::Lane Real>
-inline void expand_rock_slide_variation(const MotionSeries<Real>& m, const EquationConstants<Real>& constants,
+template <int order, base::Lane Real, BlockForm form>
+inline void expand_rock_slide_variation(const MotionSeries<Real>& m, const EquationConstants<Real, form>& constants,
                                         const Real& drag, VariationCoefficients<Real>& of) {
   using namespace kernel;
   typename MotionSeries<Real>::Row acceleration;  // (omega c)'

@@ -42,8 +42,8 @@ struct alignas(64) LaneState {
   LaneRow frequency;      ///< Omega_h
   LaneRow period_length;  ///< 2 pi/Omega_h
   LaneRow resolution;     ///< instants closer than this are one
-  dynamics::EquationConstants<LaneRow> constants;
-  LaneRow largest;           ///< largest last term of a series: tolerance times psi
+  dynamics::EquationConstants<LaneRow, dynamics::BlockForm::general> constants;
+  LaneRow largest;           ///< largest last term of a series: tolerance times psi of the nearer edge
   LaneRow static_friction;   ///< mu_s
   LaneRow kinetic_friction;  ///< mu_k
   LaneRow restitution;       ///< e; NaN if it fluctuates: then no impact is computed here

@@ -26,6 +26,7 @@ struct ComingStep {
   const dynamics::Setting* setting;
   const dynamics::Clock* clock;
   SideState state;
+  double side;              ///< S
   double amplitude;         ///< of S alpha
   double static_friction;   ///< mu_s in force
   double kinetic_friction;  ///< mu_k in force

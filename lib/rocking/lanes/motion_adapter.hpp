@@ -31,7 +31,7 @@ class MotionAdapter {
     if constexpr (HasTangents<Motion>) {
       if (!motion_.excitation().is_periodic() || motion_.restarts()) return false;
     }
-    return !motion_.ended() && motion_.armed_guards().is_ordinary();
+    return !motion_.ended() && motion_.setting().block.is_rectangle() && motion_.armed_guards().is_ordinary();
   }
 
   [[nodiscard]] ComingStep coming_step() {
@@ -46,11 +46,12 @@ class MotionAdapter {
                       .tilt_rate = side * state.tilt_rate,
                       .slip = side * state.slip,
                       .slip_rate = side * state.slip_rate},
+            .side = side,
             .amplitude = side * context.base_amplitude(),
             .static_friction = motion_.coefficients().static_friction(),
             .kinetic_friction = motion_.kinetic_friction(),
             .restitution = restitution,
-            .impact_loss = dynamics::impact_loss(restitution, setting.block),
+            .impact_loss = dynamics::impact_loss(restitution, setting.block.edge(-side)),
             .least_rebound = dynamics::fastest_small_hop(context),
             .slip_sign = side * state.slip_direction,
             .next_strobe = progress.strobes.next(),

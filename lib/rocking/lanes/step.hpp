@@ -106,7 +106,8 @@ template <class Form, class Real = typename Form::Real>
     // Without a friction guard, the series of N is needed by its own guard only.
     if (!Form::tests_friction && bits_of(!step.presses) == 0) return;
   }
-  if constexpr (!Form::slips) dynamics::expand_normal<Form::order, Form::Shaking::has_vertical>(step.m);
+  if constexpr (!Form::slips)
+    dynamics::expand_normal<Form::order, Form::Shaking::has_vertical>(step.m, lanes.constants());
   step.presses = Real(0.0) < step.m.normal[0];
 }
 

@@ -37,7 +37,7 @@ class TangentStep {
       dynamics::expand_rock_slide_variation<order>(m_, lanes.constants(), drag_, of);
       for (auto& solution : solutions_) dynamics::solve_rock_slide_variation<order>(of, solution);
     } else {
-      dynamics::expand_rock_variation<order, Form::Shaking::has_vertical>(m_, of);
+      dynamics::expand_rock_variation<order, Form::Shaking::has_vertical>(m_, lanes.constants(), of);
       for (auto& solution : solutions_) dynamics::solve_rock_variation<order>(of, solution);
     }
   }

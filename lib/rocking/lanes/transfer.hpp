@@ -71,18 +71,23 @@ inline void load_intervals(LaneState& state, std::size_t lane, const dynamics::K
   intervals.grid_start[lane] = grid_start;
 }
 
+/// Of a block on this side.
+inline void load_constants(LaneState& state, std::size_t lane, const dynamics::Setting& setting, double side) {
+  dynamics::for_each_constant(state.constants, dynamics::equation_constants(setting, side),
+                              [lane](LaneRow& row, double number) { row[lane] = number; });
+}
+
 /// Puts a motion into a lane.
 inline void load(LaneState& state, std::size_t lane, const ComingStep& step) {
   load_step(state, lane, step);
   const dynamics::Clock& clock = *step.clock;
-  const auto constants = dynamics::equation_constants(*step.setting);
   state.occupied[lane] = 1.0;
   state.strobe_time[lane] = step.next_strobe.time;
   state.frequency[lane] = clock.frequency();
   state.period_length[lane] = clock.period_length();
   state.resolution[lane] = clock.resolution();
-  state.largest[lane] = step.setting->tolerance * constants.shape_angle;
-  dynamics::for_each_constant(state.constants, constants, [lane](LaneRow& row, double number) { row[lane] = number; });
+  state.largest[lane] = step.setting->tolerance * step.setting->block.shape_angle;
+  load_constants(state, lane, *step.setting, step.side);
 }
 
 /// The state at the strobe instant that a lane has passed.

@@ -72,7 +72,7 @@ class HorizonRun {
   HorizonRun(const Condition& condition, const Beginning& beginning, MakeMotion&& make_motion)
       : condition_(&condition),
         shape_angle_(beginning.setting.block.shape_angle),
-        recorder_(shape_angle_, condition.horizon.transient_periods + condition.horizon.sampled_periods),
+        recorder_(beginning.setting.block, condition.horizon.transient_periods + condition.horizon.sampled_periods),
         motion_(make_motion(recorder_)) {
     result_.operations.initial_draws = beginning.draws;
     result_.clamps = beginning.clamps;

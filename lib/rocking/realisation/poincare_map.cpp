@@ -19,7 +19,7 @@ constexpr int directions = 9;
 /// Keeps the contact states and their changes too.
 class SectionObserver final : public dynamics::Observer {
  public:
-  SectionObserver(double shape_angle, int periods) : recorder_(shape_angle, periods + 1) {}
+  SectionObserver(const dynamics::Geometry& block, int periods) : recorder_(block, periods + 1) {}
 
   void event(dynamics::EventKind kind, double tau, const dynamics::State& state) override {
     recorder_.event(kind, tau, state);
@@ -76,11 +76,13 @@ Beginning beginning_of(Condition condition) {
   return begin_realisation(condition, draws, start_of(condition.scene, draws), Strobe::poincare, 1);
 }
 
-SectionMatrix in_units_of_section(const TangentMotion<Motion, 3>::Tangents& columns, double psi) {
+/// `from`, `to`: psi of the sides on which the block is at both ends.
+SectionMatrix in_units_of_section(const TangentMotion<Motion, 3>::Tangents& columns, double from, double to) {
   const auto& [by_tilt, by_rate, by_slip] = columns;
-  return {{{by_tilt.tilt, by_rate.tilt, by_slip.tilt / psi},
-           {by_tilt.tilt_rate, by_rate.tilt_rate, by_slip.tilt_rate / psi},
-           {by_tilt.slip_rate * psi, by_rate.slip_rate * psi, by_slip.slip_rate}}};
+  const double ratio = from / to;
+  return {{{by_tilt.tilt * ratio, by_rate.tilt * ratio, by_slip.tilt / to},
+           {by_tilt.tilt_rate * ratio, by_rate.tilt_rate * ratio, by_slip.tilt_rate / to},
+           {by_tilt.slip_rate * from, by_rate.slip_rate * from, by_slip.slip_rate}}};
 }
 
 }  // namespace
@@ -111,7 +113,7 @@ PoincareMap::PoincareMap(const Condition& condition)
 
 Beginning PoincareMap::beginning(const section::StrobePoint& from, const dynamics::Schedule& schedule) const {
   Beginning beginning = at_zero_;
-  const double psi = beginning.setting.block.shape_angle;
+  const double psi = beginning.setting.block.tilt_unit(from.tilt, from.tilt_rate);
   beginning.state = {.tilt = psi * from.tilt, .tilt_rate = psi * from.tilt_rate, .slip_rate = from.slip_rate};
   beginning.schedule = schedule;
   return beginning;
@@ -120,8 +122,7 @@ Beginning PoincareMap::beginning(const section::StrobePoint& from, const dynamic
 std::optional<PoincareImage> PoincareMap::image(const section::StrobePoint& from,
                                                 const dynamics::Schedule& schedule) const {
   const Beginning begin = beginning(from, schedule);
-  const double psi = begin.setting.block.shape_angle;
-  SectionObserver observer(psi, static_cast<int>(schedule.strobes));
+  SectionObserver observer(begin.setting.block, static_cast<int>(schedule.strobes));
   TangentMotion<Motion, 3> motion(motion_of(scene_, begin, observer),
                                   {{{.tilt = 1.0}, {.tilt_rate = 1.0}, {.slip_rate = 1.0}}});
   GuardLog log;
@@ -129,9 +130,13 @@ std::optional<PoincareImage> PoincareMap::image(const section::StrobePoint& from
   observer.strobe(motion.state());  // the edge about which the block turns at the start
   integrate::advance(motion);
   if (motion.termination() != dynamics::Termination::reached_horizon) return std::nullopt;
+  const auto psi_at = [&](const section::StrobePoint& point) {
+    return begin.setting.block.tilt_unit(point.tilt, point.tilt_rate);
+  };
+  const double psi_at_end = psi_at(observer.periods().back().point);
   PoincareImage image{.contact = observer.first_contact(),
                       .states = observer.later_states(),
-                      .derivative = in_units_of_section(motion.at_strobe(), psi),
+                      .derivative = in_units_of_section(motion.at_strobe(), psi_at(from), psi_at_end),
                       .not_differentiable = motion.not_differentiable(),
                       .sequence = observer.sequence(),
                       .crossings = log.crossings(),
@@ -164,7 +169,7 @@ std::optional<PoincareImage> PoincareMap::mirrored_half(const section::StrobePoi
 std::optional<std::vector<SectionState>> PoincareMap::half_way(const section::StrobePoint& from, int periods) const {
   const double half = 0.5 * at_zero_.clock.period_length();
   const Beginning begin = beginning(from, {.first_strobe = {.period = 0, .time = half}, .strobes = periods});
-  SectionObserver observer(begin.setting.block.shape_angle, periods);
+  SectionObserver observer(begin.setting.block, periods);
   Motion motion = motion_of(scene_, begin, observer);
   observer.strobe(motion.state());
   integrate::advance(motion);

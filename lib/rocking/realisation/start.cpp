@@ -16,7 +16,7 @@ using random::Source;
 /// What a condition fixes for a realisation with this block.
 dynamics::Setting setting_of(const Condition& condition, const dynamics::Geometry& block) {
   return {.block = block,
-          .inertia = dynamics::inertia_ratio(condition.scene.slide_inertia),
+          .inertia = dynamics::slip_inertia(block, condition.scene.slide_inertia),
           .impact_slip_rule = condition.scene.impact_slip_rule,
           .tolerance = condition.tolerance};
 }
@@ -75,11 +75,11 @@ Start start_of(const Scene& asked, const random::BranchedDraws& draws) {
   const Scene& scene = start.scene;
   start.block = mean_of(scene.block);
   start.geometry = dynamics::geometry_of(start.block);
-  const double psi = start.geometry.shape_angle;
+  const double tilt = mean_of(scene.initial.tilt);
+  const double tilt_rate = mean_of(scene.initial.tilt_rate);
+  const double psi = start.geometry.tilt_unit(tilt, tilt_rate);
   start.phase = wrapped(mean_of(start_phase(scene.excitation)));
-  start.state = {.tilt = psi * mean_of(scene.initial.tilt),
-                 .tilt_rate = psi * mean_of(scene.initial.tilt_rate),
-                 .slip_rate = mean_of(scene.initial.slip_rate)};
+  start.state = {.tilt = psi * tilt, .tilt_rate = psi * tilt_rate, .slip_rate = mean_of(scene.initial.slip_rate)};
   return start;
 }
 

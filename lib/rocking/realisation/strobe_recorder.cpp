@@ -8,7 +8,7 @@ namespace rocking {
 using dynamics::ContactState;
 using dynamics::EventKind;
 
-StrobeRecorder::StrobeRecorder(double shape_angle, std::int64_t periods) : shape_angle_(shape_angle) {
+StrobeRecorder::StrobeRecorder(const dynamics::Geometry& block, std::int64_t periods) : block_(block) {
   periods_.reserve(static_cast<std::size_t>(periods));
 }
 
@@ -26,8 +26,8 @@ void StrobeRecorder::event(EventKind kind, double, const dynamics::State& state)
 }
 
 void StrobeRecorder::strobe(const dynamics::State& state) {
-  current_.point = {
-      .tilt = state.tilt / shape_angle_, .tilt_rate = state.tilt_rate / shape_angle_, .slip_rate = state.slip_rate};
+  const double psi = block_.tilt_unit(state.tilt, state.tilt_rate);
+  current_.point = {.tilt = state.tilt / psi, .tilt_rate = state.tilt_rate / psi, .slip_rate = state.slip_rate};
   periods_.push_back(current_);
   current_ = {.point = {}, .impacts = 0, .moved = state.contact != ContactState::rest};
   side_ = state.side;

@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "rocking/dynamics/block.hpp"
 #include "rocking/dynamics/observer.hpp"
 #include "rocking/section/classification.hpp"
 
@@ -18,7 +19,7 @@ namespace rocking {
 /// edges may alternate, one being weaker than the other).
 class StrobeRecorder final : public dynamics::Observer {
  public:
-  StrobeRecorder(double shape_angle, std::int64_t periods);
+  StrobeRecorder(const dynamics::Geometry& block, std::int64_t periods);
 
   void event(dynamics::EventKind kind, double tau, const dynamics::State& state) override;
   void strobe(const dynamics::State& state) override;
@@ -36,7 +37,7 @@ class StrobeRecorder final : public dynamics::Observer {
   void count_impact(const dynamics::State& after);
   void merge_chatter();
 
-  double shape_angle_;
+  dynamics::Geometry block_;
   std::vector<section::Period> periods_;  ///< complete ones
   std::size_t forgotten_ = 0;             ///< number of periods before these
   section::Period current_;

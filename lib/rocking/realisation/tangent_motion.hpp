@@ -76,7 +76,8 @@ class TangentMotion : public Motion {
   /// At the start of the coming step.
   [[nodiscard]] Tangents tangents() {
     if (!is_later_) return at_event_;
-    const Tangent rates = rates_of(this->state(), this->base_motion(), this->kinetic_friction(), constants());
+    const Tangent rates =
+        rates_of(this->state(), this->base_motion(), this->kinetic_friction(), constants(this->state()));
     Tangents now;
     for (std::size_t i = 0; i < count; ++i) now[i] = plus(at_event_[i], -delays_[i], rates);
     return now;
@@ -188,14 +189,15 @@ class TangentMotion : public Motion {
     dynamics::Clock clock = this->clock();
     if (at_breakpoint) clock.set(*this->course().progress.breakpoint());
     const double restitution = coefficients.restitution();
-    if (!coefficients.has_friction()) return sticking_derivative(restitution, setting.block);
+    const dynamics::Edge& landing = setting.block.edge(state.tilt_rate);
+    if (!coefficients.has_friction()) return sticking_derivative(restitution, landing);
     const bool slip_ends = fired[static_cast<std::size_t>(Guard::slip)];
     const dynamics::ImpactConditions before{.tilt_rate = state.tilt_rate,
                                             .slip_rate = slip_ends ? 0.0 : state.slip_rate,
                                             .restitution = restitution,
                                             .static_friction = coefficients.static_friction()};
     if (sticking_impact(before, setting.block, setting.impact_slip_rule)) {
-      return sticking_derivative(restitution, setting.block);
+      return sticking_derivative(restitution, landing);
     }
     return slipping_derivative(before, coefficients.kinetic_friction(clock), setting.block);
   }
@@ -217,7 +219,7 @@ class TangentMotion : public Motion {
 
   /// The change of state at the event: with that of its instant.
   void delay(const Event& event) {
-    const Tangent rates = rates_of(event.before, event_base_.now, event.kinetic_friction, constants());
+    const Tangent rates = rates_of(event.before, event_base_.now, event.kinetic_friction, constants(event.before));
     const std::optional<dynamics::GuardSlope> guard = slope_of(event, rates);
     if (!guard) return;
     is_later_ = true;
@@ -234,7 +236,7 @@ class TangentMotion : public Motion {
         const bool ends_chatter = event.before.tilt_rate != 0.0 && this->state().tilt_rate == 0.0;
         const double least = ends_chatter ? 0.0 : this->setting().tolerance * this->setting().block.shape_angle;
         if (log_ != nullptr) {
-          log_->add({Guard::tilt, rates.tilt / this->setting().block.shape_angle});
+          log_->add({Guard::tilt, rates.tilt / this->setting().block.edge(event.before.side).shape_angle});
           if (!dynamics::is_rocking(this->state().contact)) log_->forget_chatter();
         }
         return unless_grazing({.gradient = {.tilt = 1.0}, .rate = rates.tilt}, least);
@@ -248,8 +250,9 @@ class TangentMotion : public Motion {
       case Guard::normal: {
         // Without a change of the contact state the reset is the identity and the rates do not jump.
         const bool changes = event.before.contact == dynamics::ContactState::rock && this->slips();
-        return changes ? unless_grazing(dynamics::slope_of_forces(event.before, event_base_, constants(), 1.0, 0.0),
-                                        least_rate)
+        return changes ? unless_grazing(
+                             dynamics::slope_of_forces(event.before, event_base_, constants(event.before), 1.0, 0.0),
+                             least_rate)
                        : std::nullopt;
       }
       default: return std::nullopt;
@@ -259,7 +262,7 @@ class TangentMotion : public Motion {
   [[nodiscard]] std::optional<dynamics::GuardSlope> slope_of_forces(const Event& event, double by_friction) {
     const double mu_s = this->coefficients().static_friction();  // an onset of slip draws nothing
     const dynamics::GuardSlope guard =
-        dynamics::slope_of_forces(event.before, event_base_, constants(), mu_s, by_friction);
+        dynamics::slope_of_forces(event.before, event_base_, constants(event.before), mu_s, by_friction);
     if (log_ != nullptr) log_->add({*event.guard, guard.rate});
     return unless_grazing(guard, least_rate);
   }
@@ -295,7 +298,7 @@ class TangentMotion : public Motion {
                        .order = this->series().order(),
                        .has_vertical = this->excitation().has_vertical(),
                        .drag = frame_side(state) * state.slip_direction * this->kinetic_friction()},
-                      constants(), tangents_);
+                      constants(state), tangents_);
   }
 
   [[nodiscard]] Tangents tangents_until(double x) const { return variation_.at(x, this->series().rows()); }
@@ -314,7 +317,9 @@ class TangentMotion : public Motion {
                       .weight = this->excitation().has_vertical() ? slope(rows.weight) : 0.0}};
   }
 
-  [[nodiscard]] dynamics::EquationConstants<double> constants() const { return equation_constants(this->setting()); }
+  [[nodiscard]] dynamics::AnyConstants constants(const dynamics::State& of) const {
+    return equation_constants(this->setting(), of.side);
+  }
 
   dynamics::VariationOfStep<count> variation_;
   Tangents tangents_{};  ///< at the start of the step

@@ -16,14 +16,16 @@
 namespace rocking {
 namespace {
 
-/// Kinetic energy relative to the base plus the potential energy of the weight, over m R^2 p^2. By Koenig's theorem
-/// with the inertia 1/3 about the centre of mass: (2/3) w^2 + V^2/2 - V w cos(phi) + (4/3) cos(phi).
-[[nodiscard]] inline double energy_of(const dynamics::State& state,
-                                      const dynamics::EquationConstants<double>& constants) {
+/// Kinetic energy relative to the base plus the potential energy of the weight, over m R^2 p^2. By Koenig's theorem with
+/// the inertia J about the centre of mass and the lever c of the edge: (J + r^2) w^2/2 + V^2/2 - V w c + G c, which is
+/// (2/3) w^2 + V^2/2 - V w cos(phi) + (4/3) cos(phi) for a rectangle.
+[[nodiscard]] inline double energy_of(const dynamics::State& state, const dynamics::Setting& setting) {
+  const dynamics::AnyConstants constants = equation_constants(setting, state.side);
   const double cosine = edge_angle(state, constants).cosine;
   const double w = state.tilt_rate;
   const double v = state.slip_rate;
-  return 2.0 / 3.0 * w * w + 0.5 * v * v - v * w * cosine + 4.0 / 3.0 * cosine;
+  return 1.0 / setting.block.edge(state.side).impact_gain * w * w + 0.5 * v * v - v * w * cosine +
+         constants.load * cosine;
 }
 
 /// A motion with the same bits as `Motion` that also keeps its energy balance. The work of each step is integrated by
@@ -31,9 +33,8 @@ namespace {
 template <class Motion>
 class AccountedMotion : public Motion {
  public:
-  AccountedMotion(Motion motion, const dynamics::Setting& setting)
-      : Motion(std::move(motion)), constants_(equation_constants(setting)) {
-    account_.at_start = account_.at_end = energy_of(this->state(), constants_);
+  explicit AccountedMotion(Motion motion) : Motion(std::move(motion)) {
+    account_.at_start = account_.at_end = energy_of(this->state(), this->setting());
   }
 
   [[nodiscard]] const EnergyAccount& account() const { return account_; }
@@ -51,7 +52,7 @@ class AccountedMotion : public Motion {
   template <class Fired>
   void reset(const Fired& fired, bool at_breakpoint) {
     Motion::reset(fired, at_breakpoint);
-    const double after = energy_of(this->state(), constants_);
+    const double after = energy_of(this->state(), this->setting());
     (after < account_.at_end ? account_.lost_in_impacts : account_.gained_in_impacts) +=
         std::abs(after - account_.at_end);
     account_.at_end = after;
@@ -65,53 +66,56 @@ class AccountedMotion : public Motion {
       if (this->slips())
         account_.friction_work += Quadrature::integrate([this](double t) { return friction_power(t); }, 0.0, x);
     }
-    account_.at_end = energy_of(this->state_at(x), constants_);
+    account_.at_end = energy_of(this->state_at(x), this->setting());
   }
 
   [[nodiscard]] double base_power(double x) const {
     const dynamics::State state = this->state_at(x);
     const auto [alpha, weight] = this->base_at(x);
-    const auto [sine, cosine] = edge_angle(state, constants_);
+    const dynamics::AnyConstants constants = equation_constants(this->setting(), state.side);
+    const auto [sine, cosine] = edge_angle(state, constants);
     const double along = state.slip_rate - state.tilt_rate * cosine;
     const double upwards = state.side * state.tilt_rate * sine;
-    return -4.0 / 3.0 * (alpha * along + (weight - 1.0) * upwards);
+    return -constants.load * (alpha * along + (weight - 1.0) * upwards);
   }
 
   [[nodiscard]] double friction_power(double x) const {
     const dynamics::State state = this->state_at(x);
     const dynamics::BaseMotion base = this->base_at(x);
-    double normal = 4.0 / 3.0 * base.weight;
+    const dynamics::AnyConstants constants = equation_constants(this->setting(), state.side);
+    double normal = constants.load * base.weight;
     if (state.contact == dynamics::ContactState::rock_slide) {
-      const auto [sine, cosine] = edge_angle(state, constants_);
-      const auto rates = slipping_rates(state, base, this->kinetic_friction(), constants_);
+      const auto [sine, cosine] = edge_angle(state, constants);
+      const auto rates = slipping_rates(state, base, this->kinetic_friction(), constants);
       normal += state.side * rates.tilt_acceleration * sine - state.tilt_rate * state.tilt_rate * cosine;
     }
     return -state.slip_direction * this->kinetic_friction() * normal * state.slip_rate;
   }
 
-  dynamics::EquationConstants<double> constants_;
   EnergyAccount account_;
 };
 
 /// Records strobe points and events, in the units of files.
 class Recorder final : public dynamics::Observer {
  public:
-  Recorder(double shape_angle, base::StopRequest stop) : shape_angle_(shape_angle), stop_(stop) {}
+  Recorder(const dynamics::Geometry& block, base::StopRequest stop) : block_(block), stop_(stop) {}
 
   void event(dynamics::EventKind kind, double tau, const dynamics::State& state) override {
+    const double psi = block_.tilt_unit(state.tilt, state.tilt_rate);
     trajectory.events.push_back({.tau = tau,
                                  .kind = kind,
-                                 .tilt = state.tilt / shape_angle_,
-                                 .tilt_rate = state.tilt_rate / shape_angle_,
+                                 .tilt = state.tilt / psi,
+                                 .tilt_rate = state.tilt_rate / psi,
                                  .slip = state.slip,
                                  .slip_rate = state.slip_rate});
   }
 
   void strobe(const dynamics::State& state) override {
     stop_.check();  // a block at rest passes many periods in one step
+    const double psi = block_.tilt_unit(state.tilt, state.tilt_rate);
     trajectory.strobe.push_back({.period = static_cast<std::int64_t>(trajectory.strobe.size()) + 1,
-                                 .tilt = state.tilt / shape_angle_,
-                                 .tilt_rate = state.tilt_rate / shape_angle_,
+                                 .tilt = state.tilt / psi,
+                                 .tilt_rate = state.tilt_rate / psi,
                                  .slip = state.slip,
                                  .slip_rate = state.slip_rate,
                                  .contact = state.contact});
@@ -120,7 +124,7 @@ class Recorder final : public dynamics::Observer {
   Trajectory trajectory;
 
  private:
-  double shape_angle_;
+  dynamics::Geometry block_;
   base::StopRequest stop_;
 };
 
@@ -141,13 +145,14 @@ void run(Motion& motion, const Beginning& beginning, const TrajectoryExtent& ext
   advance(sampled, extent.stop);
 }
 
-std::vector<HistorySample> in_units_of_files(const std::vector<HistoryPoint>& points, double shape_angle) {
+std::vector<HistorySample> in_units_of_files(const std::vector<HistoryPoint>& points, const dynamics::Geometry& block) {
   std::vector<HistorySample> history;
   history.reserve(points.size());
   for (const auto& [tau, state, base_acceleration] : points) {
+    const double psi = block.tilt_unit(state.tilt, state.tilt_rate);
     history.push_back({.tau = tau,
-                       .tilt = state.tilt / shape_angle,
-                       .tilt_rate = state.tilt_rate / shape_angle,
+                       .tilt = state.tilt / psi,
+                       .tilt_rate = state.tilt_rate / psi,
                        .slip = state.slip,
                        .slip_rate = state.slip_rate,
                        .contact = state.contact,
@@ -169,11 +174,10 @@ Trajectory trajectory_of_unchecked(const Condition& condition, std::uint64_t see
   ROCKING_EXPECT(extent.periods > 0);
   const random::Draws draws(seed_of(condition, seed), realisation);
   const Start start = start_of(condition.scene, draws);
-  const double shape_angle = start.geometry.shape_angle;
-  Recorder recorder(shape_angle, extent.stop);
+  Recorder recorder(start.geometry, extent.stop);
   std::vector<HistoryPoint> history;
   const Beginning beginning = begin_realisation(condition, draws, start, Strobe::start, extent.periods);
-  AccountedMotion motion(motion_of(condition.scene, beginning, recorder), beginning.setting);
+  AccountedMotion motion(motion_of(condition.scene, beginning, recorder));
   run(motion, beginning, extent, history);
   Trajectory& trajectory = recorder.trajectory;
   trajectory.block = start.block;
@@ -186,7 +190,7 @@ Trajectory trajectory_of_unchecked(const Condition& condition, std::uint64_t see
   trajectory.contradictions = motion.contradictions();
   trajectory.energy = motion.account();
   trajectory.samples_per_period = extent.samples_per_period;
-  trajectory.history = in_units_of_files(history, shape_angle);
+  trajectory.history = in_units_of_files(history, start.geometry);
   return std::move(recorder.trajectory);
 }
 

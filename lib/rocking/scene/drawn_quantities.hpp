@@ -56,7 +56,7 @@ void for_each_quantity(AScene& scene, const Visit& visit) {
   using random::Source;
   // A member that is not named here does not compile: it may be drawn, or it may not.
   auto& [block, slide_inertia, impact_slip_rule, restitution, excitation, friction, fluctuation, initial] = scene;
-  auto& [width, height, gravity] = block;
+  auto& [width, height, gravity, mass] = block;
   visit({Source::block_width, "width of the block", "/block/width_m"}, width);
   visit({Source::block_height, "height of the block", "/block/height_m"}, height);
   if (const RestitutionNumber number = number_of(restitution); number.value != nullptr) {

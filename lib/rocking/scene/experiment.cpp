@@ -80,23 +80,25 @@ double highest_confidence(const Experiment& experiment) {
 }
 
 dynamics::Block mean_of(const SceneBlock& block) {
-  return {.width = mean_of(block.width), .height = mean_of(block.height), .gravity = block.gravity};
+  return {.width = mean_of(block.width), .height = mean_of(block.height), .gravity = block.gravity, .mass = block.mass};
 }
 
 ShapeRange shapes_of(const SceneBlock& block) {
   const Reach width = reach_of_length(block.width);
   const Reach height = reach_of_length(block.height);
-  return {
-      .most_slender = dynamics::geometry_of({.width = width.least, .height = height.largest, .gravity = block.gravity}),
-      .squattest = dynamics::geometry_of({.width = width.largest, .height = height.least, .gravity = block.gravity})};
+  const auto of = [&block](double wide, double high) {
+    return dynamics::geometry_of({.width = wide, .height = high, .gravity = block.gravity, .mass = block.mass});
+  };
+  return {.most_slender = of(width.least, height.largest), .squattest = of(width.largest, height.least)};
 }
 
 SizeRange sizes_of(const SceneBlock& block) {
   const Reach width = reach_of_length(block.width);
   const Reach height = reach_of_length(block.height);
-  return {
-      .smallest = dynamics::geometry_of({.width = width.least, .height = height.least, .gravity = block.gravity}),
-      .largest = dynamics::geometry_of({.width = width.largest, .height = height.largest, .gravity = block.gravity})};
+  const auto of = [&block](double wide, double high) {
+    return dynamics::geometry_of({.width = wide, .height = high, .gravity = block.gravity, .mass = block.mass});
+  };
+  return {.smallest = of(width.least, height.least), .largest = of(width.largest, height.largest)};
 }
 
 }  // namespace rocking

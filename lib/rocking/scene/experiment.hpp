@@ -21,12 +21,13 @@ namespace rocking {
 inline constexpr double least_length = 1e-6;
 inline constexpr double largest_length = 1e6;
 
-/// Asked for: a rigid rectangular block of uniform density. Each realisation draws its own width and height where they
-/// have laws, and truncates them to the bounds.
+/// Asked for: a rigid block, rectangular and of uniform density unless its mass is laid out otherwise. Each realisation
+/// draws its own width and height where they have laws, and truncates them to the bounds.
 struct SceneBlock {
-  Quantity width = 1.0;   ///< B [m]
-  Quantity height = 4.0;  ///< H [m]
-  double gravity = 9.81;  ///< g [m/s^2]
+  Quantity width = 1.0;                           ///< B [m]
+  Quantity height = 4.0;                          ///< H [m]
+  double gravity = 9.81;                          ///< g [m/s^2]
+  std::optional<dynamics::MassLayout> mass = {};  ///< where given, width and height are the outline only
 };
 
 /// Two shapes between which every block of a scene lies.

@@ -320,5 +320,30 @@ TEST(InelasticRateRatio, IsThatOfAnImpactThatSticks) {
   }
 }
 
+// Housner's ratio of each edge: the angular momentum about the landing edge before and after the impact, in SI units. Before
+// it the centre of mass moves about the other edge.
+TEST(Impact, OfAGeneralBlockConservesTheAngularMomentumAboutTheLandingEdge) {
+  support::SplitMix draw(68);
+  for (int i = 0; i < 1000; ++i) {
+    const MassLayout mass{.left_edge = draw.uniform(0.1, 1.0),
+                          .right_edge = draw.uniform(0.1, 1.0),
+                          .centre_height = draw.uniform(0.3, 3.0),
+                          .radius_of_gyration = draw.uniform(0.2, 1.5)};
+    const Geometry block = geometry_of({.mass = mass});
+    for (const double side : {1.0, -1.0}) {  // of the landing edge
+      const double landing = side > 0.0 ? mass.left_edge : mass.right_edge;
+      const double leaving = side > 0.0 ? mass.right_edge : mass.left_edge;
+      const double height = mass.centre_height;
+      const double inertia = mass.radius_of_gyration * mass.radius_of_gyration;
+      const double before = inertia + height * height - landing * leaving;
+      const double after = inertia + height * height + landing * landing;
+      const double ratio = inelastic_rate_ratio(block.edge(side));
+      ASSERT_NEAR(ratio, before / after, 1e-14);
+      ASSERT_NEAR(sticking_tilt_rate({.tilt_rate = side, .slip_rate = 0.0}, 0.0, block), side * ratio, 1e-15);
+      ASSERT_NEAR(restitution_of_rate_ratio(block.edge(side), ratio), 0.0, 1e-13);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace rocking::dynamics

@@ -70,8 +70,27 @@ EquationConstants<double> constants_of(const Start& start) {
           .inertia = start.inertia};
 }
 
-template <int order>
-void begin(Series& m, const Start& start) {
+/// Of any block.
+AnyConstants any_constants_of(const Start& start) {
+  return equation_constants({.block = start.block,
+                             .inertia = start.inertia,
+                             .impact_slip_rule = ImpactSlipRule::absolute,
+                             .tolerance = 1e-13},
+                            start.side);
+}
+
+/// A block with its mass off the middle.
+Start general(Start start, support::SplitMix& draw) {
+  start.block = geometry_of({.mass = MassLayout{.left_edge = draw.uniform(0.1, 1.0),
+                                                .right_edge = draw.uniform(0.1, 1.0),
+                                                .centre_height = draw.uniform(0.3, 2.0),
+                                                .radius_of_gyration = draw.uniform(0.2, 1.0)}});
+  start.inertia = start.block.inertia;
+  return start;
+}
+
+template <int order, class Constants>
+void begin(Series& m, const Start& start, const Constants& constants) {
   expand_harmonic<order>(m.base, start.side * start.amplitude, start.frequency, base::sin_cos(start.angle));
   m.weight.fill(0.0);
   m.weight[0] = start.weight;
@@ -80,7 +99,12 @@ void begin(Series& m, const Start& start) {
   m.tilt_rate[0] = start.side * start.tilt_rate;
   m.slip_rate[0] = start.side * start.slip_rate;
   m.slip[0] = 0.0;
-  begin_angle(m, constants_of(start));
+  begin_angle(m, constants);
+}
+
+template <int order>
+void begin(Series& m, const Start& start) {
+  begin<order>(m, start, constants_of(start));
 }
 
 SlipParameters<double> slip_of(const Start& start) {
@@ -131,7 +155,7 @@ Residuals residuals_of_rocking(const Start& start, bool slips, double h) {
   } else {
     m.slip_rate = {};
     expand_rock<order, vertical>(m, constants_of(start), 1.0);
-    expand_normal<order, vertical>(m);
+    expand_normal<order, vertical>(m, constants_of(start));
   }
   Residuals found;
   for (int i = 0; i <= 4; ++i) {
@@ -201,11 +225,11 @@ TEST(SlideSeries, SatisfiesItsEquation) {
     Series m{};
     begin<14>(m, start);
     if (i % 2 == 0) {
-      expand_slide<14, false>(m, slip_of(start));
+      expand_slide<14, false>(m, constants_of(start), slip_of(start));
     } else {
       start = lifted(start, draw);
       begin<14>(m, start);
-      expand_slide<14, true>(m, slip_of(start));
+      expand_slide<14, true>(m, constants_of(start), slip_of(start));
     }
     for (const double x : {0.0, 0.02, 0.05}) {
       const double drag = start.direction * start.kinetic_friction * start.weight_at(x);
@@ -300,25 +324,32 @@ TEST(MotionSeries, HasFirstRatesThatAreZeroExactlyBehindAGate) {
   EXPECT_GT(m.tilt_rate[2], 0.0) << "beta' cos(psi)/2";
   SlipParameters<double> slip = slip_of(start);
   slip.first_rate_gate = 0.0;
-  expand_slide<14, false>(m, slip);
+  expand_slide<14, false>(m, constants_of(start), slip);
   EXPECT_EQ(m.slip_rate[1], 0.0);
   EXPECT_NE(m.slip_rate[2], 0.0);
+}
+
+template <class Constants>
+void expect_forces_of_series(const Start& start, const Constants& constants) {
+  Series m{};
+  begin<14>(m, start, constants);
+  expand_rock<14, false>(m, constants, 1.0);
+  expand_normal<14, false>(m, constants);
+  const State state{.tilt = start.tilt, .tilt_rate = start.tilt_rate, .side = start.side};
+  const Forces forces =
+      rocking_forces(state, {.horizontal = start.side * m.base[0], .weight = 1.0}, any_constants_of(start));
+  ASSERT_EQ(forces.normal, m.normal[0]);
+  ASSERT_EQ(forces.acceleration, start.side * m.tilt_rate[1]);
+  ASSERT_EQ(start.side * forces.friction, constants.load * m.base[0] - m.rate_cosine[1]);
 }
 
 TEST(RockingForces, AreThoseOfTheSeriesToTheBit) {
   support::SplitMix draw(25);
   for (int i = 0; i < 10'000; ++i) {
     const Start start = random_start(draw);
-    Series m{};
-    begin<14>(m, start);
-    expand_rock<14, false>(m, constants_of(start), 1.0);
-    expand_normal<14, false>(m);
-    const State state{.tilt = start.tilt, .tilt_rate = start.tilt_rate, .side = start.side};
-    const Forces forces =
-        rocking_forces(state, {.horizontal = start.side * m.base[0], .weight = 1.0}, constants_of(start));
-    ASSERT_EQ(forces.normal, m.normal[0]);
-    ASSERT_EQ(forces.acceleration, start.side * m.tilt_rate[1]);
-    ASSERT_EQ(start.side * forces.friction, 4.0 / 3.0 * m.base[0] - m.rate_cosine[1]);
+    expect_forces_of_series(start, constants_of(start));
+    const Start off_middle = general(start, draw);
+    expect_forces_of_series(off_middle, any_constants_of(off_middle));
   }
 }
 
@@ -344,7 +375,7 @@ TEST(OutOfReach, IsOnlyWhatASeriesDoesNotReach) {
     Series m{};
     begin<14>(m, start);
     expand_rock<14, false>(m, constants_of(start), 1.0);
-    expand_normal<14, false>(m);
+    expand_normal<14, false>(m, constants_of(start));
     const auto out = out_of_reach<double>(
         {.tilt = m.tilt[0], .tilt_rate = m.tilt_rate[0], .base_amplitude = start.amplitude, .length = length},
         constants_of(start));
@@ -365,19 +396,26 @@ TEST(OutOfReach, IsOnlyWhatASeriesDoesNotReach) {
   EXPECT_GT(normals, 2'000);
 }
 
+template <class Constants>
+void expect_rates_of_series(const Start& start, const Constants& constants) {
+  Series m{};
+  begin<14>(m, start, constants);
+  expand_rock_slide<14, false>(m, constants, slip_of(start));
+  const State state{
+      .tilt = start.tilt, .tilt_rate = start.tilt_rate, .side = start.side, .slip_direction = start.direction};
+  const SlippingRates rates = slipping_rates(state, {.horizontal = start.side * m.base[0], .weight = 1.0},
+                                             start.kinetic_friction, any_constants_of(start));
+  ASSERT_EQ(rates.tilt_acceleration, start.side * m.tilt_rate[1]);
+  ASSERT_EQ(rates.slip_acceleration, start.side * m.slip_rate[1]);
+}
+
 TEST(SlippingRates, AreThoseOfTheSeriesToTheBit) {
   support::SplitMix draw(26);
   for (int i = 0; i < 10'000; ++i) {
     const Start start = random_start(draw);
-    Series m{};
-    begin<14>(m, start);
-    expand_rock_slide<14, false>(m, constants_of(start), slip_of(start));
-    const State state{
-        .tilt = start.tilt, .tilt_rate = start.tilt_rate, .side = start.side, .slip_direction = start.direction};
-    const SlippingRates rates = slipping_rates(state, {.horizontal = start.side * m.base[0], .weight = 1.0},
-                                               start.kinetic_friction, constants_of(start));
-    ASSERT_EQ(rates.tilt_acceleration, start.side * m.tilt_rate[1]);
-    ASSERT_EQ(rates.slip_acceleration, start.side * m.slip_rate[1]);
+    expect_rates_of_series(start, constants_of(start));
+    const Start off_middle = general(start, draw);
+    expect_rates_of_series(off_middle, any_constants_of(off_middle));
   }
 }
 

@@ -23,8 +23,8 @@ using ScriptedRun = support::Simulation<ScriptedCoefficients>;
 /// Friction over N that rocking without slip requires right after an event.
 double demand_after(const LoggedEvent& event, const Stage& stage, double amplitude) {
   const double alpha = stage.base_acceleration(amplitude, event.tau);
-  const Forces forces =
-      rocking_forces(event.state, {.horizontal = alpha, .weight = 1.0}, equation_constants(stage.setting()));
+  const Forces forces = rocking_forces(event.state, {.horizontal = alpha, .weight = 1.0},
+                                       equation_constants(stage.setting(), event.state.side));
   return forces.friction / forces.normal;
 }
 

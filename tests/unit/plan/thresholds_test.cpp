@@ -27,7 +27,8 @@ std::string thresholds_of(const std::string& more) {
 double demand_at(double base_acceleration) {
   const dynamics::Geometry block = dynamics::geometry_of({.width = 1.0, .height = 4.0});
   const auto forces = dynamics::forces_without_slip<double>(
-      {.edge = {.sine = block.sine, .cosine = block.cosine}, .omega = 0.0, .beta = base_acceleration, .weight = 1.0});
+      {.edge = {.sine = block.sine, .cosine = block.cosine}, .omega = 0.0, .beta = base_acceleration, .weight = 1.0},
+      dynamics::EquationConstants<double>{});
   return forces.friction / forces.normal;
 }
 

@@ -23,8 +23,8 @@ Image::Fate fate_of(const Motion& motion, const Event& event) {
 }
 
 SectionPoint point_of(const StrobedMotion& motion) {
-  const double psi = motion.motion().setting().block.shape_angle;
   const dynamics::State& state = motion.at_strobe();
+  const double psi = motion.motion().setting().block.tilt_unit(state.tilt, state.tilt_rate);
   return {.tilt = state.tilt / psi, .tilt_rate = state.tilt_rate / psi, .slip_rate = state.slip_rate};
 }
 
@@ -97,7 +97,7 @@ class NodeRuns {
     const random::BranchedDraws draws(random::Draws(paths_->seed, number_of(stream)), &samples_->given[sample]);
     Beginning beginning = begin_realisation(condition, draws, samples_->starts[sample], Strobe::poincare, 1);
     const SectionPoint at = grid_->node(node);
-    const double psi = beginning.setting.block.shape_angle;
+    const double psi = beginning.setting.block.tilt_unit(at.tilt, at.tilt_rate);
     beginning.state = {.tilt = psi * at.tilt, .tilt_rate = psi * at.tilt_rate, .slip_rate = at.slip_rate};
     beginning.clock.set({.period = k_, .time = 0.0});
     beginning.schedule.first_strobe = {.period = k_ + 1, .time = 0.0};

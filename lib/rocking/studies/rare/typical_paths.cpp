@@ -38,15 +38,16 @@ class TiltSampler : public ForwardedMotion<Motion> {
 /// Keeps the points of the Poincare section.
 class SectionKeeper final : public dynamics::Observer {
  public:
-  explicit SectionKeeper(double shape_angle) : shape_angle_(shape_angle) {}
+  explicit SectionKeeper(const dynamics::Geometry& block) : block_(block) {}
   void event(dynamics::EventKind, double, const dynamics::State&) override {}
   void strobe(const dynamics::State& state) override {
-    points_.push_back({state.tilt / shape_angle_, state.tilt_rate / shape_angle_});
+    const double psi = block_.tilt_unit(state.tilt, state.tilt_rate);
+    points_.push_back({state.tilt / psi, state.tilt_rate / psi});
   }
   [[nodiscard]] const std::vector<StrobeState>& points() const { return points_; }
 
  private:
-  double shape_angle_;
+  dynamics::Geometry block_;
   std::vector<StrobeState> points_;
 };
 
@@ -108,7 +109,7 @@ Path path_of(const BlockPaths& paths, std::uint64_t number, const random::DrawHi
   const Start start = start_of(condition.scene, draws);
   const double psi = start.geometry.shape_angle;
   const Beginning beginning = begin_realisation(condition, draws, start, Strobe::poincare, paths.periods());
-  SectionKeeper section(psi);
+  SectionKeeper section(start.geometry);
   const dynamics::Excitation shaking = excitation_of(condition.scene, beginning);
   Motion motion = motion_of(beginning, section, shaking);
   path.samples_per_period = samples_per_period(paths.periods());
@@ -120,7 +121,7 @@ Path path_of(const BlockPaths& paths, std::uint64_t number, const random::DrawHi
   for (const double tilt : sampler.tilts()) {
     const bool is_full = path.tilts.empty() || std::ssize(path.tilts.back()) == path.samples_per_period;
     if (is_full) path.tilts.emplace_back();
-    path.tilts.back().push_back(tilt / psi);
+    path.tilts.back().push_back(tilt / start.geometry.tilt_unit(tilt, 0.0));
   }
   path.strobe = section.points();
   return path;

@@ -50,7 +50,7 @@ bool have_same_bits(const StrobePoint& a, const StrobePoint& b) {
 std::vector<StrobePoint> one_long_run(const Condition& condition, std::uint64_t realisation, int stretches) {
   const random::Draws draws(sweep_seed, realisation);
   const int stretch = condition.horizon.transient_periods + condition.horizon.sampled_periods;
-  StrobeRecorder recorder(dynamics::geometry_of(mean_block(condition.scene)).shape_angle, stretch * stretches);
+  StrobeRecorder recorder(dynamics::geometry_of(mean_block(condition.scene)), stretch * stretches);
   const auto beginning =
       begin_realisation(condition, draws, start_of(condition.scene, draws), Strobe::poincare, stretch);
   Motion motion = motion_of(condition.scene, beginning, recorder);

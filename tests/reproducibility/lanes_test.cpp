@@ -140,6 +140,50 @@ TEST(Lanes, GiveEachRealisationThatIsRunUntilItIsClassifiedTheBitsThatItGetsAlon
   expect_the_bits_alone(settling_crowd());
 }
 
+/// The same conditions with blocks whose mass is off the middle.
+std::vector<Condition> off_middle(std::vector<Condition> conditions, std::uint64_t draws) {
+  support::SplitMix random(draws);
+  for (Condition& condition : conditions) {
+    condition.scene.block.mass = dynamics::MassLayout{.left_edge = random.uniform(0.25, 0.75),
+                                                      .right_edge = random.uniform(0.25, 0.75),
+                                                      .centre_height = random.uniform(1.0, 2.5),
+                                                      .radius_of_gyration = random.uniform(0.6, 1.6)};
+  }
+  return conditions;
+}
+
+TEST(Lanes, GiveEachRealisationOfBlocksWithTheirMassOffTheMiddleTheBitsThatItGetsAlone) {
+  EXPECT_GT(expect_the_bits_alone(off_middle(crowd(), 68)), 10U);
+  expect_the_bits_alone(off_middle(recorded_crowd(), 69));
+  expect_the_bits_alone(off_middle(pulse_crowd(), 70));
+  std::vector<Condition> both = off_middle(crowd(), 71);  // beside rectangles
+  const std::vector<Condition> rectangles = crowd();
+  both.insert(both.end(), rectangles.begin(), rectangles.end());
+  expect_the_bits_alone(both);
+}
+
+// A rectangle whose numbers are given as those of a general block.
+TEST(Lanes, GiveARectangleTheSameBitsHoweverItIsDescribed) {
+  support::SplitMix random(72);
+  for (int i = 0; i < 300; ++i) {
+    Condition condition;
+    condition.scene = support::random_scene(random);
+    condition.horizon = {.transient_periods = 3, .sampled_periods = 5};
+    const double width = random.uniform(0.3, 2.0);
+    const double height = random.uniform(1.0, 5.0);
+    condition.scene.block = {.width = width, .height = height};
+    const RealisationResult as_rectangle = realise_unchecked(condition, seed, 0);
+    condition.scene.block = {
+        .width = 9.0,
+        .height = 9.0,
+        .mass = dynamics::MassLayout{.left_edge = 0.5 * width,
+                                     .right_edge = 0.5 * width,
+                                     .centre_height = 0.5 * height,
+                                     .radius_of_gyration = std::sqrt((width * width + height * height) / 12.0)}};
+    EXPECT_EQ(spelled(realise_unchecked(condition, seed, 0)), spelled(as_rectangle)) << i;
+  }
+}
+
 // Scenes that nobody has chosen, in the lanes of every instruction set that this machine has.
 TEST(Lanes, GiveEachRealisationOfRandomScenesTheBitsThatItGetsAlone) {
   constexpr int scenes = 131;

@@ -28,6 +28,7 @@ Geometry rectangle(double width, double height, double gravity) {
           .tangent = edge.tangent,
           .inertia = 1.0 / 3.0,
           .over_inertia = 3.0,
+          .over_square = 1.0,
           .load = 4.0 / 3.0,
           .form = BlockForm::rectangle,
           .edges = {edge, edge}};
@@ -70,6 +71,8 @@ Geometry geometry_of(const Block& block) {
   general.load = 1.0 + general.inertia;
   general.frequency_parameter = std::sqrt(block.gravity / (general.half_diagonal * general.load));
   general.edges = {edge_at(left, right, *block.mass, general), edge_at(right, left, *block.mass, general)};
+  const double farther = std::max(left, right);
+  general.over_square = square / (farther * farther + height * height);
   const Edge& nearer = general.edges[right < left ? 1 : 0];
   general.shape_angle = nearer.shape_angle;
   general.sine = nearer.sine;

@@ -48,6 +48,7 @@ struct Geometry {
   double tangent;              ///< of the nearer edge
   double inertia;              ///< J = I/(m R^2) about the centre of mass, 1/3 for a rectangle
   double over_inertia;         ///< 1/J
+  double over_square;          ///< 1 over the larger r^2 of the edges: 1 for a rectangle
   double load;                 ///< m g over m R p^2, 1 + J: 4/3 for a rectangle
   BlockForm form;
   std::array<Edge, 2> edges;  ///< left, right

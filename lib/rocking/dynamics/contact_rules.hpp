@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 
 #include "rocking/dynamics/contact.hpp"
@@ -19,8 +18,7 @@ namespace rocking::dynamics {
 /// Whether D can vanish at some tilt on one of the sides: the smallest D over all phi is J + r^2/2 - (r^2/2) sqrt(1 +
 /// mu_k^2).
 [[nodiscard]] inline bool determinant_may_vanish(const Setting& setting, double kinetic_friction) {
-  const double radius = std::max(setting.block.edges[0].radius, setting.block.edges[1].radius);
-  const double limit = 2.0 * setting.inertia / (radius * radius) + 1.0;
+  const double limit = 2.0 * setting.inertia * setting.block.over_square + 1.0;
   return 1.0 + kinetic_friction * kinetic_friction >= limit * limit;
 }
 

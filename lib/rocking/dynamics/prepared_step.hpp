@@ -71,11 +71,13 @@ class PreparedStep {
     if (!is_rocking(state.contact)) return;
     const StepFinish<double> end{.length = x, .tilt = state.side * next.tilt, .tilt_rate = state.side * next.tilt_rate};
     const TiltPeaks<double> kept{.tilt = context.peaks.tilt, .tilt_rate = context.peaks.tilt_rate};
-    const AnyConstants constants = equation_constants(context.setting, state.side);
-    const TiltPeaks<double> before = peaks_on_side(kept, constants);
+    const auto before = with_constants(context.setting, state.side,
+                                       [&](const auto& constants) { return peaks_on_side(kept, constants); });
     if (!may_raise<double>(series_.rows(), end, before)) return;
-    const auto order = static_cast<std::size_t>(series_.order());
-    context.set_peaks(peaks_to_keep(kept, before, peaks_after<double>(series_.rows(), order, end, before), constants));
+    const auto after = peaks_after<double>(series_.rows(), static_cast<std::size_t>(series_.order()), end, before);
+    context.set_peaks(with_constants(context.setting, state.side, [&](const auto& constants) {
+      return peaks_to_keep(kept, before, after, constants);
+    }));
   }
 
  private:

@@ -67,14 +67,14 @@ struct EquationConstants<Real, BlockForm::general> {
 /// in it as EquationConstants<double>.
 using AnyConstants = EquationConstants<double, BlockForm::general>;
 
-/// Calls use(a's constant, b's constant) for each that a has.
-template <class A, BlockForm form, class B, class Use>
-void for_each_constant(EquationConstants<A, form>& a, const EquationConstants<B, BlockForm::general>& b, Use&& use) {
+/// Calls use(a's constant, b's constant) for each that both have.
+template <class A, BlockForm form_of_a, class B, BlockForm form_of_b, class Use>
+void for_each_constant(EquationConstants<A, form_of_a>& a, const EquationConstants<B, form_of_b>& b, Use&& use) {
   use(a.shape_angle, b.shape_angle);
   use(a.sine, b.sine);
   use(a.cosine, b.cosine);
   use(a.inertia, b.inertia);
-  if constexpr (form == BlockForm::general) {
+  if constexpr (form_of_a == BlockForm::general && form_of_b == BlockForm::general) {
     use(a.load, b.load);
     use(a.radius, b.radius);
     use(a.gain, b.gain);
@@ -98,11 +98,10 @@ void for_each_constant(EquationConstants<A, form>& a, const EquationConstants<B,
 /// Calls use(constants) with those of the block's form.
 template <class Use>
 decltype(auto) with_constants(const Setting& setting, double side, Use&& use) {
-  const AnyConstants any = equation_constants(setting, side);
-  if (!setting.block.is_rectangle()) return use(any);
-  EquationConstants<double> constants;
-  for_each_constant(constants, any, [](double& to, double from) { to = from; });
-  return use(constants);
+  if (!setting.block.is_rectangle()) return use(equation_constants(setting, side));
+  const Geometry& block = setting.block;
+  return use(EquationConstants<double>{
+      .shape_angle = block.shape_angle, .sine = block.sine, .cosine = block.cosine, .inertia = setting.inertia});
 }
 
 /// The levers s = r_S sin(phi) and c = r_S cos(phi) of the edge, phi = psi_S - abs(theta) being the angle of the

@@ -74,13 +74,15 @@ inline void note_peaks(const LaneAccess<typename Form::Real>& lanes, const Step<
   using base::in_any, base::select;
   using Real = typename Form::Real;
   LaneState& state = lanes.state;
-  const dynamics::TiltPeaks<Real> before{.tilt = lanes.load(state.peak_tilt),
-                                         .tilt_rate = lanes.load(state.peak_tilt_rate)};
+  const auto constants = lanes.template constants<Form>();
+  const dynamics::TiltPeaks<Real> kept{.tilt = lanes.load(state.peak_tilt),
+                                       .tilt_rate = lanes.load(state.peak_tilt_rate)};
+  const dynamics::TiltPeaks<Real> before = dynamics::peaks_on_side(kept, constants);
   if (!in_any(dynamics::may_raise<Real>(step.m, end, before))) return;
-  const dynamics::TiltPeaks<Real> after =
-      dynamics::peaks_after<Real>(step.m, static_cast<std::size_t>(Form::order), end, before);
-  lanes.store(state.peak_tilt, select(computed, after.tilt, before.tilt));
-  lanes.store(state.peak_tilt_rate, select(computed, after.tilt_rate, before.tilt_rate));
+  const dynamics::TiltPeaks<Real> after = dynamics::peaks_to_keep(
+      kept, before, dynamics::peaks_after<Real>(step.m, static_cast<std::size_t>(Form::order), end, before), constants);
+  lanes.store(state.peak_tilt, select(computed, after.tilt, kept.tilt));
+  lanes.store(state.peak_tilt_rate, select(computed, after.tilt_rate, kept.tilt_rate));
 }
 
 /// How far the steps go: to their ends, or to the last strobe instant.

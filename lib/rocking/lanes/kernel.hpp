@@ -41,25 +41,28 @@ void advance(LaneState& state) {
   (std::make_index_sequence<registers>{});
 }
 
-template <int registers, class Shaking, class Real, bool with_tangents, std::size_t... kind>
+template <int registers, dynamics::BlockForm form, class Shaking, class Real, bool with_tangents, std::size_t... kind>
 constexpr std::array<Kernel, kind_count> by_kind(std::index_sequence<kind...>) {
   if constexpr (with_tangents && !Shaking::is_periodic) return {};
-  return {advance<registers, StepForm<static_cast<Kind>(kind), Shaking, Real, with_tangents>>...};
+  return {advance<registers, StepForm<static_cast<Kind>(kind), form, Shaking, Real, with_tangents>>...};
 }
 
-template <int registers, class Real, class... Shaking>
-constexpr Kernels kernels_under(std::string_view name, std::variant<Shaking...>*) {
+template <int registers, class Real, bool with_tangents, class... Shaking>
+constexpr Kernels::ByKind kernels_by_kind(std::variant<Shaking...>*) {
+  using dynamics::BlockForm;
   constexpr auto kinds = std::make_index_sequence<kind_count>{};
-  return {.name = name,
-          .lanes = registers * Row<Real>::lanes,
-          .advance = {by_kind<registers, Shaking, Real, false>(kinds)...},
-          .advance_with_tangents = {by_kind<registers, Shaking, Real, true>(kinds)...}};
+  return {by_kind<registers, BlockForm::rectangle, Shaking, Real, with_tangents>(kinds)...,
+          by_kind<registers, BlockForm::general, Shaking, Real, with_tangents>(kinds)...};
 }
 
 /// The kernels of so many registers of Real side by side.
 template <int registers, class Real>
 constexpr Kernels kernels_of(std::string_view name) {
-  return kernels_under<registers, Real>(name, static_cast<dynamics::Excitation::Kinds*>(nullptr));
+  constexpr auto* shaking = static_cast<dynamics::Excitation::Kinds*>(nullptr);
+  return {.name = name,
+          .lanes = registers * Row<Real>::lanes,
+          .advance = kernels_by_kind<registers, Real, false>(shaking),
+          .advance_with_tangents = kernels_by_kind<registers, Real, true>(shaking)};
 }
 
 }  // namespace

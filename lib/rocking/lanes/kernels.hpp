@@ -37,12 +37,19 @@ inline constexpr std::size_t kind_count = 6;
 /// known after the last one. At least one lane must have a run.
 using Kernel = void (*)(LaneState&);
 
+/// What the lanes of one group have in common besides: the form of the block and the kind of the base motion
+/// (dynamics::Excitation::index).
+inline constexpr std::size_t families = 2 * dynamics::excitation_kinds;
+[[nodiscard]] constexpr std::size_t family_of(dynamics::BlockForm form, std::size_t excitation) {
+  return excitation + (form == dynamics::BlockForm::general ? dynamics::excitation_kinds : 0);
+}
+
 /// The kernels of one width, compiled for one instruction set.
 struct Kernels {
   std::string_view name;  ///< of the instruction set, as `rocking doctor` prints it
   int lanes;
-  /// By kind of the base motion (dynamics::Excitation::index), then by Kind.
-  using ByKind = std::array<std::array<Kernel, kind_count>, dynamics::excitation_kinds>;
+  /// By family_of, then by Kind.
+  using ByKind = std::array<std::array<Kernel, kind_count>, families>;
   ByKind advance;
   /// The same with tangent vectors (LaneState::tangents); null for a base motion that is not periodic.
   ByKind advance_with_tangents;

@@ -15,7 +15,7 @@ template <class Form, class Real = typename Form::Real>
 [[nodiscard]] inline auto may_slip_at_breakpoint(const LaneAccess<Real>& lanes, const Step<Form>& step) {
   using base::magnitude;
   const Real most = lanes.load(lanes.state.static_friction) * step.m.normal[0];
-  const Real friction = Real(lanes.constants().load) * step.m.base[0] - step.m.rate_cosine[1];
+  const Real friction = Real(lanes.template constants<Form>().load) * step.m.base[0] - step.m.rate_cosine[1];
   const auto holds = step.presses && base::at_most(magnitude(friction), most);
   return lanes.load(lanes.state.occupied) == Real(1.0) && lanes.load(lanes.state.fresh) == Real(1.0) && !holds;
 }

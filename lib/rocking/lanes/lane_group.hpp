@@ -20,17 +20,17 @@ namespace rocking::lanes {
 
 /// What the steps in the lanes of one group have in common.
 struct StepKind {
-  std::size_t excitation = 0;  ///< dynamics::Excitation::index
+  std::size_t family = 0;  ///< form of the block and kind of the base motion: see family_of
   Kind kind = Kind::rock;
 
-  [[nodiscard]] std::size_t index() const { return excitation * kind_count + static_cast<std::size_t>(kind); }
+  [[nodiscard]] std::size_t index() const { return family * kind_count + static_cast<std::size_t>(kind); }
   friend bool operator==(const StepKind&, const StepKind&) = default;
 };
-inline constexpr std::size_t step_kind_count = dynamics::excitation_kinds * kind_count;
+inline constexpr std::size_t step_kind_count = families * kind_count;
 
 /// The kind with this index().
 [[nodiscard]] constexpr StepKind step_kind(std::size_t index) {
-  return {.excitation = index / kind_count, .kind = static_cast<Kind>(index % kind_count)};
+  return {.family = index / kind_count, .kind = static_cast<Kind>(index % kind_count)};
 }
 
 /// The kind of the coming step; empty if no lane can compute it.
@@ -42,7 +42,7 @@ template <class Motion>
                     : motion.coefficients().has_friction()
                         ? (is_brief ? Kind::rock_with_friction_briefly : Kind::rock_with_friction)
                         : (is_brief ? Kind::rock_briefly : Kind::rock);
-  return StepKind{motion.excitation().index(), kind};
+  return StepKind{family_of(motion.setting().block.form, motion.excitation().index()), kind};
 }
 
 /// Runs of a kind: those in lanes, and those that wait for a lane. It transfers data between a lane and its run.

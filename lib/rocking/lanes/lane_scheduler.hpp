@@ -100,7 +100,7 @@ class LaneScheduler {
     });
     LaneState& state = group.state();
     const Kernels::ByKind& advance = has_tangents ? kernels_.advance_with_tangents : kernels_.advance;
-    advance[kind.excitation][static_cast<std::size_t>(kind.kind)](state);
+    advance[kind.family][static_cast<std::size_t>(kind.kind)](state);
     for_each_bit(state.no_event & state.strobed & group.occupied(),
                  [&group](std::size_t lane) { group.pass_strobe(lane); });
     for_each_bit(state.landed & group.occupied(), [&group](std::size_t lane) { group.pass_impact(lane); });

@@ -31,7 +31,7 @@ class MotionAdapter {
     if constexpr (HasTangents<Motion>) {
       if (!motion_.excitation().is_periodic() || motion_.restarts()) return false;
     }
-    return !motion_.ended() && motion_.setting().block.is_rectangle() && motion_.armed_guards().is_ordinary();
+    return !motion_.ended() && motion_.armed_guards().is_ordinary();
   }
 
   [[nodiscard]] ComingStep coming_step() {

@@ -18,8 +18,9 @@ struct LaneAccess {
   [[nodiscard]] Real load(const LaneRow& row) const { return Row<Real>::load(row.data() + first); }
   void store(LaneRow& row, const Real& value) const { Row<Real>::store(value, row.data() + first); }
 
-  [[nodiscard]] dynamics::EquationConstants<Real> constants() const {
-    dynamics::EquationConstants<Real> loaded;
+  template <class Form>
+  [[nodiscard]] typename Form::Constants constants() const {
+    typename Form::Constants loaded;
     dynamics::for_each_constant(loaded, state.constants, [this](Real& to, const LaneRow& row) { to = load(row); });
     return loaded;
   }

@@ -47,9 +47,9 @@ class OrdinaryGuards {
   static constexpr NeverZero outward_zeros() { return {}; }
   Truth tilt_zeros() const { return step_.m.tilt[0] == Real(0.0); }
   Truth slip_zeros() const { return step_.m.slip_rate[0] == Real(0.0); }
-  Real shape_angle() const { return lanes_.constants().shape_angle; }
-  Real inertia() const { return lanes_.constants().inertia; }
-  auto load() const { return lanes_.constants().load; }
+  Real shape_angle() const { return lanes_.template constants<Form>().shape_angle; }
+  Real inertia() const { return lanes_.template constants<Form>().inertia; }
+  auto load() const { return lanes_.template constants<Form>().load; }
   Real slip_sign() const { return lanes_.load(lanes_.state.slip_sign); }
   Real static_friction() const { return lanes_.load(lanes_.state.static_friction); }
   static const Real& seen_from_ground(const Real& normal) { return normal; }

@@ -23,9 +23,10 @@ template <class Real>
   return {.tilt_rate = tilt_rate, .slip_rate = Real(0.0)};
 }
 
-template <class Real>
+/// Of a rectangle.
+template <class Form, class Real = typename Form::Real>
 [[nodiscard]] inline dynamics::LandingEdge<Real> landing_edge(const LaneAccess<Real>& lanes) {
-  const auto constants = lanes.constants();
+  const auto constants = lanes.template constants<Form>();
   return {.restitution = lanes.load(lanes.state.restitution),
           .loss = lanes.load(lanes.state.impact_loss),
           .sine = constants.sine,
@@ -46,14 +47,15 @@ template <class Form, class Real = typename Form::Real>
 [[nodiscard]] inline auto sticks(const LaneAccess<Real>& lanes, const Step<Form>& step, const Impact<Real>& impact) {
   using base::fused, base::magnitude;
   const Real closest = Real(0.99) * lanes.load(lanes.state.static_friction);
-  const auto edge = landing_edge(lanes);
+  const auto edge = landing_edge<Form>(lanes);
   const auto impulse = dynamics::sticking_impulse(landing_rates(impact.before), edge);
   Real base = step.m.base[Form::order];
 #pragma GCC unroll 20
   for (std::size_t k = Form::order; k > 0; --k) base = fused(base, impact.duration, step.m.base[k - 1]);
   // In the frame of the new side.
   const auto forces = dynamics::forces_without_slip<Real>(
-      {.edge = {edge.sine, edge.cosine}, .omega = impact.after, .beta = -base, .weight = Real(1.0)}, lanes.constants());
+      {.edge = {edge.sine, edge.cosine}, .omega = impact.after, .beta = -base, .weight = Real(1.0)},
+      lanes.template constants<Form>());
   return base::at_most(magnitude(impulse.horizontal), closest * impulse.vertical) && Real(0.0) < forces.normal &&
          dynamics::friction_is_enough(forces, closest);
 }
@@ -64,7 +66,7 @@ template <class Form, class Real = typename Form::Real>
                                                   const Crossings<Form>& crossings, const Real& tilt_rate,
                                                   const typename Form::Truth& fits) {
   const Real resolution = lanes.load(lanes.state.resolution);
-  const Real rebound = -dynamics::sticking_rate(landing_rates(tilt_rate), landing_edge(lanes));
+  const Real rebound = -dynamics::sticking_rate(landing_rates(tilt_rate), landing_edge<Form>(lanes));
   auto lands = fits && crossings.is_first(0, resolution) && step.now.time < step.now.time + crossings.duration &&
                tilt_rate < Real(0.0) && lanes.load(lanes.state.least_rebound) < rebound;
   for (std::size_t i = 1; i < Form::guards; ++i) lands = lands && !crossings.is_first(i, resolution);

@@ -44,7 +44,7 @@ template <class Form, class Real = typename Form::Real>
   Shaking::template expand<Form::order>(step.m, piece, lanes.load(state.amplitude), step.now);
   step.m.tilt[0] = lanes.load(state.tilt);
   step.m.tilt_rate[0] = lanes.load(state.tilt_rate);
-  dynamics::begin_angle(step.m, lanes.constants());
+  dynamics::begin_angle(step.m, lanes.template constants<Form>());
 }
 
 /// Kinetic friction of the coming step.
@@ -67,11 +67,11 @@ template <class Form, class Real = typename Form::Real>
     step.m.slip_rate[0] = lanes.load(state.slip_rate);
     step.m.slip[0] = lanes.load(state.slip);
     dynamics::expand_rock_slide<order, Form::Shaking::has_vertical>(
-        step.m, lanes.constants(),
+        step.m, lanes.template constants<Form>(),
         {.drag = lanes.load(state.slip_sign) * kinetic_friction<Form>(lanes), .first_rate_gate = Real(1.0)});
     return smaller(length_of(step.m.slip_rate), length_of(step.m.tilt_rate));
   } else {
-    dynamics::expand_rock<order, Form::Shaking::has_vertical>(step.m, lanes.constants(), Real(1.0));
+    dynamics::expand_rock<order, Form::Shaking::has_vertical>(step.m, lanes.template constants<Form>(), Real(1.0));
     return length_of(step.m.tilt_rate);
   }
 }
@@ -101,13 +101,13 @@ template <class Form, class Real = typename Form::Real>
                                                       .tilt_rate = step.m.tilt_rate[0],
                                                       .base_amplitude = lanes.load(lanes.state.amplitude),
                                                       .length = step.length},
-                                                     lanes.constants());
+                                                     lanes.template constants<Form>());
     step.presses = step.out_of_reach.normal;
     // Without a friction guard, the series of N is needed by its own guard only.
     if (!Form::tests_friction && bits_of(!step.presses) == 0) return;
   }
   if constexpr (!Form::slips)
-    dynamics::expand_normal<Form::order, Form::Shaking::has_vertical>(step.m, lanes.constants());
+    dynamics::expand_normal<Form::order, Form::Shaking::has_vertical>(step.m, lanes.template constants<Form>());
   step.presses = Real(0.0) < step.m.normal[0];
 }
 

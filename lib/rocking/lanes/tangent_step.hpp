@@ -34,10 +34,10 @@ class TangentStep {
     dynamics::VariationCoefficients<Real> of;
     if constexpr (Form::slips) {
       drag_ = lanes.load(lanes.state.slip_sign) * kinetic_friction<Form>(lanes);
-      dynamics::expand_rock_slide_variation<order>(m_, lanes.constants(), drag_, of);
+      dynamics::expand_rock_slide_variation<order>(m_, lanes.template constants<Form>(), drag_, of);
       for (auto& solution : solutions_) dynamics::solve_rock_slide_variation<order>(of, solution);
     } else {
-      dynamics::expand_rock_variation<order, Form::Shaking::has_vertical>(m_, lanes.constants(), of);
+      dynamics::expand_rock_variation<order, Form::Shaking::has_vertical>(m_, lanes.template constants<Form>(), of);
       for (auto& solution : solutions_) dynamics::solve_rock_variation<order>(of, solution);
     }
   }

@@ -28,9 +28,18 @@ inline void load_piece(LaneState& state, std::size_t lane, const ComingStep& ste
   });
 }
 
+/// Of a block on this side.
+inline void load_constants(LaneState& state, std::size_t lane, const dynamics::Setting& setting, double side) {
+  dynamics::with_constants(setting, side, [&](const auto& constants) {
+    dynamics::for_each_constant(state.constants, constants,
+                                [lane](LaneRow& row, double number) { row[lane] = number; });
+  });
+}
+
 /// The motion continues in the same lane after an event or a breakpoint.
 inline void load_step(LaneState& state, std::size_t lane, const ComingStep& step) {
   const dynamics::Instant& now = step.clock->now();
+  if (!step.setting->block.is_rectangle()) load_constants(state, lane, *step.setting, step.side);
   state.tilt[lane] = step.state.tilt;
   state.tilt_rate[lane] = step.state.tilt_rate;
   state.slip[lane] = step.state.slip;
@@ -69,12 +78,6 @@ inline void load_intervals(LaneState& state, std::size_t lane, const dynamics::K
   intervals.per_period[lane] = static_cast<double>(coming.per_period);
   intervals.next_boundary[lane] = static_cast<double>(coming.next_boundary);
   intervals.grid_start[lane] = grid_start;
-}
-
-/// Of a block on this side.
-inline void load_constants(LaneState& state, std::size_t lane, const dynamics::Setting& setting, double side) {
-  dynamics::for_each_constant(state.constants, dynamics::equation_constants(setting, side),
-                              [lane](LaneRow& row, double number) { row[lane] = number; });
 }
 
 /// Puts a motion into a lane.

@@ -110,6 +110,22 @@ std::string side_in_brief(const Report& report, Quantity SceneBlock::*side, cons
   return in_words(spread_in_words(spread_of(numbers), 6));
 }
 
+/// Of its outline, or where the mass is laid out otherwise of the mean numbers of the first condition.
+std::string block_in_brief(const Report& report) {
+  const SceneBlock& asked = report.conditions.front().asked.scene.block;
+  if (std::holds_alternative<UniformMass>(asked.mass)) {
+    return side_in_brief(report, &SceneBlock::width, "/block/width_m", "wide") + " and " +
+           side_in_brief(report, &SceneBlock::height, "/block/height_m", "high");
+  }
+  const dynamics::Block block = mean_of(asked);
+  const auto number = [](double metres) { return base::significant(metres, 4); };
+  return fmt::format(
+      "with its centre of mass {} m above its base, {} m from the left and {} m from the right edge, and a radius of "
+      "gyration of {} m,",
+      number(block.mass->centre_height), number(block.mass->left_edge), number(block.mass->right_edge),
+      number(block.mass->radius_of_gyration));
+}
+
 std::string shaking_in_brief(const Report& report) {
   const Json& excitation = report.input.experiment.at("excitation");
   const auto kind = excitation.at("kind").get<std::string>();
@@ -300,9 +316,7 @@ std::string further_question(const Report& report) {
 
 std::string question_at_once(const Report& report) {
   const std::string sweep = sweep_in_brief(report);
-  return fmt::format("<p>A block {} and {} stands {}. {}</p>\n{}",
-                     side_in_brief(report, &SceneBlock::width, "/block/width_m", "wide"),
-                     side_in_brief(report, &SceneBlock::height, "/block/height_m", "high"), shaking_in_brief(report),
+  return fmt::format("<p>A block {} stands {}. {}</p>\n{}", block_in_brief(report), shaking_in_brief(report),
                      friction_in_brief(report), sweep.empty() ? "" : fmt::format("<p>Swept: {}.</p>\n", sweep));
 }
 

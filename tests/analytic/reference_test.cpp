@@ -136,10 +136,9 @@ Condition condition_of_general_block(const json& inputs) {
   Scene& scene = condition.scene;
   const auto number = [&inputs](const char* key) { return inputs[key].get<double>(); };
   scene.block.gravity = number("gravity_m_s2");
-  scene.block.mass = {.left_edge = number("left_edge_m"),
-                      .right_edge = number("right_edge_m"),
-                      .centre_height = number("centre_height_m"),
-                      .radius_of_gyration = std::sqrt(number("inertia_about_centre_over_mass_m2"))};
+  scene.block.mass = GivenEdges{.edges = {number("left_edge_m"), number("right_edge_m")},
+                                .centre_height = number("centre_height_m"),
+                                .radius_of_gyration = std::sqrt(number("inertia_about_centre_over_mass_m2"))};
   const json& base = inputs["base_acceleration"];
   support::harmonic(scene) = {
       .phase = base["phase_rad"].get<double>(),

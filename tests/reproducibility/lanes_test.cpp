@@ -144,10 +144,11 @@ TEST(Lanes, GiveEachRealisationThatIsRunUntilItIsClassifiedTheBitsThatItGetsAlon
 std::vector<Condition> off_middle(std::vector<Condition> conditions, std::uint64_t draws) {
   support::SplitMix random(draws);
   for (Condition& condition : conditions) {
-    condition.scene.block.mass = dynamics::MassLayout{.left_edge = random.uniform(0.25, 0.75),
-                                                      .right_edge = random.uniform(0.25, 0.75),
-                                                      .centre_height = random.uniform(1.0, 2.5),
-                                                      .radius_of_gyration = random.uniform(0.6, 1.6)};
+    const double left = random.uniform(0.25, 0.75);
+    const double right = random.uniform(0.25, 0.75);
+    const double height = random.uniform(1.0, 2.5);
+    condition.scene.block.mass =
+        GivenEdges{.edges = {left, right}, .centre_height = height, .radius_of_gyration = random.uniform(0.6, 1.6)};
   }
   return conditions;
 }
@@ -176,10 +177,9 @@ TEST(Lanes, GiveARectangleTheSameBitsHoweverItIsDescribed) {
     condition.scene.block = {
         .width = 9.0,
         .height = 9.0,
-        .mass = dynamics::MassLayout{.left_edge = 0.5 * width,
-                                     .right_edge = 0.5 * width,
-                                     .centre_height = 0.5 * height,
-                                     .radius_of_gyration = std::sqrt((width * width + height * height) / 12.0)}};
+        .mass = GivenEdges{.edges = {0.5 * width, 0.5 * width},
+                           .centre_height = 0.5 * height,
+                           .radius_of_gyration = std::sqrt((width * width + height * height) / 12.0)}};
     EXPECT_EQ(spelled(realise_unchecked(condition, seed, 0)), spelled(as_rectangle)) << i;
   }
 }

@@ -60,6 +60,8 @@ struct Geometry {
     return edge(tilt != 0.0 ? tilt : tilt_rate).shape_angle;
   }
   [[nodiscard]] bool is_rectangle() const { return form == BlockForm::rectangle; }
+  /// Whether the mirror image of a motion is a motion: the edges are alike.
+  [[nodiscard]] bool has_mirror_symmetry() const { return edges[0].sine == edges[1].sine; }
 };
 
 /// A mass that is laid out as in a uniform rectangle, with equal edges and I = m R^2/3 up to 8 units of the last place, is

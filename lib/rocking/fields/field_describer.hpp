@@ -26,6 +26,7 @@ class FieldDescriber final : public FieldVisitor {
   void value_or_object(const Key& key, bool is_object, const Part& value, const Part& object) override;
   void kinds(const Key& key, std::span<const std::string_view> names, std::size_t kind,
              const std::function<void(FieldVisitor&, std::size_t)>& part) override;
+  [[nodiscard]] bool describes() const override { return true; }
   bool stands(std::string_view, bool) override { return true; }
   void exclude(std::string_view key, std::string_view other, Refusal refusal) override;
   void require_one_of(std::initializer_list<std::string_view> keys) override;

@@ -60,6 +60,8 @@ class FieldVisitor {
   virtual void kinds(const Key& key, std::span<const std::string_view> names, std::size_t kind,
                      const std::function<void(FieldVisitor&, std::size_t)>& part) = 0;
 
+  /// Whether all forms of a value are gone through, and there is no value.
+  [[nodiscard]] virtual bool describes() const { return false; }
   /// Whether to go on with a key that may be left out; `is_given`: whether the value has it.
   virtual bool stands(std::string_view key, bool is_given) = 0;
   /// How a default is written that follows from the values at these places of a file: not at all where the sweep

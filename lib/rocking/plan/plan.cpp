@@ -68,7 +68,7 @@ std::array<Effect, 6> optional_effects_of(const Scene& scene) {
            {"scatter of friction", scatters_friction},
            {"scatter of restitution", fluctuation.restitution > 0.0 || (rebound != nullptr && is_drawn(*rebound))},
            {"scatter of the amplitude", fluctuation.amplitude > 0.0},
-           {"scatter of the block's size", is_any_drawn(block.width, block.height)},
+           {"scatter of the block's size", is_drawn(block)},
            {"vertical motion of the base", has_vertical_motion(excitation)}}};
 }
 

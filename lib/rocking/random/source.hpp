@@ -31,10 +31,18 @@ enum class Source : std::uint8_t {
   excitation_frequency = 18,
   inference_shares = 19,
   inference_counts = 20,
+  centre_height = 21,
+  centre_offset = 22,
+  radius_of_gyration = 23,
+  left_edge = 24,
+  right_edge = 25,
+  base_left = 26,
+  base_right = 27,
+  first_block_part = 64,  ///< and 159 after it: five numbers of each part
 };
 
 /// Names of the sources, in the order of their numbers, of which the first is 1.
-inline constexpr std::array<std::string_view, 20> source_names{"static_friction",
+inline constexpr std::array<std::string_view, 27> source_names{"static_friction",
                                                                "kinetic_friction",
                                                                "restitution",
                                                                "amplitude",
@@ -53,7 +61,14 @@ inline constexpr std::array<std::string_view, 20> source_names{"static_friction"
                                                                "excitation_size",
                                                                "excitation_frequency",
                                                                "inference_shares",
-                                                               "inference_counts"};
+                                                               "inference_counts",
+                                                               "centre_height",
+                                                               "centre_offset",
+                                                               "radius_of_gyration",
+                                                               "left_edge",
+                                                               "right_edge",
+                                                               "base_left",
+                                                               "base_right"};
 
 /// Empty of a number that no source has.
 [[nodiscard]] constexpr std::string_view to_string(Source source) {

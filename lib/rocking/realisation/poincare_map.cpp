@@ -154,6 +154,7 @@ std::optional<PoincareImage> PoincareMap::image(const section::StrobePoint& from
 
 std::optional<PoincareImage> PoincareMap::mirrored_half(const section::StrobePoint& from, int periods) const {
   ROCKING_EXPECT(periods % 2 == 1);
+  if (!has_mirror_symmetry()) return std::nullopt;
   const double half = 0.5 * at_zero_.clock.period_length();
   auto image = this->image(from, {.first_strobe = {.period = 0, .time = half}, .strobes = (periods + 1) / 2});
   if (!image) return std::nullopt;
@@ -167,6 +168,7 @@ std::optional<PoincareImage> PoincareMap::mirrored_half(const section::StrobePoi
 }
 
 std::optional<std::vector<SectionState>> PoincareMap::half_way(const section::StrobePoint& from, int periods) const {
+  if (!has_mirror_symmetry()) return std::nullopt;
   const double half = 0.5 * at_zero_.clock.period_length();
   const Beginning begin = beginning(from, {.first_strobe = {.period = 0, .time = half}, .strobes = periods});
   SectionObserver observer(begin.setting.block, periods);

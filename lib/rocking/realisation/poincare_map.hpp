@@ -51,16 +51,19 @@ class PoincareMap {
   /// Precondition: the condition is valid, periodic and not random.
   explicit PoincareMap(const Condition& condition);
 
+  /// Whether the mirror image of a motion is a motion.
+  [[nodiscard]] bool has_mirror_symmetry() const { return at_zero_.setting.block.has_mirror_symmetry(); }
+
   /// After 1 ... `periods` periods. Absent where the motion ends before: it overturns, or has no solution.
   [[nodiscard]] std::optional<PoincareImage> image(const section::StrobePoint& from, int periods) const;
 
-  /// Half a period after each of the first `periods` instants of the section; absent as above.
+  /// Half a period after each of the first `periods` instants of the section; absent as above, and without mirror symmetry.
   [[nodiscard]] std::optional<std::vector<SectionState>> half_way(const section::StrobePoint& from, int periods) const;
 
   /// The mirror image of the state after `periods`/2 periods, an odd number of halves: its negative at an instant at
   /// which the excitation is the negative of that at the start. `states` has this state only; impacts and contact
   /// changes are those of the half. The map over `periods` is this one applied twice, and a symmetric orbit is a fixed
-  /// point of it. Absent as above. Precondition: `periods` is odd.
+  /// point of it. Absent as above, and without mirror symmetry. Precondition: `periods` is odd.
   [[nodiscard]] std::optional<PoincareImage> mirrored_half(const section::StrobePoint& from, int periods) const;
 
  private:

@@ -34,7 +34,11 @@ void limit_drawn(Scene& scene, Source source, Quantity& drawn, Clamps& clamps) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   switch (source) {
     case Source::block_width:
-    case Source::block_height: return limit(drawn, least_length, largest_length, clamps.length_at_bound);
+    case Source::block_height:
+    case Source::left_edge:
+    case Source::right_edge:
+    case Source::centre_height:
+    case Source::radius_of_gyration: return limit(drawn, least_length, largest_length, clamps.length_at_bound);
     case Source::mean_static_friction: return limit(drawn, 0.0, infinity, clamps.static_at_zero);
     case Source::mean_kinetic_friction: return limit(drawn, 0.0, infinity, clamps.kinetic_at_zero);
     case Source::excitation_size: return limit(drawn, 0.0, infinity, clamps.amplitude_at_zero);

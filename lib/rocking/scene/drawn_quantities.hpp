@@ -56,9 +56,9 @@ void for_each_quantity(AScene& scene, const Visit& visit) {
   using random::Source;
   // A member that is not named here does not compile: it may be drawn, or it may not.
   auto& [block, slide_inertia, impact_slip_rule, restitution, excitation, friction, fluctuation, initial] = scene;
-  auto& [width, height, gravity, mass] = block;
-  visit({Source::block_width, "width of the block", "/block/width_m"}, width);
-  visit({Source::block_height, "height of the block", "/block/height_m"}, height);
+  for_each_block_number(block, [&visit](const BlockNumber& what, auto& number) {
+    visit({what.source, what.name, what.place}, number);
+  });
   if (const RestitutionNumber number = number_of(restitution); number.value != nullptr) {
     using Number = std::conditional_t<std::is_const_v<AScene>, const Quantity, Quantity>;
     visit({Source::mean_restitution, number.name, number.place}, const_cast<Number&>(*number.value));

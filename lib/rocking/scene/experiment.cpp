@@ -5,18 +5,6 @@
 #include "rocking/scene/drawn_quantities.hpp"
 
 namespace rocking {
-namespace {
-
-/// Drawn lengths are truncated to their bounds.
-Reach reach_of_length(const Quantity& length) {
-  if (!is_drawn(length)) return reach_of(length);
-  const auto [least, largest] = reach_of(length);
-  return {.least = std::clamp(least, least_length, largest_length),
-          .largest = std::clamp(largest, least_length, largest_length)};
-}
-
-}  // namespace
-
 std::optional<double> number_in(const SweptValue& value) {
   if (const auto* number = std::get_if<double>(&value)) return *number;
   if (const auto* whole = std::get_if<std::int64_t>(&value)) return static_cast<double>(*whole);
@@ -77,28 +65,6 @@ std::optional<double> common_confidence(const Experiment& experiment) {
 
 double highest_confidence(const Experiment& experiment) {
   return std::ranges::max_element(experiment.conditions, {}, &Condition::confidence)->confidence;
-}
-
-dynamics::Block mean_of(const SceneBlock& block) {
-  return {.width = mean_of(block.width), .height = mean_of(block.height), .gravity = block.gravity, .mass = block.mass};
-}
-
-ShapeRange shapes_of(const SceneBlock& block) {
-  const Reach width = reach_of_length(block.width);
-  const Reach height = reach_of_length(block.height);
-  const auto of = [&block](double wide, double high) {
-    return dynamics::geometry_of({.width = wide, .height = high, .gravity = block.gravity, .mass = block.mass});
-  };
-  return {.most_slender = of(width.least, height.largest), .squattest = of(width.largest, height.least)};
-}
-
-SizeRange sizes_of(const SceneBlock& block) {
-  const Reach width = reach_of_length(block.width);
-  const Reach height = reach_of_length(block.height);
-  const auto of = [&block](double wide, double high) {
-    return dynamics::geometry_of({.width = wide, .height = high, .gravity = block.gravity, .mass = block.mass});
-  };
-  return {.smallest = of(width.least, height.least), .largest = of(width.largest, height.largest)};
 }
 
 }  // namespace rocking

@@ -19,9 +19,74 @@ constexpr std::array<std::string_view, 3> formulation_names{"consistent", "as-pr
 constexpr std::array<std::string_view, 2> slide_inertia_names{"centroidal", "edge"};
 constexpr std::array<std::string_view, 2> impact_slip_rule_names{"absolute", "signed"};
 
+/// The form of a block that a file has; one that it must not have as well is refused.
+void choose_form(FieldVisitor& in, SceneMass& mass) {
+  const auto refuse = [&in](std::initializer_list<std::string_view> keys, std::string_view reason) {
+    for (const std::string_view key : keys) in.refuse(key, reason, "keep one of the two forms");
+  };
+  if (in.found("edges_m") != nullptr) {
+    refuse({"width_m", "height_m", "centre_offset_m"}, "is for a block with an outline; this one has \"edges_m\"");
+    refuse({"parts", "base_m"}, "excludes \"edges_m\"");
+    mass = GivenEdges{};
+  } else if (in.found("parts") != nullptr) {
+    refuse({"width_m", "height_m", "centre_height_m", "centre_offset_m", "radius_of_gyration_m"},
+           "follows from the parts");
+    mass = GivenParts{};
+  } else {
+    in.refuse("base_m", "is for a block of parts", "give \"parts\", or omit it");
+    for (const std::string_view key : {"centre_height_m", "centre_offset_m", "radius_of_gyration_m"}) {
+      if (in.found(key) != nullptr) mass = GivenCentre{};
+    }
+  }
+}
+
+constexpr Key centre_height_key{"centre_height_m",
+                                "of the centre of mass above the base [m]; beside width_m absent: half the height"};
+constexpr Key radius_key{"radius_of_gyration_m",
+                         "sqrt(I/m) about the centre of mass [m]; beside width_m absent: that of a uniform rectangle"};
+
+void keys_of(FieldVisitor& in, SceneBlock& block, GivenCentre& centre, Absent absent) {
+  in.value({"width_m", "B [m]"}, block.width, rules::length, absent);
+  in.value({"height_m", "H [m]"}, block.height, rules::length, absent);
+  in.optional(centre_height_key.name, centre.height,
+              [&in](Quantity& height) { in.value(centre_height_key, height, rules::length, Absent::omitted); });
+  in.optional("centre_offset_m", centre.offset, [&in](Quantity& offset) {
+    in.value({"centre_offset_m", "of the centre of mass to the right of the middle of the base [m]"}, offset,
+             rules::offset, Absent::omitted);
+  });
+  in.optional(radius_key.name, centre.radius_of_gyration,
+              [&in](Quantity& radius) { in.value(radius_key, radius, rules::length, Absent::omitted); });
+}
+
 void keys_of(FieldVisitor& in, SceneBlock& block) {
-  in.value({"width_m", "B [m]"}, block.width, rules::length, Absent::error);
-  in.value({"height_m", "H [m]"}, block.height, rules::length, Absent::error);
+  if (in.is_reading()) choose_form(in, block.mass);
+  const bool describes = in.describes();
+  in.require_one_of({"width_m", "edges_m", "parts"});
+  GivenCentre none;
+  auto* const centre = std::get_if<GivenCentre>(&block.mass);
+  if (centre != nullptr || std::holds_alternative<UniformMass>(block.mass)) {
+    keys_of(in, block, centre == nullptr ? none : *centre, describes ? Absent::omitted : Absent::error);
+  }
+  GivenEdges described_edges;
+  if (auto* const edges = describes ? &described_edges : std::get_if<GivenEdges>(&block.mass)) {
+    in.value({"edges_m", "in place of width_m: distances of the left and the right edge from the centre of mass [m]"},
+             edges->edges, QuantityPairType(rules::length), Absent::omitted);
+    if (!describes) {
+      in.value(centre_height_key, edges->centre_height, rules::length, Absent::error);
+      in.value(radius_key, edges->radius_of_gyration, rules::length, Absent::error);
+    }
+  }
+  GivenParts described_parts;
+  if (auto* const parts = describes ? &described_parts : std::get_if<GivenParts>(&block.mass)) {
+    in.value({"parts",
+              "in place of width_m: uniform rectangles, each with width_m, height_m, mass_kg, x_m of its middle and "
+              "bottom_m above the floor"},
+             parts->parts, parts_type(), Absent::omitted);
+    in.optional("base_m", parts->base, [&in](std::array<Quantity, 2>& base) {
+      in.value({"base_m", "x of the left and the right end of the base [m]; absent: of the parts on the floor"}, base,
+               QuantityPairType(rules::offset), Absent::omitted);
+    });
+  }
   in.value({"gravity_m_s2", "g [m/s^2]"}, block.gravity, rules::gravity, Absent::standard);
 }
 
@@ -197,7 +262,7 @@ void keys_of(FieldVisitor& in, InitialState& initial, bool slides) {
 }
 
 void keys_of(FieldVisitor& in, Scene& scene, RecordFields& records) {
-  in.object({"block", "a uniform rectangular block"}, Absent::error,
+  in.object({"block", "a rigid block: a uniform rectangle, or with its mass elsewhere"}, Absent::error,
             [&](FieldVisitor& keys) { keys_of(keys, scene.block); });
   keys_of_formulation(in, scene);
   in.object({"excitation", "how the base moves"}, Absent::error,

@@ -97,6 +97,23 @@ class QuantityType final : public ValueType {
 
 [[nodiscard]] inline QuantityType written_type(const Quantity*, const NumberRule& rule) { return QuantityType(rule); }
 
+/// A list of two quantities: those on the left and on the right.
+class QuantityPairType final : public ValueType {
+ public:
+  explicit QuantityPairType(const NumberRule& rule) : quantity_(rule) {}
+  [[nodiscard]] Json json(const void* value) const override;
+  void read(const Json& json, const ReadingPlace& place, void* value) const override;
+  void check(const void* value, const ReadingPlace& place) const override;
+  [[nodiscard]] Json schema(const Rule&) const override;
+  [[nodiscard]] Shown shown(const void*) const override;
+
+ private:
+  QuantityType quantity_;
+};
+
+/// Of a std::vector<BlockPart>.
+[[nodiscard]] const ValueType& parts_type();
+
 /// JSON Schema of any of the laws, whatever its numbers, to which the schema of a quantity refers.
 [[nodiscard]] Json law_schema();
 

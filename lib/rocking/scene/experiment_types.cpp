@@ -10,6 +10,7 @@
 #include "rocking/fields/field_describer.hpp"
 #include "rocking/fields/field_reader.hpp"
 #include "rocking/scene/experiment_keys.hpp"
+#include "rocking/scene/rules.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking {
@@ -84,6 +85,96 @@ ValueType::Shown QuantityType::shown(const void* value) const {
   auto [allowed, standard] = number_.shown(&mean);
   return {.allowed = "*quantity* " + allowed, .standard = standard};
 }
+
+Json QuantityPairType::json(const void* value) const {
+  const auto& [left, right] = *static_cast<const std::array<Quantity, 2>*>(value);
+  return Json::array({quantity_.json(&left), quantity_.json(&right)});
+}
+
+void QuantityPairType::read(const Json& json, const ReadingPlace& place, void* value) const {
+  auto& pair = *static_cast<std::array<Quantity, 2>*>(value);
+  if (!json.is_array() || json.size() != 2) {
+    return place.reject(json, "must be a list of two numbers: [left, right]", "give a list such as [0.3, 0.2]");
+  }
+  Json canonical = Json::array();
+  for (std::size_t i = 0; i < 2; ++i) {
+    ReadingPlace of_item = place.at(std::to_string(i));
+    Json written;
+    of_item.canonical = &written;
+    quantity_.read(json[i], of_item, &pair[i]);
+    canonical.push_back(written.is_null() ? quantity_.json(&pair[i]) : std::move(written));
+  }
+  if (place.canonical != nullptr) *place.canonical = std::move(canonical);
+}
+
+void QuantityPairType::check(const void* value, const ReadingPlace& place) const {
+  const auto& pair = *static_cast<const std::array<Quantity, 2>*>(value);
+  for (std::size_t i = 0; i < 2; ++i) quantity_.check(&pair[i], place.at(std::to_string(i)));
+}
+
+Json QuantityPairType::schema(const Rule& rule) const {
+  return {{"type", "array"}, {"items", quantity_.schema(rule)}, {"minItems", 2}, {"maxItems", 2}};
+}
+
+ValueType::Shown QuantityPairType::shown(const void*) const {
+  const Quantity any = 0.0;
+  return {.allowed = "two of " + quantity_.shown(&any).allowed, .standard = ""};
+}
+
+namespace {
+
+void keys_of(FieldVisitor& in, BlockPart& part) {
+  in.value({"width_m", "[m]"}, part.width, rules::length, Absent::error);
+  in.value({"height_m", "[m]"}, part.height, rules::length, Absent::error);
+  in.value({"mass_kg", "[kg]"}, part.mass, rules::mass, Absent::error);
+  in.value({"x_m", "of its middle [m]"}, part.x, rules::offset, Absent::error);
+  in.value({"bottom_m", "of its bottom above the floor [m]"}, part.bottom, rules::bottom, Absent::error);
+}
+
+class PartsType final : public ValueType {
+ public:
+  [[nodiscard]] Json json(const void*) const override { return Json::array(); }
+  void read(const Json& json, const ReadingPlace& place, void* value) const override {
+    auto& parts = *static_cast<std::vector<BlockPart>*>(value);
+    parts.clear();
+    if (!json.is_array() || json.empty() || json.size() > most_parts) {
+      return place.reject(json, "must be a list of 1 to " + std::to_string(most_parts) + " parts",
+                          "give rectangles such as {\"width_m\": 0.6, \"height_m\": 1.0, \"mass_kg\": 80, \"x_m\": 0, "
+                          "\"bottom_m\": 0}");
+    }
+    Json canonical = Json::array();
+    for (std::size_t i = 0; i < json.size(); ++i) {
+      FieldReader in(json[i], place.pointer + '/' + std::to_string(i), *place.problems);
+      keys_of(in, parts.emplace_back());
+      canonical.push_back(in.finish());
+    }
+    if (place.canonical != nullptr) *place.canonical = std::move(canonical);
+  }
+  void check(const void* value, const ReadingPlace& place) const override {
+    auto parts = *static_cast<const std::vector<BlockPart>*>(value);
+    if (parts.empty() || parts.size() > most_parts) {
+      place.problems->push_back({place.pointer, std::to_string(parts.size()),
+                                 "must be 1 to " + std::to_string(most_parts) + " parts", "give fewer, or one"});
+      parts.resize(std::min(parts.size(), most_parts));
+    }
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      FieldChecker checker(place.pointer + '/' + std::to_string(i), *place.problems);
+      keys_of(checker, parts[i]);
+    }
+  }
+  [[nodiscard]] Json schema(const Rule&) const override {
+    std::vector<KeyRow> rows;
+    FieldDescriber describer("", rows);
+    BlockPart part;
+    keys_of(describer, part);
+    return {{"type", "array"}, {"items", describer.schema()}, {"minItems", 1}, {"maxItems", most_parts}};
+  }
+  [[nodiscard]] Shown shown(const void*) const override { return {.allowed = "list of objects", .standard = ""}; }
+};
+
+}  // namespace
+
+const ValueType& parts_type() { return the_only<PartsType>(); }
 
 Json law_schema() {
   constexpr NumberRule any_number{.bounds = {}, .demand = "", .example = ""};

@@ -27,6 +27,17 @@ double painleve_friction(const ShapeRange& shapes, dynamics::SlideInertia inerti
   return slender.tangent < 0.5 && squat.tangent > 0.5 ? std::min(at_ends, 4.0 / 3.0) : at_ends;
 }
 
+std::optional<Refusal> impossible_body(const Condition& condition) { return refusal_of(condition.scene.block); }
+
+/// A law that follows from Housner's ratio, which differs between the edges.
+std::optional<Refusal> restitution_of_unlike_edges(const Condition& condition) {
+  if (std::holds_alternative<Quantity>(condition.scene.restitution)) return std::nullopt;
+  const auto [slender, squat] = shapes_of(condition.scene.block);
+  if (slender.has_mirror_symmetry() && squat.has_mirror_symmetry()) return std::nullopt;
+  return Refusal{"is one number for two edges, each of which needs its own restitution e",
+                 "give the restitution e itself, such as 0.0 for Housner's ratio at each edge"};
+}
+
 std::optional<Refusal> order_of_friction(const Condition& condition) {
   if (!condition.scene.friction) return std::nullopt;
   const double at_rest = mean_static(*condition.scene.friction);
@@ -47,7 +58,8 @@ std::optional<Refusal> painleve(const Condition& condition) {
 }
 
 std::optional<Refusal> tilt_of_overturned(const Condition& condition) {
-  const double psi = shapes_of(condition.scene.block).squattest.shape_angle;
+  const dynamics::Geometry squat = shapes_of(condition.scene.block).squattest;
+  const double psi = std::max(squat.edges[0].shape_angle, squat.edges[1].shape_angle);
   const double overturned = 0.5 * std::numbers::pi / psi;
   const auto [least, largest] = reach_of(condition.scene.initial.tilt);
   if (std::max(std::abs(least), std::abs(largest)) < overturned) return std::nullopt;
@@ -215,7 +227,9 @@ struct Relation {
 };
 
 /// In the order in which the problems of a file are reported.
-constexpr std::array<Relation, 24> all_relations{{
+constexpr std::array<Relation, 26> all_relations{{
+    {"/block", {"/block"}, impossible_body, no_value},
+    {"/restitution", {"/block", "/restitution"}, restitution_of_unlike_edges, no_value},
     {"/fluctuation/static_friction",
      {"/friction", "/fluctuation/friction", "/fluctuation/static_friction"},
      static_fluctuation_without_friction,

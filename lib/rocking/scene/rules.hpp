@@ -11,6 +11,15 @@ namespace rocking::rules {
 inline constexpr NumberRule length{.bounds = {.least = least_length, .most = largest_length},
                                    .demand = "must be a positive number of metres, from 1e-6 to 1e6",
                                    .example = "1.0"};
+inline constexpr NumberRule offset{
+    .bounds = {.least = -1e6, .most = 1e6}, .demand = "must be a number of metres, from -1e6 to 1e6", .example = "0.1"};
+inline constexpr NumberRule bottom{
+    .bounds = {.least = 0.0, .most = 1e6},
+    .demand = "must be a number of metres from 0 to 1e6: no part reaches below the floor",
+    .example = "0.0"};
+inline constexpr NumberRule mass{.bounds = {.least = 1e-9, .most = 1e12},
+                                 .demand = "must be a positive number of kilograms, from 1e-9 to 1e12",
+                                 .example = "100.0"};
 inline constexpr NumberRule gravity{.bounds = {.least = 1e-6, .most = 1e6},
                                     .demand = "must be a positive number of m/s^2, from 1e-6 to 1e6",
                                     .example = "9.81"};

@@ -37,7 +37,14 @@ TEST(Source, KeepsItsNumber) {
                                                 {18, "excitation_frequency"},
                                                 {19, "inference_shares"},
                                                 {20, "inference_counts"},
-                                                {21, ""}};
+                                                {21, "centre_height"},
+                                                {22, "centre_offset"},
+                                                {23, "radius_of_gyration"},
+                                                {24, "left_edge"},
+                                                {25, "right_edge"},
+                                                {26, "base_left"},
+                                                {27, "base_right"},
+                                                {28, ""}};
   for (const auto& [number, name] : numbers) EXPECT_EQ(to_string(static_cast<Source>(number)), name);
 }
 

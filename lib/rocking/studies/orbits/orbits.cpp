@@ -84,7 +84,8 @@ class OrbitSearch {
     if (!orbit) return;
     ++found_.converged;
     if (place_of(orbit->points, found_.orbits)) return;
-    orbit->mirror = found_.orbits.size();
+    orbit->is_symmetric = map_.has_mirror_symmetry();
+    if (orbit->is_symmetric) orbit->mirror = found_.orbits.size();
     found_.orbits.push_back(std::move(*orbit));
   }
 
@@ -130,8 +131,8 @@ std::optional<std::string> place_of_randomness(const Scene& scene) {
 std::size_t add_orbit(OrbitsOfCondition& found, const PoincareMap& map, Orbit orbit, base::StopRequest stop) {
   if (const auto place = place_of(orbit.points, found.orbits)) return *place;
   const std::size_t place = found.orbits.size();
-  orbit.mirror = place;
-  orbit.is_symmetric = true;
+  orbit.is_symmetric = map.has_mirror_symmetry();
+  if (orbit.is_symmetric) orbit.mirror = place;
   const FoundBy found_by = orbit.found_by;
   const auto mirror = mirror_image_of(map, orbit);
   found.orbits.push_back(std::move(orbit));

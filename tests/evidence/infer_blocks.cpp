@@ -64,7 +64,7 @@ class Block {
   explicit Block(const Case& scene)
       : scene_(&scene),
         experiment_(experiment_in(std::string_view(text_with(scene.keys)))),
-        condition_at_(condition_maker(experiment_, {})) {
+        condition_at_(ConditionMaker(experiment_)) {
     for (const char* name : {"(1,1)", "(1,3)", "(3,3)", "other"}) {
       groups_.push_back({.name = name, .modes = modes_in_group(name, "")});
     }

@@ -1,27 +1,24 @@
 #include "rocking/input/condition_family.hpp"
 
+#include <algorithm>
 #include <array>
+#include <span>
 #include <string_view>
 #include <utility>
 
 #include "rocking/base/error.hpp"
+#include "rocking/fields/field_reader.hpp"
+#include "rocking/input/ground_motion_files.hpp"
 #include "rocking/input/quantities_in_text.hpp"
 #include "rocking/input/read_experiment.hpp"
 #include "rocking/input/read_question.hpp"
 #include "rocking/input/suite.hpp"
+#include "rocking/scene/check_condition.hpp"
+#include "rocking/scene/experiment_keys.hpp"
 #include "rocking/text/json.hpp"
 
 namespace rocking {
 namespace {
-
-/// The experiment at the document; absent where a value of it is not allowed.
-std::optional<Condition> condition_of(const Json& document) {
-  try {
-    return experiment_in(document.dump()).conditions.front();
-  } catch (const base::InputError&) {
-    return std::nullopt;
-  }
-}
 
 void put_value(Json& document, const Parameter& parameter, const std::string& place) {
   try {
@@ -41,7 +38,111 @@ Json document_without_sweep(const Experiment& experiment) {
   return document;
 }
 
+/// Sets a number among the values of a condition in C++.
+class FieldSetter final : public FieldVisitor {
+ public:
+  /// `document`: has the number that was there.
+  FieldSetter(const Json& document, const Parameter& number, Problems& problems)
+      : FieldVisitor(&problems, false), document_(&document), number_(&number) {}
+
+  [[nodiscard]] bool is_set() const { return is_set_; }
+
+  void field(const Key& key, const ValueType& type, void* value, Absent) override {
+    const std::string place = place_ + std::string(key.name);
+    if (!is_within(number_->pointer, place)) return;
+    Json part = document_->at(Json::json_pointer(place));  // a law is read as a whole
+    part[Json::json_pointer(number_->pointer.substr(place.size()))] = json_of(number_->value);
+    type.read(part, {.pointer = place, .problems = problems_}, value);
+    is_set_ = true;
+  }
+  bool one_of(std::span<const Alternative> keys, std::size_t& chosen, void* value, Absent absent) override {
+    field(keys[chosen].key, *keys[chosen].type, value, absent);
+    return true;
+  }
+  void object(const Key& key, Absent, const Part& part) override {
+    const std::size_t length = place_.size();
+    (place_ += key.name) += '/';
+    part(*this);
+    place_.resize(length);
+  }
+  void value_or_object(const Key& key, bool is_object, const Part& value, const Part& with_more) override {
+    if (!is_object) return value(*this);
+    object(key, Absent::standard, with_more);
+  }
+  void kinds(const Key&, std::span<const std::string_view>, std::size_t kind,
+             const std::function<void(FieldVisitor&, std::size_t)>& part) override {
+    part(*this, kind);
+  }
+  bool stands(std::string_view key, bool is_given) override {
+    return is_given || is_within(number_->pointer, place_ + std::string(key));
+  }
+
+ private:
+  const Json* document_;
+  const Parameter* number_;
+  std::string place_ = "/";
+  bool is_set_ = false;
+};
+
+std::optional<Condition> where_allowed(const ConditionMaker& family, const std::vector<Parameter>& values) {
+  try {
+    return family(values);
+  } catch (const base::InputError&) {
+    return std::nullopt;
+  }
+}
+
 }  // namespace
+
+ConditionMaker::ConditionMaker(const Experiment& experiment, Surroundings surroundings)
+    : document_(document_without_sweep(experiment)), surroundings_(std::move(surroundings)) {
+  const Json fluctuation = document_.value("fluctuation", Json::object());
+  const bool is_relative =
+      std::ranges::any_of(fluctuation, [](const Json& scatter) { return scatter.contains("relative_sigma"); });
+  const bool states_horizon = number("/horizon/transient_periods") && number("/horizon/sampled_periods");
+  if (is_relative || !states_horizon || document_["excitation"]["kind"] == Recorded::name) return;
+  try {
+    read_once_ = read({});
+  } catch (const base::InputError&) {  // beside the sweep its values are not allowed
+  }
+}
+
+Condition ConditionMaker::operator()(const std::vector<Parameter>& values) const {
+  auto found = set(values);
+  return found ? *std::move(found) : read(values);  // which tells what is wrong
+}
+
+Condition ConditionMaker::read(const std::vector<Parameter>& values) const {
+  Json one = document_;
+  for (const Parameter& value : values) one[Json::json_pointer(value.pointer)] = json_of(value.value);
+  Condition condition = experiment_in(one.dump(), {}, surroundings_).conditions.front();
+  condition.parameters = values;
+  return condition;
+}
+
+std::optional<Condition> ConditionMaker::set(const std::vector<Parameter>& values) const {
+  if (!read_once_) return std::nullopt;
+  UnsweptExperiment question{.title = {}, .seed = 0, .condition = *read_once_};
+  FiledRecords no_records(nullptr);
+  Problems problems;
+  for (const Parameter& value : values) {
+    if (!number_in(value.value) || !number(value.pointer)) return std::nullopt;
+    FieldSetter setter(document_, value, problems);
+    keys_of(setter, question, no_records);
+    if (!setter.is_set()) return std::nullopt;
+  }
+  if (problems.empty()) check_relations(question.condition, problems);
+  if (!problems.empty()) return std::nullopt;
+  question.condition.parameters = values;
+  return std::move(question.condition);
+}
+
+std::optional<double> ConditionMaker::number(const std::string& pointer) const {
+  if (!pointer.starts_with('/') || pointer.find('~') != std::string::npos) return std::nullopt;
+  const Json::json_pointer place(pointer);
+  if (!document_.contains(place) || !document_.at(place).is_number()) return std::nullopt;
+  return document_.at(place).get<double>();
+}
 
 std::optional<SweptNumber> only_swept_number(const Experiment& experiment) {
   const auto& parameters = experiment.conditions.front().parameters;
@@ -57,31 +158,25 @@ std::optional<SweptNumber> only_swept_number(const Experiment& experiment) {
 
 std::function<std::optional<Condition>(double)> condition_family(const Experiment& experiment,
                                                                  const std::string& pointer) {
-  return [document = document_without_sweep(experiment),
-          place = Json::json_pointer(pointer)](double value) -> std::optional<Condition> {
-    Json one = document;
-    one[place] = value;
-    return condition_of(one);
+  return [family = ConditionMaker(experiment), pointer](double value) {
+    return where_allowed(family, {{pointer, value}});
   };
 }
 
 SecondParameter second_parameter(const Experiment& experiment, const std::vector<std::string>& pointers) {
-  const Json document = document_without_sweep(experiment);
+  const ConditionMaker family(experiment);
   const auto refuse = [](const std::string& pointer, const std::string& reason, const std::string& remedy) {
     throw base::InputError(
         base::Problem{.place = "--second-parameter", .value = pointer, .reason = reason, .remedy = remedy});
   };
-  SecondParameter second{.pointers = pointers, .value = 0.0};
   for (const std::string& pointer : pointers) {
-    const bool is_pointer = pointer.starts_with('/') && pointer.find('~') == std::string::npos;
-    const bool is_there = is_pointer && document.contains(Json::json_pointer(pointer));
-    if (!is_there || !document[Json::json_pointer(pointer)].is_number()) {
+    if (!family.number(pointer)) {
       refuse(pointer, "is no number of the experiment", "give a JSON pointer such as /excitation/frequency_ratio");
     }
     const auto& swept = experiment.conditions.front().parameters;
     if (!swept.empty() && swept.front().pointer == pointer) refuse(pointer, "is swept", "give another number");
   }
-  second.value = document[Json::json_pointer(pointers.front())].get<double>();
+  const SecondParameter second{.pointers = pointers, .value = family.number(pointers.front()).value()};
   if (pointers.size() > 1 && second.value == 0.0) {
     refuse(pointers.front(), "is 0, and the others cannot keep their ratio to it", "give another one first");
   }
@@ -91,27 +186,12 @@ SecondParameter second_parameter(const Experiment& experiment, const std::vector
 std::function<std::optional<Condition>(double, double)> condition_plane(const Experiment& experiment,
                                                                         const std::string& pointer,
                                                                         const SecondParameter& second) {
-  return [document = document_without_sweep(experiment), place = Json::json_pointer(pointer), second](
-             double at_first, double at_second) -> std::optional<Condition> {
-    Json one = document;
-    one[place] = at_first;
-    for (const std::string& text : second.pointers) {
-      Json& number = one[Json::json_pointer(text)];
-      // The first one is set exactly.
-      number = &text == &second.pointers.front() ? at_second : number.get<double>() * (at_second / second.value);
+  return [family = ConditionMaker(experiment), pointer, second](double at_first, double at_second) {
+    std::vector<Parameter> values{{pointer, at_first}, {second.pointers.front(), at_second}};
+    for (std::size_t i = 1; i < second.pointers.size(); ++i) {
+      values.push_back({second.pointers[i], family.number(second.pointers[i]).value() * (at_second / second.value)});
     }
-    return condition_of(one);
-  };
-}
-
-std::function<Condition(const std::vector<Parameter>&)> condition_maker(const Experiment& experiment,
-                                                                        const Surroundings& surroundings) {
-  return [document = document_without_sweep(experiment), surroundings](const std::vector<Parameter>& values) {
-    Json one = document;
-    for (const Parameter& value : values) one[Json::json_pointer(value.pointer)] = json_of(value.value);
-    Condition condition = experiment_in(one.dump(), {}, surroundings).conditions.front();
-    condition.parameters = values;
-    return condition;
+    return where_allowed(family, values);
   };
 }
 

@@ -59,7 +59,7 @@ class TestReader {
  public:
   TestReader(const std::string& name, const Experiment& experiment, const std::filesystem::path& folder)
       : experiment_(&experiment),
-        condition_at_(condition_maker(experiment, seen_from(folder))),
+        condition_at_(ConditionMaker(experiment, seen_from(folder))),
         lines_(name, problems_) {}
 
   /// `has_counts`: of tests; else of candidates.

@@ -37,6 +37,7 @@ struct Friction {
   Quantity static_coefficient = 0.0;                   ///< mu_s [-]
   Quantity kinetic_coefficient = 0.0;                  ///< mu_k [-]; not used with a ratio
   std::optional<double> kinetic_ratio = std::nullopt;  ///< mu_k over the mu_s that was drawn
+  friend bool operator==(const Friction&, const Friction&) = default;
 };
 
 /// Means of the coefficients, or the numbers themselves.
@@ -53,6 +54,7 @@ struct FluctuationLaws {
   FluctuationLaw kinetic_friction = FluctuationLaw::normal;
   FluctuationLaw restitution = FluctuationLaw::normal;
   FluctuationLaw amplitude = FluctuationLaw::normal;
+  friend bool operator==(const FluctuationLaws&, const FluctuationLaws&) = default;
 };
 
 /// The law with this mean and standard deviation as a quantity; without a deviation the number.
@@ -73,12 +75,14 @@ struct Fluctuation {
   FluctuationLaws laws = {};
   /// Of the normal numbers from which static and kinetic friction in force follow, from -1 to 1.
   double friction_correlation = 0.0;
+  friend bool operator==(const Fluctuation&, const Fluctuation&) = default;
 };
 
 struct InitialState {
   Quantity tilt = 0.0;       ///< Theta = theta/psi [-]
   Quantity tilt_rate = 0.0;  ///< Theta' = w/psi [-]
   Quantity slip_rate = 0.0;  ///< V [-]
+  friend bool operator==(const InitialState&, const InitialState&) = default;
 };
 
 /// One block on one shaken base: everything that determines the motion of a realisation, except its random numbers.
@@ -91,6 +95,7 @@ struct Scene {
   std::optional<Friction> friction;  ///< absent: the block cannot slide
   Fluctuation fluctuation;
   InitialState initial;
+  friend bool operator==(const Scene&, const Scene&) = default;
 };
 
 /// A realisation whose response is not classified by its sampled periods goes on, window by window, each as long as
@@ -101,12 +106,14 @@ struct UntilClassified {
   int watch_windows = 0;                  ///< windows that a settled response is observed for, until it is left
   std::uint64_t long_run_every = 0;       ///< every N-th realisation has a long run up to the limit; 0: none
   int exponent_pause = 0;                 ///< windows without exponent after one whose exponent stayed unclear
+  friend bool operator==(const UntilClassified&, const UntilClassified&) = default;
 };
 
 struct Horizon {
   int transient_periods = 500;  ///< excitation periods that are not used for the classification
   int sampled_periods = 120;    ///< excitation periods whose strobe points are classified
   std::optional<UntilClassified> until_classified = std::nullopt;  ///< absent: every realisation ends there
+  friend bool operator==(const Horizon&, const Horizon&) = default;
 };
 
 /// A part of an experiment file as JSON text.
@@ -134,12 +141,14 @@ struct Until {
   std::optional<double> half_width = std::nullopt;           ///< in (0, 1/2)
   std::optional<double> relative_half_width = std::nullopt;  ///< relative to the estimate k/n, in (0, 1)
   std::optional<section::ResponseMode> mode = std::nullopt;  ///< whose interval is looked at; absent: every one
+  friend bool operator==(const Until&, const Until&) = default;
 };
 
 /// Some realisations are classified again by a longer run, whose result is taken as the true response mode.
 struct LabelCheck {
   std::uint64_t every = 20;         ///< every N-th realisation is checked; at least 1
   std::uint64_t times_longer = 20;  ///< sampled periods of the longer run over those of the shorter one; at least 2
+  friend bool operator==(const LabelCheck&, const LabelCheck&) = default;
 };
 
 /// One point of the sweep.
@@ -155,6 +164,7 @@ struct Condition {
   double confidence = 0.95;
   /// The first 64 bits of the SHA-256 of the record, where it is of a suite: records have independent random numbers.
   std::uint64_t record_stream = 0;
+  friend bool operator==(const Condition&, const Condition&) = default;
 };
 
 /// The seed under which the realisations of a condition are drawn (lib/docs/draws.md).

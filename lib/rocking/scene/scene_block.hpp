@@ -19,13 +19,16 @@ inline constexpr double least_length = 1e-6;
 inline constexpr double largest_length = 1e6;
 
 /// A rectangle of uniform density.
-struct UniformMass {};
+struct UniformMass {
+  friend bool operator==(const UniformMass&, const UniformMass&) = default;
+};
 
 /// Numbers beside a width and a height; what is absent is that of a uniform rectangle.
 struct GivenCentre {
   std::optional<Quantity> height = std::nullopt;              ///< of the centre of mass above the base [m]
   std::optional<Quantity> offset = std::nullopt;              ///< to the right of the middle of the base [m]
   std::optional<Quantity> radius_of_gyration = std::nullopt;  ///< about the centre of mass [m]
+  friend bool operator==(const GivenCentre&, const GivenCentre&) = default;
 };
 
 /// Numbers of a body whose outline is not given.
@@ -33,6 +36,7 @@ struct GivenEdges {
   std::array<Quantity, 2> edges{0.5, 0.5};  ///< distances of the left and the right edge from the centre of mass [m]
   Quantity centre_height = 2.0;             ///< of the centre of mass above the base [m]
   Quantity radius_of_gyration = 1.0;        ///< about the centre of mass [m]
+  friend bool operator==(const GivenEdges&, const GivenEdges&) = default;
 };
 
 /// A rectangle of uniform density, one of those that make a body.
@@ -42,6 +46,7 @@ struct BlockPart {
   Quantity mass = 1.0;    ///< [kg]
   Quantity x = 0.0;       ///< of its middle [m]
   Quantity bottom = 0.0;  ///< above the floor [m]
+  friend bool operator==(const BlockPart&, const BlockPart&) = default;
 };
 inline constexpr std::size_t most_parts = 32;
 
@@ -49,6 +54,7 @@ struct GivenParts {
   std::vector<BlockPart> parts;
   /// x of the left and the right end of the base [m]; absent: those of the parts that stand on the floor.
   std::optional<std::array<Quantity, 2>> base = std::nullopt;
+  friend bool operator==(const GivenParts&, const GivenParts&) = default;
 };
 
 /// Where the mass of a block is, in one of the forms of a file.
@@ -61,6 +67,7 @@ struct SceneBlock {
   Quantity height = 4.0;  ///< H [m]; likewise
   double gravity = 9.81;  ///< g [m/s^2]
   SceneMass mass = {};
+  friend bool operator==(const SceneBlock&, const SceneBlock&) = default;
 };
 
 /// Two shapes between which every block of a scene lies.

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "rocking/input/condition_family.hpp"
 #include "rocking/input/quantities_in_text.hpp"
 #include "rocking/input/read_experiment.hpp"
 #include "rocking/scene/restitution.hpp"
@@ -188,6 +189,89 @@ TEST(Sweep, OfRealisationsExcludesTheFlag) {
   const auto document = with(example_experiment(), "/sweep", R"([{"parameter": "/realisations", "values": [10, 20]}])");
   EXPECT_EQ(experiment_in(document.dump()).conditions[1].realisations, 20U);
   EXPECT_THROW(static_cast<void>(experiment_in(document.dump(), {.seed = {}, .realisations = "5"})), base::InputError);
+}
+
+std::vector<std::string> numbers_of(const Json& document) {
+  std::vector<std::string> pointers;
+  const Json flat = document.flatten();
+  for (const auto& [pointer, value] : flat.items()) {
+    if (value.is_number()) pointers.push_back(pointer);
+  }
+  return pointers;
+}
+
+/// A file with every number that a condition may have, and another one with those that exclude these.
+const std::vector<std::string> with_every_number{
+    R"({"block": {"width_m": 1.0, "height_m": {"normal": {"mean": 4.0, "sigma": 0.01, "between": [3.5, 4.5]}}},
+        "restitution": 0.1, "excitation": {"amplitude": 4.2, "frequency_ratio": 10.0, "phase_rad": 0.1},
+        "friction": {"static": 0.35, "kinetic": 0.30},
+        "fluctuation": {"friction": {"sigma": 0.03, "correlation": 0.5, "refreshes_per_period": 100},
+                        "restitution": {"sigma": 0.01}, "amplitude": {"sigma": 0.1}},
+        "initial": {"tilt": 0.1, "tilt_rate": 0.2, "slip_rate": 0.3},
+        "horizon": {"until_classified": {"at_most_periods": 10000, "held_windows": 3, "watch_windows": 4,
+                                         "long_run_every": 5, "exponent_pause": 6}},
+        "realisations": 10, "check_labels": {"every": 2, "times_longer": 3}})",
+    R"({"block": {"width_m": {"uniform": [0.9, 1.1]}, "height_m": 4.0, "gravity_m_s2": 9.7},
+        "restitution": {"rate_ratio": 0.9}, "excitation": {"amplitude_g": 1.2, "frequency_hz": 3.0},
+        "friction": {"static": 0.35, "kinetic": {"ratio": 0.8}},
+        "fluctuation": {"static_friction": {"sigma": 0.03},
+                        "kinetic_friction": {"sigma": 0.02, "refresh_slip_m": 0.01}},
+        "realisations": {"until": {"half_width": 0.05, "at_most": 1000}}})",
+    R"({"block": {"width_m": 1.0, "height_m": 4.0},
+        "excitation": {"kind": "pulse", "shape": "sine", "amplitude_m_s2": 12.0, "period_s": 0.5},
+        "realisations": {"until": {"relative_half_width": 0.2, "mode": "overturned", "at_most": 1000}}})"};
+
+TEST(ConditionMaker, SetsEveryNumberAsIfTheExperimentWereReadAnew) {
+  std::size_t compared = 0;
+  for (const std::string& text : with_every_number) {
+    Json document = Json::parse(text);
+    document["format"] = "rocking.experiment/1";
+    const Experiment experiment = experiment_in(document.dump());
+    const ConditionMaker family(experiment);
+    for (const std::string& pointer : numbers_of(Json::parse(experiment.canonical_text))) {
+      const double number = family.number(pointer).value();
+      std::size_t allowed = 0;
+      for (const double value : {number + 1.0, number * 1.01, number * 0.99, 0.0, -1.0, 1e9}) {
+        std::optional<Condition> right;
+        try {
+          right = family.read({{pointer, value}});
+        } catch (const base::InputError&) {
+        }
+        const auto found = family.set({{pointer, value}});
+        EXPECT_TRUE(found == right) << pointer << " = " << value;
+        allowed += right ? 1 : 0;
+      }
+      EXPECT_GE(allowed, 1U) << pointer;
+      compared += allowed;
+    }
+  }
+  EXPECT_GE(compared, 100U);
+}
+
+TEST(ConditionMaker, ReadsTheExperimentWhereMoreFollowsFromANumber) {
+  const Json relative = with(example_experiment(), "/fluctuation/friction", R"({"relative_sigma": 0.1})");
+  const Json pulse = with(with(with(example_experiment(), "/fluctuation", "{}"), "/excitation",
+                               R"({"kind": "pulse", "shape": "sine", "amplitude": 4, "frequency_ratio": 9})"),
+                          "/sweep", R"([{"parameter": "/block/width_m", "values": [1, 2]}])");
+  for (const auto& [document, pointer] :
+       {std::pair(relative, "/friction/static"), std::pair(support::without(pulse, "horizon"), "/block/width_m")}) {
+    const ConditionMaker family(experiment_in(document.dump()));
+    const std::vector<Parameter> values{{pointer, 0.7}};
+    EXPECT_FALSE(family.set(values));
+    EXPECT_FALSE(family(values) == family({{pointer, 0.8}}));
+    EXPECT_TRUE(family(values) == family.read(values));
+  }
+}
+
+TEST(ConditionMaker, TellsWhatIsWrongAsTheReaderDoes) {
+  const ConditionMaker family(experiment_in(example_experiment().dump()));
+  try {
+    static_cast<void>(family({{"/friction/static", 0.2}}));
+    FAIL();
+  } catch (const base::InputError& error) {
+    EXPECT_EQ(error.problems().front().place, "/friction/static");
+    EXPECT_THAT(error.problems().front().reason, HasSubstr("is below the kinetic coefficient, 0.3"));
+  }
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ InferSimulation::InferSimulation(const Experiment& experiment, const CountedTest
                                  const Surroundings& surroundings, const RunOptions& options)
     : experiment_(&experiment),
       tests_(&tests),
-      condition_at_(condition_maker(experiment, surroundings)),
+      condition_at_(ConditionMaker(experiment, surroundings)),
       options_(options) {
   const auto on_progress = options.on_progress;
   if (!on_progress) return;

@@ -154,6 +154,35 @@ TEST(TangentFlow, IsTheDerivativeOfTheFlow) {
   }
 }
 
+TEST(TangentFlow, IsTheDerivativeOfTheFlowOfBlocksWithTheirMassOffTheMiddle) {
+  int compared = 0;
+  std::array<int, dynamics::event_kind_count> kinds{};
+  for (std::uint64_t seed = 0; seed < 600; ++seed) {
+    support::SplitMix random(seed);
+    Scene scene = support::random_scene(random);
+    const double height = mean_of(scene.block).height;
+    scene.block.mass = dynamics::MassLayout{.left_edge = height * random.uniform(0.05, 0.3),
+                                            .right_edge = height * random.uniform(0.05, 0.3),
+                                            .centre_height = height * random.uniform(0.3, 0.7),
+                                            .radius_of_gyration = height * random.uniform(0.2, 0.5)};
+    const Flow flow = flow_of(scene, seed, 1 + random.below(3));
+    if (!flow.reached_end() || flow.not_differentiable.any()) continue;
+    const auto error = error_of(flow, scene, seed, 1e-6);
+    if (!error) continue;
+    ++compared;
+    for (const auto& event : flow.log.events) ++kinds[static_cast<std::size_t>(event.kind)];
+    if (*error <= 1e-8) continue;
+    const double finer =
+        std::min(error_of(flow, scene, seed, 1e-7).value_or(1.0), error_of(flow, scene, seed, 1e-8).value_or(1.0));
+    EXPECT_LT(finer, 1e-7) << "seed " << seed << ", " << *error << " at 1e-6: " << flow.log.story();
+  }
+  EXPECT_GT(compared, 250);
+  for (const auto kind : {dynamics::EventKind::impact_stick, dynamics::EventKind::impact_slip,
+                          dynamics::EventKind::slip_start, dynamics::EventKind::slip_stop, dynamics::EventKind::lift}) {
+    EXPECT_GT(kinds[static_cast<std::size_t>(kind)], 5) << to_string(kind);
+  }
+}
+
 // At the end of a cell friction jumps at an instant that depends on the state.
 TEST(TangentFlow, KnowsTheJumpAtTheEndOfACellOfFriction) {
   int compared = 0;

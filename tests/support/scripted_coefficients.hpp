@@ -36,7 +36,7 @@ struct ScriptedCoefficients {
     const double wanted = at(kinetics, changes_reached(clock));
     return hold_kinetic ? std::min(wanted, static_friction()) : wanted;
   }
-  [[nodiscard]] double restitution() { return at(restitutions, impacts++); }
+  [[nodiscard]] double restitution(double) { return at(restitutions, impacts++); }
   [[nodiscard]] double amplitude(const dynamics::Clock&) const { return amplitude_value; }
   void stop() { ++stops; }
   void chatter_ended() { ++chatters; }

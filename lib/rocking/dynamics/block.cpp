@@ -18,7 +18,8 @@ Geometry rectangle(double width, double height, double gravity) {
                   .radius = 1.0,
                   .rocking_gain = 1.0,
                   .impact_gain = 1.5,
-                  .other_sine = width / diagonal,
+                  .sideways = 1.0,
+                  .half_base = width / diagonal,
                   .tilt_scale = 1.0};
   return {.shape_angle = edge.shape_angle,
           .half_diagonal = half_diagonal,
@@ -49,7 +50,8 @@ Edge edge_at(double distance, double other, const MassLayout& mass, const Geomet
           .radius = std::sqrt(sine * sine + cosine * cosine),
           .rocking_gain = block.load / pivot_inertia,
           .impact_gain = 2.0 / pivot_inertia,
-          .other_sine = other / block.half_diagonal,
+          .sideways = other / distance,
+          .half_base = 0.5 * (distance + other) / block.half_diagonal,
           .tilt_scale = angle(std::min(distance, other)) / angle(distance)};
 }
 

@@ -34,7 +34,8 @@ struct Edge {
   double radius;        ///< r_S, edge to centre of mass: 1 for a rectangle
   double rocking_gain;  ///< (1 + J)/(J + r_S^2), of w' without slip: 1 for a rectangle
   double impact_gain;   ///< 2/(J + r_S^2), of impulses at this edge: 3/2 for a rectangle
-  double other_sine;    ///< b_-S/R, of the other edge
+  double sideways;      ///< b_-S/b_S, of the other edge: 1 for a rectangle
+  double half_base;     ///< (b_1 + b_-1)/(2 R): sin(psi) of a rectangle
   double tilt_scale;    ///< psi of the edge nearer to the centre of mass over psi_S: 1 for a rectangle
 };
 

@@ -35,8 +35,8 @@ concept CoefficientSource = requires(Source source, const Clock& clock, bool sli
   { source.has_friction() } -> std::same_as<bool>;
   { source.static_friction() } -> std::convertible_to<double>;        // mu_s in force
   { source.kinetic_friction(clock) } -> std::convertible_to<double>;  // mu_k in force, never above mu_s
-  // e of the coming impact. Each call returns the value of another impact.
-  { source.restitution() } -> std::convertible_to<double>;
+  // e of the coming impact, in which the edge of a side with this sign lands. Each call returns that of another impact.
+  { source.restitution(1.0) } -> std::convertible_to<double>;
   { source.amplitude(clock) } -> std::convertible_to<double>;  // A_h in force
   source.stop();                                               // V has become 0
   source.chatter_ended();
@@ -47,7 +47,7 @@ concept CoefficientSource = requires(Source source, const Clock& clock, bool sli
 /// A source that can also say which coefficients will be in force, so that lanes can compute several steps in a row.
 template <class Source>
 concept KnowsComingCoefficients = CoefficientSource<Source> && requires(Source source, const Clock& clock) {
-  // e of every impact; absent if it fluctuates.
+  // e of every impact of a rectangle; absent if it fluctuates.
   { source.constant_restitution() } -> std::same_as<std::optional<double>>;
   // Until the next change of anything but kinetic friction.
   { source.known_intervals() } -> std::same_as<KnownIntervals>;
@@ -78,7 +78,7 @@ struct ConstantCoefficients {
     return static_value.value_or(std::numeric_limits<double>::infinity());
   }
   [[nodiscard]] double kinetic_friction(const Clock&) const { return kinetic_value; }
-  [[nodiscard]] double restitution() const { return restitution_value; }
+  [[nodiscard]] double restitution(double) const { return restitution_value; }
   [[nodiscard]] double amplitude(const Clock&) const { return amplitude_value; }
   void stop() {}
   void chatter_ended() {}

@@ -30,7 +30,9 @@ template <CoefficientSource Coefficients>
 /// Forces of rocking without slip.
 template <CoefficientSource Coefficients>
 [[nodiscard]] inline Forces sticking_forces(MotionContext<Coefficients>& context) {
-  return rocking_forces(context.state, context.base_motion(), equation_constants(context.setting, context.state.side));
+  const BaseMotion base = context.base_motion();
+  return with_constants(context.setting, context.state.side,
+                        [&](const auto& constants) { return rocking_forces(context.state, base, constants); });
 }
 
 /// Rates of slip in `direction`.
@@ -38,8 +40,10 @@ template <CoefficientSource Coefficients>
 [[nodiscard]] inline SlippingRates rates_of_slip(MotionContext<Coefficients>& context, double direction) {
   State slipping = context.state;
   slipping.slip_direction = direction;
-  return slipping_rates(slipping, context.base_motion(), context.kinetic_friction(),
-                        equation_constants(context.setting, slipping.side));
+  const BaseMotion base = context.base_motion();
+  const double mu_k = context.kinetic_friction();
+  return with_constants(context.setting, slipping.side,
+                        [&](const auto& constants) { return slipping_rates(slipping, base, mu_k, constants); });
 }
 
 /// Whether slip that starts from V = 0 in `direction` is accelerated in that direction.

@@ -25,7 +25,8 @@ struct Forces {
 
 /// Bound of abs(w') of a block that rocks and sticks, on either side: w' = K (beta c - s) with s, c of at most r.
 [[nodiscard]] inline double largest_acceleration(double largest_base_acceleration, const Geometry& block) {
-  if (block.is_rectangle()) return largest_base_acceleration + 1.0;
+  if (block.is_rectangle()) [[likely]]
+    return largest_base_acceleration + 1.0;
   const auto& [left, right] = block.edges;
   return std::max(left.rocking_gain * left.radius, right.rocking_gain * right.radius) *
          (largest_base_acceleration + 1.0);
@@ -126,7 +127,9 @@ template <base::Lane Real>
 }
 
 /// Forces of rocking without slip, of a state.
-[[nodiscard]] inline Forces rocking_forces(const State& state, const BaseMotion& base, const AnyConstants& constants) {
+template <BlockForm form>
+[[nodiscard]] inline Forces rocking_forces(const State& state, const BaseMotion& base,
+                                           const EquationConstants<double, form>& constants) {
   const auto [normal, friction, acceleration] = forces_without_slip<double>({.edge = edge_angle(state, constants),
                                                                              .omega = state.side * state.tilt_rate,
                                                                              .beta = state.side * base.horizontal,
@@ -143,8 +146,9 @@ struct SlippingRates {
 };
 
 /// The rates of a state: bit for bit the first coefficients of the series that `expand_rock_slide` computes.
+template <BlockForm form>
 [[nodiscard]] inline SlippingRates slipping_rates(const State& state, const BaseMotion& base, double kinetic_friction,
-                                                  const AnyConstants& constants) {
+                                                  const EquationConstants<double, form>& constants) {
   const auto [s, c] = edge_angle(state, constants);
   const double omega = state.side * state.tilt_rate;
   const double drag = state.side * state.slip_direction * kinetic_friction;

@@ -9,9 +9,6 @@ namespace {
 
 double direction_of(double tilt_rate) { return tilt_rate < 0.0 ? -1.0 : 1.0; }
 
-/// (b_1 + b_-1)/(2 R): sin(psi) of a rectangle.
-double half_base(const Edge& edge) { return 0.5 * (edge.sine + edge.other_sine); }
-
 LandingRates<double> rates_of(const ImpactConditions& before) {
   return {.tilt_rate = before.tilt_rate, .slip_rate = before.slip_rate};
 }
@@ -22,16 +19,12 @@ StickingImpulse<double> sticking_impulse_of(const ImpactConditions& before, cons
 
 }  // namespace
 
-double impact_loss(double restitution, const Edge& landing) {
-  return landing.impact_gain * (1.0 + restitution) * (landing.sine * half_base(landing));
-}
-
 double inelastic_rate_ratio(const Edge& landing, double restitution) {
-  return 1.0 - landing.impact_gain * (1.0 + restitution) * landing.sine * half_base(landing);
+  return 1.0 - landing.impact_gain * (1.0 + restitution) * landing.sine * landing.half_base;
 }
 
 double restitution_of_rate_ratio(const Edge& landing, double rate_ratio) {
-  return (1.0 - rate_ratio) / (landing.impact_gain * landing.sine * half_base(landing)) - 1.0;
+  return (1.0 - rate_ratio) / (landing.impact_gain * landing.sine * landing.half_base) - 1.0;
 }
 
 LandingEdge<double, BlockForm::general> landing_edge(double restitution, const Edge& landing) {
@@ -40,7 +33,7 @@ LandingEdge<double, BlockForm::general> landing_edge(double restitution, const E
           .sine = landing.sine,
           .cosine = landing.cosine,
           .gain = landing.impact_gain,
-          .sideways = landing.other_sine / landing.sine};
+          .sideways = landing.sideways};
 }
 
 double sticking_tilt_rate(const LandingRates<double>& before, double restitution, const Geometry& block) {

@@ -64,7 +64,9 @@ struct ImpactOutcome {
 [[nodiscard]] double restitution_of_rate_ratio(const Edge& landing, double rate_ratio);
 
 /// Share of the tilt rate that a sticking impact takes where the block did not slip before.
-[[nodiscard]] double impact_loss(double restitution, const Edge& landing);
+[[nodiscard]] inline double impact_loss(double restitution, const Edge& landing) {
+  return landing.impact_gain * (1.0 + restitution) * (landing.sine * landing.half_base);
+}
 
 // Of a rectangle, whose edges are alike.
 [[nodiscard]] inline double inelastic_rate_ratio(const Geometry& block, double restitution = 0.0) {

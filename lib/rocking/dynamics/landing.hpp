@@ -23,7 +23,7 @@ template <CoefficientSource Coefficients>
 template <CoefficientSource Coefficients>
 [[nodiscard]] inline bool apply_impulse(MotionContext<Coefficients>& context) {
   State& state = context.state;
-  const double restitution = context.coefficients.restitution();
+  const double restitution = context.coefficients.restitution(state.tilt_rate);
   ImpactKind kind = ImpactKind::stick;
   if (context.coefficients.has_friction()) {
     const ImpactOutcome after = impact_with_friction(context, restitution);

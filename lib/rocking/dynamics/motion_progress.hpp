@@ -77,8 +77,11 @@ class MotionProgress {
 
   /// After events: finds the friction in force and the next breakpoint.
   template <CoefficientSource Coefficients>
-  void settle(MotionContext<Coefficients>& context) {
-    const double scale = context.setting.block.edge(context.state.side).tilt_scale;
+  [[gnu::always_inline]] inline void settle(MotionContext<Coefficients>& context) {
+    const Geometry& block = context.setting.block;
+    double scale = 1.0;
+    if (!block.is_rectangle()) [[unlikely]]
+      scale = block.edge(context.state.side).tilt_scale;
     context.set_peaks({.tilt = peaks::larger(context.peaks.tilt, scale * std::abs(context.state.tilt)),
                        .tilt_rate = peaks::larger(context.peaks.tilt_rate, scale * std::abs(context.state.tilt_rate))});
     if (context.ended()) return;

@@ -175,8 +175,9 @@ template <base::Lane Real>
 
 /// The peaks after a step that may raise them, `order` the order of the step.
 template <base::Lane Real>
-[[nodiscard, gnu::noinline]] TiltPeaks<Real> peaks_after(const MotionSeries<Real>& m, std::size_t order,
-                                                         const StepFinish<Real>& end, const TiltPeaks<Real>& before) {
+[[nodiscard, gnu::noinline, gnu::flatten]] TiltPeaks<Real> peaks_after(const MotionSeries<Real>& m, std::size_t order,
+                                                                       const StepFinish<Real>& end,
+                                                                       const TiltPeaks<Real>& before) {
   using base::at_most, base::in_any, base::magnitude;
   const Real zero(0.0);
   const Real& rate = m.tilt_rate[0];

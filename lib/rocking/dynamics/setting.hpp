@@ -97,8 +97,9 @@ void for_each_constant(EquationConstants<A, form_of_a>& a, const EquationConstan
 
 /// Calls use(constants) with those of the block's form.
 template <class Use>
-decltype(auto) with_constants(const Setting& setting, double side, Use&& use) {
-  if (!setting.block.is_rectangle()) return use(equation_constants(setting, side));
+[[gnu::always_inline]] inline decltype(auto) with_constants(const Setting& setting, double side, Use&& use) {
+  if (!setting.block.is_rectangle()) [[unlikely]]
+    return use(equation_constants(setting, side));
   const Geometry& block = setting.block;
   return use(EquationConstants<double>{
       .shape_angle = block.shape_angle, .sine = block.sine, .cosine = block.cosine, .inertia = setting.inertia});

@@ -44,9 +44,10 @@ std::vector<ContactSpan> spans_of(ContactState initial, const std::vector<EventR
 }
 
 HistoryRow row_of(double time, const ReportedState& state, double period, const TrajectoryScales& scales) {
+  const double share = scales.share(state.tilt, state.tilt_rate);
   return {.time = time / period,
-          .tilt = state.tilt / scales.tilt,
-          .tilt_rate = state.tilt_rate / scales.tilt_rate,
+          .tilt = state.tilt / scales.tilt / share,
+          .tilt_rate = state.tilt_rate / scales.tilt_rate / share,
           .slip = state.slip / scales.slip};
 }
 
@@ -80,9 +81,10 @@ TrajectoryFile shown(const TrajectoryReport& report, const std::string& name) {
   file.realisation = report.key.realisation;
   const TrajectoryScales scales = report.scales();
   for (const ReportedStrobe& strobe : report.strobe) {
+    const double share = scales.share(strobe.state.tilt, strobe.state.tilt_rate);
     file.strobe.push_back({.period = static_cast<double>(strobe.period),
-                           .tilt = strobe.state.tilt / scales.tilt,
-                           .tilt_rate = strobe.state.tilt_rate / scales.tilt_rate});
+                           .tilt = strobe.state.tilt / scales.tilt / share,
+                           .tilt_rate = strobe.state.tilt_rate / scales.tilt_rate / share});
   }
   if (!report.history.empty()) add_history(report, file);
   return file;

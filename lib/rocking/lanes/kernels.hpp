@@ -41,7 +41,7 @@ using Kernel = void (*)(LaneState&);
 /// (dynamics::Excitation::index).
 inline constexpr std::size_t families = 2 * dynamics::excitation_kinds;
 [[nodiscard]] constexpr std::size_t family_of(dynamics::BlockForm form, std::size_t excitation) {
-  return excitation + (form == dynamics::BlockForm::general ? dynamics::excitation_kinds : 0);
+  return static_cast<std::size_t>(form) * dynamics::excitation_kinds + excitation;
 }
 
 /// The kernels of one width, compiled for one instruction set.

@@ -49,15 +49,14 @@ template <class Motion>
 template <class Run>
 class LaneGroup {
  public:
-  LaneGroup() {
-    if constexpr (has_tangents) state_->tangents = (tangents_ = std::make_unique<TangentRows>()).get();
-  }
-
   [[nodiscard]] LaneState& state() { return *state_; }
   [[nodiscard]] std::uint32_t occupied() const { return occupied_; }
   [[nodiscard]] Run& run(std::size_t lane) const { return *runs_[lane]; }
 
-  void wait(Run& run) { waiting_.push_back(&run); }
+  void wait(Run& run) {
+    if (!state_) make_state();
+    waiting_.push_back(&run);
+  }
   [[nodiscard]] bool has_waiting() const { return !waiting_.empty(); }
 
   /// Puts the run that waited for the shortest time into a free lane.
@@ -135,6 +134,12 @@ class LaneGroup {
  private:
   static constexpr bool has_tangents = HasTangents<std::remove_cvref_t<decltype(std::declval<Run&>().motion())>>;
 
+  /// Most groups never have a run.
+  void make_state() {
+    state_ = std::make_unique<LaneState>();
+    if constexpr (has_tangents) state_->tangents = (tangents_ = std::make_unique<TangentRows>()).get();
+  }
+
   void load_tangents(std::size_t lane) {
     if constexpr (has_tangents) load_vectors(tangents_->now, lane, run(lane).motion().tangents());
   }
@@ -156,7 +161,7 @@ class LaneGroup {
     load_intervals(*state_, lane, adapt(motion).known_intervals(), step.clock->start());
   }
 
-  std::unique_ptr<LaneState> state_ = std::make_unique<LaneState>();
+  std::unique_ptr<LaneState> state_;       ///< once there is a run
   std::unique_ptr<TangentRows> tangents_;  ///< if the motions have some
   std::array<Run*, most_lanes> runs_{};
   std::uint32_t occupied_ = 0;

@@ -31,7 +31,7 @@ struct ComingStep {
   double static_friction;   ///< mu_s in force
   double kinetic_friction;  ///< mu_k in force
   double restitution;       ///< e of every impact; NaN if it fluctuates
-  double impact_loss;       ///< of the tilt rate, as a share, in a sticking impact
+  double impact_loss;       ///< of the tilt rate of a rectangle, as a share, in a sticking impact
   double least_rebound;     ///< tilt rate below which an impact may end a chatter
   double slip_sign;         ///< S s
   dynamics::Instant next_strobe;

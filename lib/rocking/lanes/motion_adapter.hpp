@@ -51,7 +51,7 @@ class MotionAdapter {
             .static_friction = motion_.coefficients().static_friction(),
             .kinetic_friction = motion_.kinetic_friction(),
             .restitution = restitution,
-            .impact_loss = dynamics::impact_loss(restitution, setting.block.edge(-side)),
+            .impact_loss = dynamics::impact_loss(restitution, setting.block),
             .least_rebound = dynamics::fastest_small_hop(context),
             .slip_sign = side * state.slip_direction,
             .next_strobe = progress.strobes.next(),

@@ -39,7 +39,8 @@ inline void load_constants(LaneState& state, std::size_t lane, const dynamics::S
 /// The motion continues in the same lane after an event or a breakpoint.
 inline void load_step(LaneState& state, std::size_t lane, const ComingStep& step) {
   const dynamics::Instant& now = step.clock->now();
-  if (!step.setting->block.is_rectangle()) load_constants(state, lane, *step.setting, step.side);
+  if (!step.setting->block.is_rectangle()) [[unlikely]]
+    load_constants(state, lane, *step.setting, step.side);
   state.tilt[lane] = step.state.tilt;
   state.tilt_rate[lane] = step.state.tilt_rate;
   state.slip[lane] = step.state.slip;

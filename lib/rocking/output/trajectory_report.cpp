@@ -13,10 +13,11 @@ namespace {
 TrajectoryScales scales_of(const dynamics::Block& block, TrajectoryUnits units) {
   if (units == TrajectoryUnits::normalised) return {};
   const dynamics::Geometry geometry = dynamics::geometry_of(block);
-  const double psi = geometry.shape_angle;
+  const double psi = geometry.edges[0].shape_angle;
   const double p = geometry.frequency_parameter;
   return {.tilt = psi,
           .tilt_rate = psi * p,
+          .right_share = geometry.edges[1].shape_angle / psi,
           .slip = geometry.half_diagonal,
           .slip_rate = geometry.half_diagonal * p,
           .frequency_parameter = p};
@@ -24,8 +25,9 @@ TrajectoryScales scales_of(const dynamics::Block& block, TrajectoryUnits units) 
 
 template <class Sample>
 ReportedState state_of(const Sample& sample, const TrajectoryScales& scales) {
-  return {.tilt = sample.tilt * scales.tilt,
-          .tilt_rate = sample.tilt_rate * scales.tilt_rate,
+  const double share = scales.share(sample.tilt, sample.tilt_rate);
+  return {.tilt = sample.tilt * scales.tilt * share,
+          .tilt_rate = sample.tilt_rate * scales.tilt_rate * share,
           .slip = sample.slip * scales.slip,
           .slip_rate = sample.slip_rate * scales.slip_rate};
 }

@@ -15,12 +15,17 @@ namespace rocking {
 
 /// Values of the units of a trajectory, over the normalised ones.
 struct TrajectoryScales {
-  double tilt = 1.0;
-  double tilt_rate = 1.0;
+  double tilt = 1.0;         ///< on the left side
+  double tilt_rate = 1.0;    ///< on the left side
+  double right_share = 1.0;  ///< both on the right side over those on the left
   double slip = 1.0;
   double slip_rate = 1.0;
   double frequency_parameter = 1.0;  ///< tau over the time
 
+  /// Both over those on the left side, of the block on the side of this tilt, or of its rate where the tilt is 0.
+  [[nodiscard]] double share(double theta, double rate) const {
+    return (theta != 0.0 ? theta : rate) < 0.0 ? right_share : 1.0;
+  }
   [[nodiscard]] double time_of(double tau) const { return tau / frequency_parameter; }
 };
 

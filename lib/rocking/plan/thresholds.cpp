@@ -1,5 +1,8 @@
 #include "rocking/plan/plan.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <optional>
 
 #include "rocking/dynamics/block.hpp"
@@ -10,21 +13,23 @@ namespace {
 
 /// Base acceleration over g from which a block that has just lifted slides: there F = mu N with the forces of rocking
 /// without slip at Theta = 0, w = 0, over a base without vertical motion. Absent if no acceleration is enough.
-std::optional<double> slide_of_rocking(const dynamics::Geometry& block, double friction) {
-  const double s = block.sine, c = block.cosine;
-  const double gain = 4.0 / 3.0 - c * c - friction * c * s;
+std::optional<double> slide_of_rocking(const dynamics::Geometry& block, const dynamics::Edge& edge, double friction) {
+  const double s = edge.sine, c = edge.cosine;
+  const double gain = block.load - edge.rocking_gain * c * (c + friction * s);
   if (!(gain > 0.0)) return std::nullopt;
-  return (friction * (4.0 / 3.0 - s * s) - s * c) / gain;
+  return (friction * (block.load - edge.rocking_gain * s * s) - edge.rocking_gain * s * c) / gain;
 }
 
 /// Least friction with which an impact from rocking without slip sticks.
-double sticking_friction(const dynamics::Geometry& block) {
-  return 3.0 * block.tangent / (4.0 + block.tangent * block.tangent);
+double sticking_friction(const dynamics::Geometry& block, const dynamics::Edge& landing) {
+  return landing.sine * landing.cosine / (block.inertia + landing.cosine * landing.cosine);
 }
 
 struct Thresholds {
   NumberRange uplift, friction, impact, rocking;
+  NumberRange to_right, to_left;  ///< uplift by a base acceleration to the right, which lifts over the left edge
   bool may_slide = false;
+  bool has_sides = false;
 };
 
 std::string friction_text(const Thresholds& found) {
@@ -44,27 +49,38 @@ std::string thresholds_text(const Experiment& experiment) {
   Thresholds found;
   for (const Condition& condition : experiment.conditions) {
     const dynamics::Geometry block = dynamics::geometry_of(mean_block(condition.scene));
-    found.uplift.add(block.tangent);
-    found.impact.add(sticking_friction(block));
-    if (!condition.scene.friction) continue;
-    found.may_slide = true;
-    const double friction = mean_of(condition.scene.friction->static_coefficient);
-    found.friction.add(friction);
-    const auto slide = slide_of_rocking(block, friction);
-    if (slide && friction > block.tangent) found.rocking.add(*slide);
+    found.to_right.add(block.edges[0].tangent);
+    found.to_left.add(block.edges[1].tangent);
+    found.has_sides = found.has_sides || !block.is_rectangle();
+    for (const dynamics::Edge& edge : block.edges) {
+      found.uplift.add(edge.tangent);
+      found.impact.add(sticking_friction(block, edge));
+      if (!condition.scene.friction) continue;
+      const double friction = mean_of(condition.scene.friction->static_coefficient);
+      const auto slide = slide_of_rocking(block, edge, friction);
+      if (slide && friction > edge.tangent) found.rocking.add(*slide);
+      found.may_slide = true;
+      found.friction.add(friction);
+    }
   }
-  return "A block at rest lifts if the base exceeds " + found.uplift.text() + " g. " + friction_text(found);
+  const std::string uplift =
+      found.has_sides ? found.to_right.text() + " g to the right or " + found.to_left.text() + " g to the left"
+                      : found.uplift.text() + " g";
+  return "A block at rest lifts if the base exceeds " + uplift + ". " + friction_text(found);
 }
 
 std::optional<double> least_uplift_scale(const std::vector<dynamics::GroundMotionSample>& samples,
                                          const dynamics::Geometry& block) {
-  // abs(alpha) - tan(psi) alpha_v is a convex function of the time between samples, so that its largest value is at one.
-  double most = 0.0;
-  for (const auto& sample : samples) {
-    most = std::max(most, std::abs(sample.horizontal) - block.tangent * sample.vertical);
+  // abs(alpha) - tan(psi) alpha_v is a convex function of the time between samples on each side, so that its largest value
+  // is at one of them, or where alpha = 0 and another sample has a larger one.
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  double least = infinity;
+  for (const auto& [time, horizontal, vertical] : samples) {
+    const double tangent = block.edge(horizontal).tangent;
+    const double push = std::abs(horizontal) - tangent * vertical;
+    if (push > 0.0) least = std::min(least, tangent / push);
   }
-  if (!(most > 0.0)) return std::nullopt;
-  return block.tangent / most;
+  return least < infinity ? std::optional(least) : std::nullopt;
 }
 
 }  // namespace rocking

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "rocking/base/error.hpp"
+#include "rocking/dynamics/impact.hpp"
 
 namespace rocking {
 
@@ -33,6 +34,10 @@ CoefficientLaws laws_of(const Scene& scene, const dynamics::Geometry& own) {
   }
   laws.restitution = law_along_the_way(f.laws.restitution, mean_restitution(scene.restitution, own),
                                        f.restitution / unit_of(scene.restitution, own));
+  const auto& [left, right] = own.edges;
+  if (std::holds_alternative<RateRatio>(scene.restitution) && !own.is_rectangle()) {
+    laws.right_share = dynamics::impact_loss(0.0, left) / dynamics::impact_loss(0.0, right);
+  }
   laws.amplitude =
       law_along_the_way(f.laws.amplitude, amplitude_for(scene, own), f.amplitude / amplitude_unit(scene, own));
   return laws;
@@ -234,11 +239,14 @@ void SceneCoefficients::pass_intervals(const Clock& clock, std::size_t count) {
   move_to_interval(clock, interval_ + static_cast<std::int64_t>(count));
 }
 
-double SceneCoefficients::restitution() {
-  if (const auto* constant = std::get_if<double>(&laws_.restitution)) return *constant;
+double SceneCoefficients::restitution(double landing) {
+  const auto at_edge = [&](double left) { return landing < 0.0 ? (1.0 + left) * laws_.right_share - 1.0 : left; };
+  const bool is_one = laws_.right_share == 1.0;
+  if (const auto* constant = std::get_if<double>(&laws_.restitution)) return is_one ? *constant : at_edge(*constant);
   ++restitution_draws_;
   const auto index = random::paired_index(impacts_.chatters, impacts_.since++);
-  const double value = value_at_normal(laws_.restitution, draws_.standard_normal(Source::restitution, index));
+  const double drawn = value_at_normal(laws_.restitution, draws_.standard_normal(Source::restitution, index));
+  const double value = is_one ? drawn : at_edge(drawn);
   const double clamped = std::clamp(value, least_restitution, largest_restitution);
   if (clamped != value) ++clamps_.restitution;
   return clamped;

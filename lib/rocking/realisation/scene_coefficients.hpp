@@ -19,9 +19,11 @@ namespace rocking {
 struct CoefficientLaws {
   RedrawnQuantity static_friction = 0.0;
   RedrawnQuantity kinetic_friction = 0.0;
-  double correlation = 0.0;  ///< of the normal numbers of both
-  double own_share = 1.0;    ///< sqrt(1 - correlation^2): of kinetic friction's own number
-  RedrawnQuantity restitution = 0.0;
+  double correlation = 0.0;           ///< of the normal numbers of both
+  double own_share = 1.0;             ///< sqrt(1 - correlation^2): of kinetic friction's own number
+  RedrawnQuantity restitution = 0.0;  ///< at the left edge
+  /// (1 + e) of the right edge over that of the left one; other than 1 only for a rate ratio, which is the same at both.
+  double right_share = 1.0;
   RedrawnQuantity amplitude = 0.0;
 };
 
@@ -44,7 +46,8 @@ class SceneCoefficients {
   [[nodiscard]] bool has_friction() const { return has_friction_; }
   [[nodiscard]] double static_friction() const { return static_friction_; }
   [[nodiscard]] double kinetic_friction(const dynamics::Clock& clock);
-  [[nodiscard]] double restitution();
+  /// `landing`: a number with the sign of the side whose edge lands.
+  [[nodiscard]] double restitution(double landing = 1.0);
   [[nodiscard]] double amplitude(const dynamics::Clock& clock);
   void stop();
   void chatter_ended();

@@ -8,7 +8,8 @@ namespace rocking {
 using dynamics::ContactState;
 using dynamics::EventKind;
 
-StrobeRecorder::StrobeRecorder(const dynamics::Geometry& block, std::int64_t periods) : block_(block) {
+StrobeRecorder::StrobeRecorder(const dynamics::Geometry& block, std::int64_t periods)
+    : shape_angles_{block.edges[0].shape_angle, block.edges[1].shape_angle} {
   periods_.reserve(static_cast<std::size_t>(periods));
 }
 
@@ -26,7 +27,7 @@ void StrobeRecorder::event(EventKind kind, double, const dynamics::State& state)
 }
 
 void StrobeRecorder::strobe(const dynamics::State& state) {
-  const double psi = block_.tilt_unit(state.tilt, state.tilt_rate);
+  const double psi = shape_angles_[state.side < 0.0 ? 1 : 0];
   current_.point = {.tilt = state.tilt / psi, .tilt_rate = state.tilt_rate / psi, .slip_rate = state.slip_rate};
   periods_.push_back(current_);
   current_ = {.point = {}, .impacts = 0, .moved = state.contact != ContactState::rest};

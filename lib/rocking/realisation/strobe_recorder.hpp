@@ -37,7 +37,7 @@ class StrobeRecorder final : public dynamics::Observer {
   void count_impact(const dynamics::State& after);
   void merge_chatter();
 
-  dynamics::Geometry block_;
+  std::array<double, 2> shape_angles_;    ///< of the left and the right edge
   std::vector<section::Period> periods_;  ///< complete ones
   std::size_t forgotten_ = 0;             ///< number of periods before these
   section::Period current_;

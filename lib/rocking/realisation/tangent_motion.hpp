@@ -188,7 +188,7 @@ class TangentMotion : public Motion {
     auto coefficients = this->coefficients();
     dynamics::Clock clock = this->clock();
     if (at_breakpoint) clock.set(*this->course().progress.breakpoint());
-    const double restitution = coefficients.restitution();
+    const double restitution = coefficients.restitution(state.tilt_rate);
     const dynamics::Edge& landing = setting.block.edge(state.tilt_rate);
     if (!coefficients.has_friction()) return sticking_derivative(restitution, landing);
     const bool slip_ends = fired[static_cast<std::size_t>(Guard::slip)];

@@ -58,8 +58,11 @@ Reach bounds(const RateRatio&, const Geometry& block) {
           dynamics::inelastic_rate_ratio(block, least_restitution)};
 }
 std::optional<Refusal> refusal(const RateRatio& ratio, const ShapeRange& shapes) {
+  const auto allows = [&ratio](const dynamics::Edge& edge) {
+    return rules::restitution.allows(dynamics::restitution_of_rate_ratio(edge, mean_of(ratio.value)));
+  };
   const double largest = mean(ratio, shapes.most_slender);
-  if (rules::restitution.allows(largest) && rules::restitution.allows(mean(ratio, shapes.squattest))) {
+  if (std::ranges::all_of(shapes.most_slender.edges, allows) && std::ranges::all_of(shapes.squattest.edges, allows)) {
     return std::nullopt;
   }
   const auto shown = [](double number) { return base::significant(number, 6); };

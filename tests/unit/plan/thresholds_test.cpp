@@ -43,6 +43,23 @@ TEST(Thresholds, AreThoseOfTheForcesOfTheModel) {
   EXPECT_GT(slide, 0.25);
 }
 
+TEST(Thresholds, OfABlockWithItsMassOffTheMiddleAreThoseOfEachSide) {
+  Experiment experiment;
+  experiment.conditions.resize(1);
+  SceneBlock& block = experiment.conditions.front().scene.block;
+  block.mass =
+      dynamics::MassLayout{.left_edge = 0.25, .right_edge = 0.9, .centre_height = 1.0, .radius_of_gyration = 0.7};
+  EXPECT_THAT(thresholds_text(experiment), HasSubstr("exceeds 0.25 g to the right or 0.9 g to the left."));
+  const dynamics::Geometry geometry = dynamics::geometry_of(mean_of(block));
+  const auto least = [&](double horizontal, double vertical) {
+    return least_uplift_scale({{0.0, horizontal, vertical}}, geometry).value_or(0.0);
+  };
+  EXPECT_NEAR(least(0.5, 0.0), 0.5, 1e-15);
+  EXPECT_NEAR(least(-0.5, 0.0), 1.8, 1e-15);
+  EXPECT_NEAR(least(-0.5, -0.4), 0.9 / 0.86, 1e-15);
+  EXPECT_NEAR(least_uplift_scale({{0.0, -0.6, 0.0}, {1.0, 0.1, 0.0}}, geometry).value_or(0.0), 1.5, 1e-15);
+}
+
 TEST(Thresholds, NameNoSlidingThatCannotBe) {
   EXPECT_THAT(thresholds_of(""), HasSubstr("Friction is not given: the block does not slide."));
   // Below tan(psi) the block slides and never begins to rock without slip; above the bound no acceleration is enough.

@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include "rocking/dynamics/impact.hpp"
 #include "support/excitation.hpp"
 #include "support/split_mix.hpp"
 
@@ -295,6 +296,20 @@ TEST(Restitution, IsHeldWithinWhatTheModelAllows) {
 
 // Amplitudes are constant between zeros of the sine, so that alpha has no jump; the part before the first zero has
 // index 0.
+// One measured ratio is two values of e, one of each edge.
+TEST(Restitution, OfARateRatioIsThatOfTheEdgeThatLands) {
+  Scene scene;
+  scene.block.mass =
+      dynamics::MassLayout{.left_edge = 0.3, .right_edge = 0.5, .centre_height = 1.6, .radius_of_gyration = 0.9};
+  scene.restitution = RateRatio{.value = 0.9};
+  const dynamics::Geometry block = dynamics::geometry_of(mean_block(scene));
+  SceneCoefficients coefficients(scene, random::Draws(1, 0));
+  for (const double side : {1.0, -1.0}) {
+    EXPECT_NEAR(dynamics::inelastic_rate_ratio(block.edge(side), coefficients.restitution(side)), 0.9, 1e-15);
+  }
+  EXPECT_GT(coefficients.restitution(1.0), coefficients.restitution(-1.0));
+}
+
 TEST(Amplitude, ChangesAtTheZerosOfTheSine) {
   const Scene scene = scene_with({.amplitude = 0.5});
   const auto expected = [](std::uint64_t index) {

@@ -52,11 +52,11 @@ enum class Reason : std::uint8_t {
 };
 
 /// The names of the reasons, in the order of their declaration.
-inline constexpr std::array<std::string_view, 20> reason_names{
-    "never_moved",        "came_to_rest",      "points_coincide", "points_converge",  "tight_clouds",
-    "contracting_clouds", "positive_exponent", "too_few_points",  "still_converging", "not_periodic",
-    "exponent_unclear",   "clouds_overlap",    "period_too_long", "out_of_order",     "not_stationary",
-    "changed_regime",     "phase_jump",        "interrupted",     "slow_memory",      "impacts_irregular"};
+inline constexpr auto reason_names = std::to_array<std::string_view>(
+    {"never_moved",        "came_to_rest",      "points_coincide", "points_converge",  "tight_clouds",
+     "contracting_clouds", "positive_exponent", "too_few_points",  "still_converging", "not_periodic",
+     "exponent_unclear",   "clouds_overlap",    "period_too_long", "out_of_order",     "not_stationary",
+     "changed_regime",     "phase_jump",        "interrupted",     "slow_memory",      "impacts_irregular"});
 static_assert(reason_names.size() == static_cast<std::size_t>(Reason::impacts_irregular) + 1);
 
 [[nodiscard]] constexpr std::string_view to_string(Reason reason) {

@@ -13,10 +13,10 @@ struct NamedKind {
 };
 
 /// Every kind but `periodic`, whose modes are named by their numbers.
-constexpr std::array<NamedKind, 4> named_kinds{{{ResponseKind::chaotic, "chaotic"},
-                                                {ResponseKind::overturned, "overturned"},
-                                                {ResponseKind::rest, "rest"},
-                                                {ResponseKind::unresolved, "unresolved"}}};
+constexpr auto named_kinds = std::to_array<NamedKind>({{ResponseKind::chaotic, "chaotic"},
+                                                       {ResponseKind::overturned, "overturned"},
+                                                       {ResponseKind::rest, "rest"},
+                                                       {ResponseKind::unresolved, "unresolved"}});
 static_assert(named_kinds.size() == static_cast<std::size_t>(ResponseKind::unresolved), "a kind has no name");
 
 }  // namespace

@@ -84,10 +84,10 @@ struct IntervalMethod {
   std::string_view sentence;
   Interval (*of)(const Proportion& proportion, double confidence);
 };
-inline constexpr std::array<IntervalMethod, 3> interval_methods{
-    {{"wilson", "interval for this mode alone: Wilson's", wilson},
-     {"jeffreys", "interval for this mode alone: Jeffreys's", jeffreys},
-     {"clopper_pearson", "interval for this mode alone, exact", clopper_pearson}}};
+inline constexpr auto interval_methods =
+    std::to_array<IntervalMethod>({{"wilson", "interval for this mode alone: Wilson's", wilson},
+                                   {"jeffreys", "interval for this mode alone: Jeffreys's", jeffreys},
+                                   {"clopper_pearson", "interval for this mode alone, exact", clopper_pearson}});
 
 /// In the order of the methods.
 using IntervalsByMethod = std::array<Interval, interval_methods.size()>;

@@ -70,6 +70,12 @@ using AnyConstants = EquationConstants<double, BlockForm::general>;
 /// Calls use(a's constant, b's constant) for each that both have.
 template <class A, BlockForm form_of_a, class B, BlockForm form_of_b, class Use>
 void for_each_constant(EquationConstants<A, form_of_a>& a, const EquationConstants<B, form_of_b>& b, Use&& use) {
+  // A member that is not named here does not compile.
+  if constexpr (form_of_a == BlockForm::general) {
+    [[maybe_unused]] auto& [angle, sine, cosine, inertia, load, radius, gain, tilt_scale] = a;
+  } else {
+    [[maybe_unused]] auto& [angle, sine, cosine, inertia] = a;
+  }
   use(a.shape_angle, b.shape_angle);
   use(a.sine, b.sine);
   use(a.cosine, b.cosine);

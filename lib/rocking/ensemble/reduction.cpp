@@ -199,22 +199,24 @@ void Reduction::add_anytime_intervals(std::vector<ModeEstimate>& modes) const {
 
 ConditionResult Reduction::result() const {
   ConditionResult result;
-  result.realisations = realisations_;
-  result.modes = estimate_modes(listed_modes(), condition_->confidence, without_answer());
-  if (realisations_ >= 2) result.non_recurrence = non_recurrence();
-  result.peaks = peak_quantiles_ ? *peak_quantiles_ : peaks_.quantiles(*condition_);
-  result.exponents = peak_quantiles_ ? found_exponents_ : exponents_.exponents(condition_->confidence);
+  // A member that is not named here does not compile.
+  auto& [realisations, modes, recurrence, peaks, exponents, settling, validity, operations, stopped_because] = result;
+  realisations = realisations_;
+  modes = estimate_modes(listed_modes(), condition_->confidence, without_answer());
+  if (realisations_ >= 2) recurrence = non_recurrence();
+  peaks = peak_quantiles_ ? *peak_quantiles_ : peaks_.quantiles(*condition_);
+  exponents = peak_quantiles_ ? found_exponents_ : exponents_.exponents(condition_->confidence);
   if (!settling_.is_empty()) {
     const DivergenceTimes times = by_friction_.times();
     const std::uint64_t later = times.pairs - times.diverged;
-    result.settling = settling_.result(*condition_, by_friction_.by_period(), later);
-    result.settling->times = response_times_.result(*condition_, by_friction_.by_period(), later);
+    settling = settling_.result(*condition_, by_friction_.by_period(), later);
+    settling->times = response_times_.result(*condition_, by_friction_.by_period(), later);
   }
-  result.validity = validity_;
-  result.operations = operations_;
-  add_corrected(result.modes);
-  if (condition_->until) add_anytime_intervals(result.modes);
-  result.stopped_because = target_.cause;
+  validity = validity_;
+  operations = operations_;
+  add_corrected(modes);
+  if (condition_->until) add_anytime_intervals(modes);
+  stopped_because = target_.cause;
   return result;
 }
 

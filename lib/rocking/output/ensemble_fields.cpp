@@ -128,8 +128,15 @@ static const StructType& fields_of(const Exponents*) {
   return fields;
 }
 
+/// A member that is not named here does not compile: it has a field below, or it has none.
+static void name_members(const ConditionResult& result) {
+  [[maybe_unused]] const auto& [realisations, modes, non_recurrence, peaks, exponents, settling, validity, operations,
+                                stopped_because] = result;
+}
+
 const StructType& fields_of(const ConditionResult*) {
   using Result = ConditionResult;
+  static_cast<void>(name_members);
   static const StructType fields{
       "ConditionResult",
       field<&Result::realisations>("realisations", "n; 1 if nothing is random, whatever number was requested",

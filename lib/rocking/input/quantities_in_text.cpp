@@ -28,7 +28,10 @@ std::vector<DrawnPlace> collected_places() {
   Scene scene;
   scene.friction.emplace();
   add_places(scene, places);
-  scene.restitution = RateRatio{};
+  for (std::size_t law = 1; law < std::variant_size_v<Restitution>; ++law) {
+    scene.restitution = alternative_at<Restitution>(law);
+    add_places(scene, places);
+  }
   for (const AccelerationUnit unit : {AccelerationUnit::gravity, AccelerationUnit::m_s2}) {
     scene.excitation = Pulse{.physical_amplitude = PhysicalAmplitude{.unit = unit}};
     add_places(scene, places);

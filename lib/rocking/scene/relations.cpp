@@ -224,6 +224,8 @@ struct Relation {
   std::array<std::string_view, 4> values;  ///< that it is about, as places; the rest is empty
   std::optional<Refusal> (*refusal)(const Condition&);
   std::string (*value)(const Condition&);
+  /// In place of `place`, where it follows from the form of the value; null: it does not.
+  std::string_view (*place_of)(const Condition&) = nullptr;
 };
 
 /// In the order in which the problems of a file are reported.
@@ -298,10 +300,11 @@ constexpr std::array<Relation, 26> all_relations{{
      {"/block", "/excitation", "/fluctuation/amplitude"},
      amplitude_sigma_beyond_bounds,
      no_value},
-    {"/restitution/rate_ratio",
+    {"/restitution",
      {"/block", "/restitution"},
      restitution_beyond_bounds,
-     [](const Condition& c) { return text_of(*number_of(c.scene.restitution).value); }},
+     [](const Condition& c) { return text_of(*number_of(c.scene.restitution).value); },
+     [](const Condition& c) { return number_of(c.scene.restitution).place; }},
 }};
 
 /// Whether a problem of what stands at `place`, or within it, is told.
@@ -323,8 +326,9 @@ void check_relations(const Condition& condition, Problems& problems) {
   for (const Relation& relation : all_relations) {
     auto refusal = is_open(relation, problems) ? relation.refusal(condition) : std::nullopt;
     if (!refusal) continue;
-    problems.push_back({std::string(relation.place), relation.value(condition), std::move(refusal->reason),
-                        std::move(refusal->remedy)});
+    const std::string_view place = relation.place_of == nullptr ? relation.place : relation.place_of(condition);
+    problems.push_back(
+        {std::string(place), relation.value(condition), std::move(refusal->reason), std::move(refusal->remedy)});
   }
 }
 

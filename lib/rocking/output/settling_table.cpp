@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <variant>
 
 #include "rocking/ensemble/settling_tally.hpp"
 #include "rocking/look/text_table.hpp"
@@ -266,7 +265,7 @@ std::string unresolved_remedy(const Report& report) {
     worst = &condition;
   }
   if (worst == nullptr || !worst->states_horizon) return "";
-  if (!std::holds_alternative<Harmonic>(worst->asked.scene.excitation)) return "";
+  if (!is_periodic(worst->asked.scene.excitation)) return "";
   const Horizon& horizon = worst->asked.horizon;
   return unresolved_remedy(largest, horizon.transient_periods, horizon.sampled_periods);
 }

@@ -25,16 +25,9 @@ std::string probability_text(double probability, const stats::Interval& interval
 }
 
 std::string meaning_of(const section::ResponseMode& mode) {
-  switch (mode.kind) {
-    case section::ResponseKind::periodic:
-      if (mode.periods == 1) return "rocks " + times(mode.rocks) + " in every period";
-      return "rocks " + times(mode.rocks) + " in " + in_words(mode.periods) + " periods";
-    case section::ResponseKind::chaotic: return "rocks without ever repeating";
-    case section::ResponseKind::overturned: return "overturns";
-    case section::ResponseKind::rest: return "does not rock, or stops rocking";
-    case section::ResponseKind::unresolved: return "could not be classified";
-  }
-  return "";
+  if (mode.kind != section::ResponseKind::periodic) return std::string(section::meaning_of(mode.kind));
+  if (mode.periods == 1) return "rocks " + times(mode.rocks) + " in every period";
+  return "rocks " + times(mode.rocks) + " in " + in_words(mode.periods) + " periods";
 }
 
 std::string place_value_html(const std::string& pointer, const Json& value) {

@@ -10,27 +10,34 @@ namespace {
 struct NamedKind {
   ResponseKind kind;
   std::string_view name;
+  std::string_view meaning;
 };
 
 /// Every kind but `periodic`, whose modes are named by their numbers.
-constexpr auto named_kinds = std::to_array<NamedKind>({{ResponseKind::chaotic, "chaotic"},
-                                                       {ResponseKind::overturned, "overturned"},
-                                                       {ResponseKind::rest, "rest"},
-                                                       {ResponseKind::unresolved, "unresolved"}});
+constexpr auto named_kinds =
+    std::to_array<NamedKind>({{ResponseKind::chaotic, "chaotic", "rocks without ever repeating"},
+                              {ResponseKind::overturned, "overturned", "overturns"},
+                              {ResponseKind::rest, "rest", "does not rock, or stops rocking"},
+                              {ResponseKind::unresolved, "unresolved", "could not be classified"}});
 static_assert(named_kinds.size() == static_cast<std::size_t>(ResponseKind::unresolved), "a kind has no name");
 
 }  // namespace
 
 std::string to_string(const ResponseMode& mode) {
-  for (const auto& [kind, name] : named_kinds) {
-    if (kind == mode.kind) return std::string(name);
+  for (const NamedKind& named : named_kinds) {
+    if (named.kind == mode.kind) return std::string(named.name);
   }
   return std::string("(") + std::to_string(mode.rocks) + "," + std::to_string(mode.periods) + ")";
 }
 
+std::string_view meaning_of(ResponseKind kind) {
+  const auto found = std::ranges::find(named_kinds, kind, &NamedKind::kind);
+  return found == named_kinds.end() ? std::string_view() : found->meaning;
+}
+
 std::optional<ResponseMode> response_mode_named(std::string_view name) {
-  for (const auto& [kind, known] : named_kinds) {
-    if (known == name) return ResponseMode{.kind = kind};
+  for (const NamedKind& named : named_kinds) {
+    if (named.name == name) return ResponseMode{.kind = named.kind};
   }
   if (!name.starts_with('(')) return std::nullopt;
   ResponseMode mode{.kind = ResponseKind::periodic};
@@ -43,13 +50,13 @@ std::optional<ResponseMode> response_mode_named(std::string_view name) {
 
 std::string response_mode_words() {
   std::string words;
-  for (const auto& [kind, name] : named_kinds) (words += words.empty() ? "" : ", ") += name;
+  for (const NamedKind& named : named_kinds) (words += words.empty() ? "" : ", ") += named.name;
   return words;
 }
 
 std::string response_mode_pattern() {
   std::string pattern = "^(\\([0-9]{1,10},[0-9]{1,10}\\)";
-  for (const auto& [kind, name] : named_kinds) (pattern += '|') += name;
+  for (const NamedKind& named : named_kinds) (pattern += '|') += named.name;
   return pattern + ")$";
 }
 

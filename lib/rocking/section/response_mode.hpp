@@ -34,6 +34,9 @@ struct ResponseMode {
 /// `(1,3)`, `chaotic`, `overturned`, `rest` or `unresolved`.
 [[nodiscard]] std::string to_string(const ResponseMode& mode);
 
+/// What a block does with a response of this kind: `overturns`; empty if it is periodic, where the numbers say it.
+[[nodiscard]] std::string_view meaning_of(ResponseKind kind);
+
 /// The mode with this name; absent if there is none.
 [[nodiscard]] std::optional<ResponseMode> response_mode_named(std::string_view name);
 

@@ -100,6 +100,8 @@ class EvenSamplesReader {
     }
     if (!problems_.any()) check_whole(whole);
     if (problems_.any()) return std::nullopt;
+    if (header_.has_offset) remove_mean();
+    if (header_.peak_m_s2) compare_peak();
     motion_.time_step = header_.time_step;
     motion_.declared = header_.declared;
     motion_.unit = name_of(header_.unit);
@@ -140,13 +142,33 @@ class EvenSamplesReader {
       problems_.reject_line(field, "is later than 1e7 s", "check the time step of the header");
       return false;
     }
-    if (const auto refusal = refuse_acceleration(*value, in_m_s2(header_.unit, gravity_))) {
+    const double scaled = *value * header_.factor;
+    if (const auto refusal = refuse_acceleration(scaled, in_m_s2(header_.unit, gravity_))) {
       problems_.reject_line(field, refusal->reason, "check the number and the unit of the file");
       return false;
     }
     motion_.samples.push_back(
-        {.time = time, .horizontal = over_gravity(*value, header_.unit, gravity_), .vertical = 0.0});
+        {.time = time, .horizontal = over_gravity(scaled, header_.unit, gravity_), .vertical = 0.0});
     return true;
+  }
+
+  void remove_mean() {
+    double sum = 0.0;
+    for (const auto& sample : motion_.samples) sum += sample.horizontal;
+    const double mean = sum / static_cast<double>(motion_.samples.size());
+    for (auto& sample : motion_.samples) sample.horizontal -= mean;
+    motion_.warnings.push_back("its mean, " + base::significant(mean * gravity_, 3) +
+                               " m/s2, is the offset of the sensor and is removed");
+  }
+
+  void compare_peak() {
+    constexpr double tolerance = 0.01;  // headers give three or more digits
+    double peak = 0.0;
+    for (const auto& sample : motion_.samples) peak = std::max(peak, std::abs(sample.horizontal) * gravity_);
+    const double stated = std::abs(*header_.peak_m_s2);
+    if (std::abs(peak - stated) <= tolerance * stated) return;
+    motion_.warnings.push_back("has a peak of " + base::significant(peak, 4) + " m/s2, but its header states " +
+                               base::significant(stated, 4));
   }
 
   void check_whole(std::string_view text) {

@@ -16,6 +16,9 @@ struct EvenHeader {
   double time_step = 0.0;                              ///< [s]
   std::optional<std::size_t> declared = std::nullopt;  ///< number of samples
   RecordUnit unit = RecordUnit::g;
+  double factor = 1.0;                             ///< of the numbers, which gives accelerations in this unit
+  bool has_offset = false;                         ///< of the sensor: the mean is removed, with a warning
+  std::optional<double> peak_m_s2 = std::nullopt;  ///< of the header, by which another peak is a warning
 };
 
 /// Reads evenly spaced horizontal accelerations, any number of them in a line. One sample more or fewer than declared

@@ -18,6 +18,13 @@ std::string_view without_blanks_around(std::string_view text) {
   return text.substr(first, text.find_last_not_of(white_space) - first + 1);
 }
 
+std::string in_capitals(std::string_view text) {
+  std::string capitals(text);
+  std::ranges::transform(capitals, capitals.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  return capitals;
+}
+
 class EsmReader {
  public:
   EsmReader(const GroundMotionReading& how, Problems& problems) : how_(how), problems_(how.name, problems) {}
@@ -50,8 +57,7 @@ class EsmReader {
       problems_.reject_line(line, "is neither a line KEY: value nor a number", "give the original file");
       return;
     }
-    std::string key(without_blanks_around(line.substr(0, colon)));
-    std::ranges::transform(key, key.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+    const std::string key = in_capitals(without_blanks_around(line.substr(0, colon)));
     const std::string_view value = without_blanks_around(line.substr(colon + 1));
     if (!keys_.insert(key).second) {
       problems_.reject_line(line, "gives " + key + " a second time",
@@ -60,11 +66,13 @@ class EsmReader {
       read_step(value);
     } else if (key == "NDATA" && !value.empty()) {
       header_.declared = checked_count(value, problems_);
+    } else if (key == "PGA_CM/S^2" && is_number_field(value)) {
+      if (const auto peak = problems_.number(value)) header_.peak_m_s2 = *peak / 100.0;
     } else if (key == "STREAM") {
       stream_ = value;
     } else if (key == "UNITS") {
       read_unit(value);
-    } else if (key == "DATA_TYPE" && !value.empty() && value != "ACCELERATION") {
+    } else if (key == "DATA_TYPE" && !value.empty() && in_capitals(value) != "ACCELERATION") {
       problems_.reject_line(value, "is the kind of the data", "give a file whose DATA_TYPE is ACCELERATION");
     }
   }

@@ -15,7 +15,7 @@
 /// Formats of files with recorded accelerations (lib/docs/ground-motions.md).
 namespace rocking {
 
-enum class RecordFormat : std::uint8_t { columns, peer_at2, esm_asc };
+enum class RecordFormat : std::uint8_t { columns, peer_at2, esm_asc, knet, smc };
 
 /// A line of numbers for each sample.
 [[nodiscard]] std::optional<GroundMotion> read_columns(std::string_view text, const GroundMotionReading& how,
@@ -33,6 +33,16 @@ enum class RecordFormat : std::uint8_t { columns, peer_at2, esm_asc };
                                                        Problems& problems);
 [[nodiscard]] bool is_line_of_esm_header(std::string_view line);
 
+/// K-NET and KiK-net: a header of 17 lines with a scale factor in gal, and counts, whose mean is removed.
+[[nodiscard]] std::optional<GroundMotion> read_knet(std::string_view text, const GroundMotionReading& how,
+                                                    Problems& problems);
+[[nodiscard]] bool is_line_of_knet_header(std::string_view line);
+
+/// SMC of the USGS: headers of text, whole numbers and numbers in columns, and accelerations in cm/s^2.
+[[nodiscard]] std::optional<GroundMotion> read_smc(std::string_view text, const GroundMotionReading& how,
+                                                   Problems& problems);
+[[nodiscard]] bool is_line_of_smc_header(std::string_view line);
+
 /// How a format is read: as read_ground_motion.
 struct RecordReader {
   RecordFormat format;
@@ -45,7 +55,9 @@ struct RecordReader {
 inline constexpr std::array record_readers{
     RecordReader{RecordFormat::columns, "columns", nullptr, read_columns},
     RecordReader{RecordFormat::peer_at2, "peer_at2", is_line_of_peer_header, read_peer_at2},
-    RecordReader{RecordFormat::esm_asc, "esm_asc", is_line_of_esm_header, read_esm_asc}};
+    RecordReader{RecordFormat::esm_asc, "esm_asc", is_line_of_esm_header, read_esm_asc},
+    RecordReader{RecordFormat::knet, "knet", is_line_of_knet_header, read_knet},
+    RecordReader{RecordFormat::smc, "smc", is_line_of_smc_header, read_smc}};
 static_assert(std::ranges::is_sorted(record_readers, {}, &RecordReader::format) &&
                   record_readers.back().format == static_cast<RecordFormat>(record_readers.size() - 1),
               "the order of RecordFormat");

@@ -27,7 +27,7 @@ struct GroundMotion {
   std::vector<dynamics::GroundMotionSample> samples;  ///< time [s]; accelerations over g, before scaling
   bool has_vertical = false;
   std::string name = {};                               ///< of its file; empty: not from a file
-  std::string format = {};                             ///< of its file: `columns`, `peer_at2`, `esm_asc`
+  std::string format = {};                             ///< of its file: `columns`, `peer_at2`, `esm_asc`, `knet`, `smc`
   std::string unit = {};                               ///< of the accelerations in its file: `g`, `m/s2`, `cm/s2`, ...
   bool unit_is_assumed = false;                        ///< neither the file nor the experiment states it
   std::vector<std::string_view> columns = {};          ///< of a file of numbers: what each was taken for

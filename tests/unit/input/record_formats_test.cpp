@@ -388,4 +388,83 @@ TEST(EsmFile, StatesItsTimeStepAndItsUnit) {
   EXPECT_EQ(read_record(esm_asc("0.01", "g", "2", "1\n2\nend of data\n")).warnings.size(), 1U);
 }
 
+// AFAD writes the layout in small letters.
+TEST(EsmFile, MayStateItsDataInSmallLettersAndItsPeak) {
+  const std::string text = "SAMPLING_INTERVAL_S: 0.01\nUNITS: cm/s^2\nDATA_TYPE: Acceleration\nPGA_CM/S^2: ";
+  EXPECT_TRUE(read_record(text + "-196.2\n98.1\n-196.2\n").warnings.empty());
+  EXPECT_THAT(
+      problem_of("SAMPLING_INTERVAL_S: 0.01\nUNITS: cm/s^2\nDATA_TYPE: acceleration response spectrum\n1\n2\n").reason,
+      HasSubstr("kind of the data"));
+  const GroundMotion motion = read_record(text + "250\n98.1\n-196.2\n");
+  ASSERT_EQ(motion.warnings.size(), 1U);
+  EXPECT_THAT(motion.warnings.front(), HasSubstr("peak of 1.962 m/s2, but its header states 2.5"));
+}
+
+std::string knet(const std::string& scale, const std::string& peak, const std::string& direction,
+                 const std::string& counts) {
+  return "Origin Time       2001/01/01 00:00:00\nLat.              38.1\nLong.             142.9\nDepth. (km)       "
+         "24\n"
+         "Mag.              7.0\nStation Code      NONE00\nStation Lat.      38.7\nStation Long.     141.0\n"
+         "Station Height(m) 40\nRecord Time       2001/01/01 00:00:15\nSampling Freq(Hz) 100Hz\n"
+         "Duration Time(s)  0.08\nDir.              " +
+         direction + "\nScale Factor      " + scale + "\nMax. Acc. (gal)   " + peak +
+         "\nLast Correction   2001/01/01 00:00:00\nMemo.             \n" + counts;
+}
+
+// Counts 4000 -+ 1000 and a scale of 1/100 gal: the offset is 40 gal, the peak 10 gal.
+TEST(KnetFile, HasCountsWhoseMeanIsRemoved) {
+  const std::string counts = "    5000    3000    4000    4000    5000    3000    4000    4000\n";
+  const GroundMotion motion = read_record(knet("3920(gal)/392000", "10.000", "N-S", counts));
+  ASSERT_EQ(motion.samples.size(), 8U);
+  EXPECT_EQ(motion.format, "knet");
+  EXPECT_EQ(motion.unit, "cm/s2");
+  EXPECT_EQ(motion.time_step, 0.01);
+  EXPECT_EQ(motion.component, "N-S");
+  EXPECT_NEAR(motion.samples[0].horizontal, 0.1 / gravity_of_test, 1e-15);
+  EXPECT_NEAR(motion.samples[1].horizontal, -0.1 / gravity_of_test, 1e-15);
+  EXPECT_NEAR(motion.samples[2].horizontal, 0.0, 1e-15);
+  ASSERT_EQ(motion.warnings.size(), 1U);
+  EXPECT_THAT(motion.warnings.front(), HasSubstr("its mean, 0.4 m/s2"));
+  EXPECT_EQ(read_record(knet("3920(gal)/392000", "12.000", "N-S", counts)).warnings.size(), 2U);
+  EXPECT_EQ(read_record(knet("3920(gal)/392000", "10.000", "6", counts)).component, "U-D");
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Knet, RecordFault,
+    ::testing::Values(BadRecord{knet("3920(gal)/0", "1", "N-S", "1 2\n"), "r.at2, line 14", "\"3920(gal)/0\"",
+                                "no scale"},
+                      BadRecord{knet("3920(gal)/x", "1", "N-S", "1 2\n"), "r.at2, line 14", "\"x\"", "not a number"},
+                      BadRecord{knet("1(gal)/1", "1", "N-S", "1 2\n"), "r.at2", "", "header declares 8"},
+                      BadRecord{"Scale Factor      1(gal)/1\n1 2\n", "r.at2", "", "has no line Memo."}));
+
+std::string smc(const std::string& kind, const std::string& rate, const std::string& samples) {
+  std::string text = kind + '\n';
+  for (int i = 1; i < 11; ++i) text += "*\n";
+  const auto field = [](const std::string& value, std::size_t width) {
+    return std::string(width - value.size(), ' ') + value;
+  };
+  for (int i = 0; i < 48; ++i) {
+    const std::string value = i == 12 ? "90" : i == 13 ? "360" : i == 15 ? "1" : i == 16 ? "9" : "-32768";
+    text += field(value, 10) + (i % 8 == 7 ? "\n" : "");
+  }
+  for (int i = 0; i < 50; ++i) text += field(i == 1 ? rate : "1.7000000E+38", 15) + (i % 5 == 4 ? "\n" : "");
+  return text + "| invented\n" + samples;
+}
+
+TEST(SmcFile, HasFieldsThatMayTouch) {
+  const std::string samples =
+      "-1.0000E+1-2.0000E+0 3.0000E+0 4.0000E+0-5.0000E+0 6.0000E+0 7.0000E+0-9.8100E+2\n 8.0000E+0\n";
+  const GroundMotion motion = read_record(smc("2 CORRECTED ACCELEROGRAM", "200.0000", samples));
+  ASSERT_EQ(motion.samples.size(), 9U);
+  EXPECT_EQ(motion.format, "smc");
+  EXPECT_EQ(motion.time_step, 0.005);
+  EXPECT_EQ(motion.component, "360");
+  EXPECT_EQ(motion.samples[1].horizontal, -2.0 / 100.0 / gravity_of_test);
+  EXPECT_EQ(motion.samples[8].horizontal, 8.0 / 100.0 / gravity_of_test);
+  EXPECT_TRUE(motion.warnings.empty());
+  EXPECT_THAT(problem_of(smc("3 VELOCITY", "200.0", samples)).reason, HasSubstr("is no accelerogram"));
+  EXPECT_THAT(problem_of(smc("2 CORRECTED ACCELEROGRAM", "1.7000000E+38", samples)).reason,
+              HasSubstr("no sampling rate"));
+}
+
 }  // namespace

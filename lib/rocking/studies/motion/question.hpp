@@ -56,7 +56,7 @@ struct MeasuredMotion {
 struct GroundMotionRequest {
   std::vector<std::string> files;
   std::optional<std::string> vertical = std::nullopt;  ///< file with the vertical component of a single file
-  std::string format = "auto";                         ///< `auto`, `columns`, `peer_at2`, `esm_asc`
+  std::string format = "auto";                         ///< `auto`, `columns`, `peer_at2`, `esm_asc`, `knet`, `smc`
   std::optional<std::string> units = std::nullopt;     ///< as `excitation.units`; absent: that of the file, or m/s^2
   std::optional<double> time_step = std::nullopt;      ///< of columns without times [s], positive
   std::vector<std::string> columns = {};               ///< as `excitation.columns`; empty: not given

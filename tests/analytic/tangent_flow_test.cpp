@@ -161,10 +161,9 @@ TEST(TangentFlow, IsTheDerivativeOfTheFlowOfBlocksWithTheirMassOffTheMiddle) {
     support::SplitMix random(seed);
     Scene scene = support::random_scene(random);
     const double height = mean_of(scene.block).height;
-    scene.block.mass = dynamics::MassLayout{.left_edge = height * random.uniform(0.05, 0.3),
-                                            .right_edge = height * random.uniform(0.05, 0.3),
-                                            .centre_height = height * random.uniform(0.3, 0.7),
-                                            .radius_of_gyration = height * random.uniform(0.2, 0.5)};
+    scene.block.mass = GivenEdges{.edges = {height * random.uniform(0.05, 0.3), height * random.uniform(0.05, 0.3)},
+                                  .centre_height = height * random.uniform(0.3, 0.7),
+                                  .radius_of_gyration = height * random.uniform(0.2, 0.5)};
     const Flow flow = flow_of(scene, seed, 1 + random.below(3));
     if (!flow.reached_end() || flow.not_differentiable.any()) continue;
     const auto error = error_of(flow, scene, seed, 1e-6);

@@ -86,8 +86,8 @@ TrajectoryReport trajectory_report(const RealisationKey& key, const Trajectory& 
   }
   if (!trajectory.history.empty()) report.samples_per_period = trajectory.samples_per_period;
   report.peaks = trajectory.peaks;
-  report.peaks.tilt *= scales.tilt;
-  report.peaks.tilt_rate *= scales.tilt_rate;
+  report.peaks.tilt *= scales.tilt * scales.share(trajectory.peak_sides[0], 0.0);
+  report.peaks.tilt_rate *= scales.tilt_rate * scales.share(trajectory.peak_sides[1], 0.0);
   report.validity = {.losses_of_contact = trajectory.losses_of_contact,
                      .first_loss_of_contact = trajectory.first_loss_of_contact,
                      .losses_before_fall = trajectory.losses_before_fall,

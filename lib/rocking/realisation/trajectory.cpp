@@ -1,5 +1,6 @@
 #include "rocking/realisation/trajectory.hpp"
 
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -38,6 +39,8 @@ class AccountedMotion : public Motion {
   }
 
   [[nodiscard]] const EnergyAccount& account() const { return account_; }
+  /// Sides of the block at the largest abs(Theta) and abs(Theta').
+  [[nodiscard]] const std::array<double, 2>& peak_sides() const { return peak_sides_; }
 
   void strobe(double x) {
     Motion::strobe(x);
@@ -46,12 +49,16 @@ class AccountedMotion : public Motion {
 
   void move(double x) {
     end_step(x);
+    const double side = this->state().side;
     Motion::move(x);
+    note_peaks(side);
   }
 
   template <class Fired>
   void reset(const Fired& fired, bool at_breakpoint) {
+    const double side = this->state().side;
     Motion::reset(fired, at_breakpoint);
+    note_peaks(side);
     const double after = energy_of(this->state(), this->setting());
     (after < account_.at_end ? account_.lost_in_impacts : account_.gained_in_impacts) +=
         std::abs(after - account_.at_end);
@@ -59,6 +66,13 @@ class AccountedMotion : public Motion {
   }
 
  private:
+  void note_peaks(double side) {
+    if (this->peaks().tilt > peak_tilt_) peak_sides_[0] = side;
+    if (this->peaks().tilt_rate > peak_tilt_rate_) peak_sides_[1] = side;
+    peak_tilt_ = this->peaks().tilt;
+    peak_tilt_rate_ = this->peaks().tilt_rate;
+  }
+
   void end_step(double x) {
     using Quadrature = boost::math::quadrature::gauss<double, 15>;
     if (x > 0.0) {
@@ -93,6 +107,9 @@ class AccountedMotion : public Motion {
   }
 
   EnergyAccount account_;
+  double peak_tilt_ = 0.0;
+  double peak_tilt_rate_ = 0.0;
+  std::array<double, 2> peak_sides_{1.0, 1.0};
 };
 
 /// Records strobe points and events, in the units of files.
@@ -187,6 +204,7 @@ Trajectory trajectory_of_unchecked(const Condition& condition, std::uint64_t see
   if (motion.losses_of_contact() > 0) trajectory.first_loss_of_contact = motion.first_loss_of_contact();
   trajectory.losses_before_fall = motion.losses_before_fall();
   trajectory.peaks = peaks_of(motion, beginning.setting.block);
+  trajectory.peak_sides = motion.peak_sides();
   trajectory.contradictions = motion.contradictions();
   trajectory.energy = motion.account();
   trajectory.samples_per_period = extent.samples_per_period;

@@ -82,7 +82,9 @@ struct Trajectory {
   std::optional<double> first_loss_of_contact;  ///< tau, if there was one
   std::uint64_t losses_before_fall = 0;         ///< of them, without those of the final fall
   PeakValues peaks;
-  std::uint64_t contradictions = 0;  ///< instants at which neither sticking nor slipping agrees with the equations
+  std::array<double, 2> peak_sides{1.0,
+                                   1.0};  ///< of the block at the largest abs(Theta) and abs(Theta'): +1 left, -1 right
+  std::uint64_t contradictions = 0;       ///< instants at which neither sticking nor slipping agrees with the equations
   EnergyAccount energy;
   Termination termination = Termination::reached_horizon;
 };

@@ -34,6 +34,10 @@ using SoundGroundMotions = std::set<std::pair<const GroundMotion*, double>>;
 /// where `sound` does not hold it.
 void check_numbers(const Condition& condition, SoundGroundMotions& sound, Problems& problems);
 
+/// Why no rigid body is like this: its centre of mass is not above its base, or its mass would have to lie beyond its
+/// outline. Looks at the corners of the drawn numbers.
+[[nodiscard]] std::optional<Refusal> refusal_of(const SceneBlock& block);
+
 /// A quantity in a message.
 [[nodiscard]] std::string text_of(const Quantity& quantity);
 

@@ -18,6 +18,65 @@ struct QuantityPlace {
   std::string_view place;  ///< JSON pointer into an experiment file
 };
 
+/// A number of a block that may have a law.
+struct BlockNumber {
+  random::Source source;
+  std::string_view name;   ///< in words
+  std::string_view place;  ///< JSON pointer into an experiment file
+  bool is_length = true;   ///< positive, and truncated to the bounds where it is drawn
+};
+
+/// Of number `k` of part `part`, in the order of the members of BlockPart.
+[[nodiscard]] BlockNumber part_number(std::size_t part, std::size_t k);
+
+/// Calls visit(BlockNumber, quantity) for each number that the form of the block has.
+template <class ABlock, class Visit>
+void for_each_block_number(ABlock& block, const Visit& visit) {
+  using random::Source;
+  auto& [width, height, gravity, mass] = block;
+  const auto visit_mass = [&visit, &width = width, &height = height](auto& form) {
+    using MassForm = std::remove_cvref_t<decltype(form)>;
+    if constexpr (std::is_same_v<MassForm, GivenEdges>) {
+      auto& [edges, centre_height, radius] = form;
+      visit(BlockNumber{Source::left_edge, "distance of the left edge", "/block/edges_m/0"}, edges[0]);
+      visit(BlockNumber{Source::right_edge, "distance of the right edge", "/block/edges_m/1"}, edges[1]);
+      visit(BlockNumber{Source::centre_height, "height of the centre of mass", "/block/centre_height_m"},
+            centre_height);
+      visit(BlockNumber{Source::radius_of_gyration, "radius of gyration", "/block/radius_of_gyration_m"}, radius);
+    } else if constexpr (std::is_same_v<MassForm, GivenParts>) {
+      for (std::size_t i = 0; i < form.parts.size(); ++i) {
+        auto& [part_width, part_height, part_mass, x, bottom] = form.parts[i];
+        visit(part_number(i, 0), part_width);
+        visit(part_number(i, 1), part_height);
+        visit(part_number(i, 2), part_mass);
+        visit(part_number(i, 3), x);
+        visit(part_number(i, 4), bottom);
+      }
+      if (!form.base) return;
+      visit(BlockNumber{Source::base_left, "left end of the base", "/block/base_m/0", false}, (*form.base)[0]);
+      visit(BlockNumber{Source::base_right, "right end of the base", "/block/base_m/1", false}, (*form.base)[1]);
+    } else {
+      visit(BlockNumber{Source::block_width, "width of the block", "/block/width_m"}, width);
+      visit(BlockNumber{Source::block_height, "height of the block", "/block/height_m"}, height);
+      if constexpr (std::is_same_v<MassForm, GivenCentre>) {
+        auto& [centre_height, offset, radius] = form;
+        if (centre_height) {
+          visit(BlockNumber{Source::centre_height, "height of the centre of mass", "/block/centre_height_m"},
+                *centre_height);
+        }
+        if (offset) {
+          visit(BlockNumber{Source::centre_offset, "offset of the centre of mass", "/block/centre_offset_m", false},
+                *offset);
+        }
+        if (radius) {
+          visit(BlockNumber{Source::radius_of_gyration, "radius of gyration", "/block/radius_of_gyration_m"}, *radius);
+        }
+      }
+    }
+  };
+  std::visit(visit_mass, mass);
+}
+
 namespace quantities {
 
 [[nodiscard]] inline std::string_view place_of(const std::optional<PhysicalAmplitude>& physical) {

@@ -13,10 +13,88 @@
 #include "rocking/dynamics/block.hpp"
 #include "rocking/dynamics/contact.hpp"
 #include "rocking/scene/excitation.hpp"
-#include "rocking/scene/scene_block.hpp"
 #include "rocking/section/response_mode.hpp"
 
 namespace rocking {
+
+/// Bounds of a width and of a height [m].
+inline constexpr double least_length = 1e-6;
+inline constexpr double largest_length = 1e6;
+
+/// A rectangle of uniform density.
+struct UniformMass {
+  friend bool operator==(const UniformMass&, const UniformMass&) = default;
+};
+
+/// Numbers beside a width and a height; what is absent is that of a uniform rectangle.
+struct GivenCentre {
+  std::optional<Quantity> height = std::nullopt;              ///< of the centre of mass above the base [m]
+  std::optional<Quantity> offset = std::nullopt;              ///< to the right of the middle of the base [m]
+  std::optional<Quantity> radius_of_gyration = std::nullopt;  ///< about the centre of mass [m]
+  friend bool operator==(const GivenCentre&, const GivenCentre&) = default;
+};
+
+/// Numbers of a body whose outline is not given.
+struct GivenEdges {
+  std::array<Quantity, 2> edges{0.5, 0.5};  ///< distances of the left and the right edge from the centre of mass [m]
+  Quantity centre_height = 2.0;             ///< of the centre of mass above the base [m]
+  Quantity radius_of_gyration = 1.0;        ///< about the centre of mass [m]
+  friend bool operator==(const GivenEdges&, const GivenEdges&) = default;
+};
+
+/// A rectangle of uniform density, one of those that make a body.
+struct BlockPart {
+  Quantity width = 1.0;   ///< [m]
+  Quantity height = 1.0;  ///< [m]
+  Quantity mass = 1.0;    ///< [kg]
+  Quantity x = 0.0;       ///< of its middle [m]
+  Quantity bottom = 0.0;  ///< above the floor [m]
+  friend bool operator==(const BlockPart&, const BlockPart&) = default;
+};
+inline constexpr std::size_t most_parts = 32;
+
+struct GivenParts {
+  std::vector<BlockPart> parts;
+  /// x of the left and the right end of the base [m]; absent: those of the parts that stand on the floor.
+  std::optional<std::array<Quantity, 2>> base = std::nullopt;
+  friend bool operator==(const GivenParts&, const GivenParts&) = default;
+};
+
+/// Where the mass of a block is, in one of the forms of a file.
+using SceneMass = std::variant<UniformMass, GivenCentre, GivenEdges, GivenParts>;
+
+/// Asked for: a rigid block, rectangular and of uniform density unless its mass is laid out otherwise. Each realisation
+/// draws the numbers that have laws, and truncates lengths to the bounds.
+struct SceneBlock {
+  Quantity width = 1.0;   ///< B [m]; not used with edges or parts
+  Quantity height = 4.0;  ///< H [m]; likewise
+  double gravity = 9.81;  ///< g [m/s^2]
+  SceneMass mass = {};
+  friend bool operator==(const SceneBlock&, const SceneBlock&) = default;
+};
+
+/// Two shapes between which every block of a scene lies.
+struct ShapeRange {
+  dynamics::Geometry most_slender;  ///< smallest tan(psi) of an edge
+  dynamics::Geometry squattest;     ///< largest tan(psi) of an edge
+};
+
+/// Two sizes between which every block of a scene lies.
+struct SizeRange {
+  dynamics::Geometry smallest;  ///< smallest R
+  dynamics::Geometry largest;   ///< largest R
+};
+
+/// The block with the mean of each number. Its width and height are those of an outline to draw: of given edges a rectangle
+/// between them with the centre of mass at half its height, of parts their extent.
+[[nodiscard]] dynamics::Block mean_of(const SceneBlock& block);
+
+/// Over the corners of the box in which the drawn numbers lie.
+[[nodiscard]] ShapeRange shapes_of(const SceneBlock& block);
+[[nodiscard]] SizeRange sizes_of(const SceneBlock& block);
+
+/// Whether any number of the block has a law.
+[[nodiscard]] bool is_drawn(const SceneBlock& block);
 
 /// e is dynamics::inelastic_rate_ratio of each block. Source: Jeong & Yang (2012) Eq. 25.
 struct Jy25Restitution {

@@ -29,13 +29,25 @@ double painleve_friction(const ShapeRange& shapes, dynamics::SlideInertia inerti
 
 std::optional<Refusal> impossible_body(const Condition& condition) { return refusal_of(condition.scene.block); }
 
-/// A law that follows from Housner's ratio, which differs between the edges.
-std::optional<Refusal> restitution_of_unlike_edges(const Condition& condition) {
-  if (std::holds_alternative<Quantity>(condition.scene.restitution)) return std::nullopt;
+bool is_rectangle(const Condition& condition) {
   const auto [slender, squat] = shapes_of(condition.scene.block);
-  if (slender.has_mirror_symmetry() && squat.has_mirror_symmetry()) return std::nullopt;
-  return Refusal{"is one number for two edges, each of which needs its own restitution e",
-                 "give the restitution e itself, such as 0.0 for Housner's ratio at each edge"};
+  return slender.is_rectangle() && squat.is_rectangle();
+}
+
+std::optional<Refusal> jy25_of_no_rectangle(const Condition& condition) {
+  if (!std::holds_alternative<Jy25Restitution>(condition.scene.restitution) || is_rectangle(condition)) {
+    return std::nullopt;
+  }
+  return Refusal{"is a formula for uniform rectangles",
+                 "give the restitution e, such as 0.0, or {\"rate_ratio\": 0.9}"};
+}
+
+std::optional<Refusal> slide_inertia_of_no_rectangle(const Condition& condition) {
+  if (condition.scene.slide_inertia == dynamics::SlideInertia::centroidal || is_rectangle(condition)) {
+    return std::nullopt;
+  }
+  return Refusal{"is a reading of the equations of uniform rectangles",
+                 "leave it out, and write \"formulation\": \"consistent\""};
 }
 
 std::optional<Refusal> order_of_friction(const Condition& condition) {
@@ -229,9 +241,10 @@ struct Relation {
 };
 
 /// In the order in which the problems of a file are reported.
-constexpr std::array<Relation, 26> all_relations{{
+constexpr std::array<Relation, 27> all_relations{{
     {"/block", {"/block"}, impossible_body, no_value},
-    {"/restitution", {"/block", "/restitution"}, restitution_of_unlike_edges, no_value},
+    {"/restitution", {"/block", "/restitution", "/formulation"}, jy25_of_no_rectangle, no_value},
+    {"/slide_inertia", {"/block", "/slide_inertia", "/formulation"}, slide_inertia_of_no_rectangle, no_value},
     {"/fluctuation/static_friction",
      {"/friction", "/fluctuation/friction", "/fluctuation/static_friction"},
      static_fluctuation_without_friction,

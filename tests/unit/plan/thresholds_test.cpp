@@ -47,8 +47,7 @@ TEST(Thresholds, OfABlockWithItsMassOffTheMiddleAreThoseOfEachSide) {
   Experiment experiment;
   experiment.conditions.resize(1);
   SceneBlock& block = experiment.conditions.front().scene.block;
-  block.mass =
-      dynamics::MassLayout{.left_edge = 0.25, .right_edge = 0.9, .centre_height = 1.0, .radius_of_gyration = 0.7};
+  block.mass = GivenEdges{.edges = {0.25, 0.9}, .centre_height = 1.0, .radius_of_gyration = 0.7};
   EXPECT_THAT(thresholds_text(experiment), HasSubstr("exceeds 0.25 g to the right or 0.9 g to the left."));
   const dynamics::Geometry geometry = dynamics::geometry_of(mean_of(block));
   const auto least = [&](double horizontal, double vertical) {

@@ -299,8 +299,7 @@ TEST(Restitution, IsHeldWithinWhatTheModelAllows) {
 // One measured ratio is two values of e, one of each edge.
 TEST(Restitution, OfARateRatioIsThatOfTheEdgeThatLands) {
   Scene scene;
-  scene.block.mass =
-      dynamics::MassLayout{.left_edge = 0.3, .right_edge = 0.5, .centre_height = 1.6, .radius_of_gyration = 0.9};
+  scene.block.mass = GivenEdges{.edges = {0.3, 0.5}, .centre_height = 1.6, .radius_of_gyration = 0.9};
   scene.restitution = RateRatio{.value = 0.9};
   const dynamics::Geometry block = dynamics::geometry_of(mean_block(scene));
   SceneCoefficients coefficients(scene, random::Draws(1, 0));

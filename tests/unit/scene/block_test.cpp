@@ -1,9 +1,8 @@
 // A block in the three forms that a file may give, from the file to the numbers of the equations.
 
-#include "rocking/scene/scene_block.hpp"
-
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -108,13 +107,18 @@ TEST(SceneBlock, HasOneFormAndAllItsNumbers) {
               HasSubstr("/block/parts/0/bottom_m: is missing"));
 }
 
-TEST(SceneBlock, RefusesOneMeasuredRatioForUnlikeEdges) {
+TEST(SceneBlock, ThatIsNoRectangleHasNoFormulaOfRectangles) {
   Json document = support::least_experiment();
   document["block"] = {{"edges_m", {0.3, 0.2}}, {"centre_height_m", 1.0}, {"radius_of_gyration_m", 0.6}};
-  document["restitution"] = {{"rate_ratio", 0.9}};
-  EXPECT_THROW(static_cast<void>(experiment_in(document.dump())), base::InputError);
-  document["block"]["edges_m"] = {0.25, 0.25};
   EXPECT_NO_THROW(static_cast<void>(experiment_in(document.dump())));
+  for (const auto& [key, value] : {std::pair("restitution", "jy25"), std::pair("slide_inertia", "edge"),
+                                   std::pair("formulation", "as-printed"), std::pair("formulation", "as-plotted")}) {
+    Json other = document;
+    other[key] = value;
+    EXPECT_THROW(static_cast<void>(experiment_in(other.dump())), base::InputError) << key << ' ' << value;
+    other["block"] = {{"width_m", 0.6}, {"height_m", 2.0}, {"centre_offset_m", 0.0}};
+    EXPECT_NO_THROW(static_cast<void>(experiment_in(other.dump()))) << key << ' ' << value;
+  }
 }
 
 TEST(SceneBlock, StandsInTheCanonicalTextAsItWasGiven) {

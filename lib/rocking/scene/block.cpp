@@ -1,4 +1,4 @@
-#include "rocking/scene/scene_block.hpp"
+#include "rocking/scene/experiment.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,6 +6,8 @@
 #include <string>
 
 #include "rocking/base/number_text.hpp"
+#include "rocking/scene/check_condition.hpp"
+#include "rocking/scene/drawn_quantities.hpp"
 
 namespace rocking {
 namespace {

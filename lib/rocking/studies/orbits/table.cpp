@@ -40,7 +40,10 @@ std::string orbits_of_conditions(const std::vector<OrbitsOfCondition>& condition
           row_of(condition.parameters,
                  {mode_of(orbit), std::string(to_string(start.contact)), std::string(to_string(orbit.stability.kind)),
                   largest_multiplier(orbit.stability), number(start.point.tilt, 4), number(start.point.tilt_rate, 4),
-                  std::string(to_string(orbit.found_by)), orbit.is_symmetric ? "itself" : "another",
+                  std::string(to_string(orbit.found_by)),
+                  orbit.is_symmetric ? "itself"
+                  : orbit.mirror     ? "another"
+                                     : "none",
                   condition.run_on == i ? "*" : ""}));
     }
   }

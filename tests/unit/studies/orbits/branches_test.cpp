@@ -79,6 +79,18 @@ TEST(MirroredHalf, AppliedTwiceIsTheMapOverThePeriods) {
   }
 }
 
+TEST(MirroredHalf, IsOfNoBlockWhoseEdgesAreUnlike) {
+  Condition condition = shaken(4.2);
+  condition.scene.block.mass = GivenEdges{.edges = {0.5, 0.45}, .centre_height = 2.0, .radius_of_gyration = 1.1};
+  const OrbitsOfCondition found = orbits_of(condition, 3);
+  EXPECT_FALSE(found.orbits.empty());
+  for (const Orbit& orbit : found.orbits) {
+    EXPECT_FALSE(orbit.is_symmetric);
+    EXPECT_FALSE(orbit.mirror);
+  }
+  EXPECT_FALSE(PoincareMap(condition).mirrored_half({.tilt = 0.1, .tilt_rate = -0.3, .slip_rate = 0.0}, 1));
+}
+
 TEST(ContactSequence, DoesNotDependOnWhereTheCycleBegins) {
   EXPECT_TRUE(is_same_sequence({1, 2, 3}, {3, 1, 2}));
   EXPECT_FALSE(is_same_sequence({1, 2, 3}, {3, 2, 1}));

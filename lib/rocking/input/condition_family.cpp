@@ -41,7 +41,7 @@ Json document_without_sweep(const Experiment& experiment) {
 /// Sets a number among the values of a condition in C++.
 class FieldSetter final : public FieldVisitor {
  public:
-  /// `document`: has the number that was there.
+  /// `document`: has the numbers of all places that are set.
   FieldSetter(const Json& document, const Parameter& number, Problems& problems)
       : FieldVisitor(&problems, false), document_(&document), number_(&number) {}
 
@@ -50,9 +50,8 @@ class FieldSetter final : public FieldVisitor {
   void field(const Key& key, const ValueType& type, void* value, Absent) override {
     const std::string place = place_ + std::string(key.name);
     if (!is_within(number_->pointer, place)) return;
-    Json part = document_->at(Json::json_pointer(place));  // a law is read as a whole
-    part[Json::json_pointer(number_->pointer.substr(place.size()))] = json_of(number_->value);
-    type.read(part, {.pointer = place, .problems = problems_}, value);
+    const Json& whole = document_->at(Json::json_pointer(place));  // of a number in a law, the law
+    type.read(whole, {.pointer = place, .problems = problems_}, value);
     is_set_ = true;
   }
   bool one_of(std::span<const Alternative> keys, std::size_t& chosen, void* value, Absent absent) override {
@@ -125,9 +124,13 @@ std::optional<Condition> ConditionMaker::set(const std::vector<Parameter>& value
   UnsweptExperiment question{.title = {}, .seed = 0, .condition = *read_once_};
   FiledRecords no_records(nullptr);
   Problems problems;
+  Json document = document_;
   for (const Parameter& value : values) {
     if (!number_in(value.value) || !number(value.pointer)) return std::nullopt;
-    FieldSetter setter(document_, value, problems);
+    document[Json::json_pointer(value.pointer)] = json_of(value.value);
+  }
+  for (const Parameter& value : values) {
+    FieldSetter setter(document, value, problems);
     keys_of(setter, question, no_records);
     if (!setter.is_set()) return std::nullopt;
   }

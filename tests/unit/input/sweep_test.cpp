@@ -2,6 +2,8 @@
 
 #include "rocking/input/sweep.hpp"
 
+#include <iterator>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -246,6 +248,32 @@ TEST(ConditionMaker, SetsEveryNumberAsIfTheExperimentWereReadAnew) {
     }
   }
   EXPECT_GE(compared, 100U);
+}
+
+// Two of one law among them: the law has both.
+TEST(ConditionMaker, SetsTwoNumbersAsIfTheExperimentWereReadAnew) {
+  std::size_t compared = 0;
+  for (const std::string& text : with_every_number) {
+    Json document = Json::parse(text);
+    document["format"] = "rocking.experiment/1";
+    const Experiment experiment = experiment_in(document.dump());
+    const ConditionMaker family(experiment);
+    const auto pointers = numbers_of(Json::parse(experiment.canonical_text));
+    for (auto one = pointers.begin(); std::next(one) != pointers.end(); ++one) {
+      const std::string& other = *std::next(one);
+      const std::vector<Parameter> values{{*one, 1.001 * family.number(*one).value()},
+                                          {other, 0.999 * family.number(other).value()}};
+      std::optional<Condition> right;
+      try {
+        right = family.read(values);
+      } catch (const base::InputError&) {
+        continue;
+      }
+      EXPECT_TRUE(family.set(values) == right) << *one << ' ' << other;
+      ++compared;
+    }
+  }
+  EXPECT_GE(compared, 20U);
 }
 
 TEST(ConditionMaker, ReadsTheExperimentWhereMoreFollowsFromANumber) {

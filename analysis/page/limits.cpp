@@ -17,9 +17,9 @@ constexpr Limit limits[] = {
      "The block rocks about two parallel edges. Under shaking in two horizontal directions, or oblique to an "
      "edge, a real block also rolls on a corner and twists, which can change whether it overturns (Chatzis "
      "&amp; Smyth 2012b). For a block whose two widths are similar, the result is a first estimate only."},
-    {"One rigid, symmetric block",
-     "The block does not deform, and its centre of mass is in the middle. A flexible body, moving parts or "
-     "contents, and an off-centre mass change uplift and overturning (Acikgoz &amp; DeJong 2012)."},
+    {"One rigid block",
+     "The block does not deform. A flexible body, moving parts or contents change uplift and overturning (Acikgoz "
+     "&amp; DeJong 2012)."},
     {"Sharp edges",
      "The block turns about ideal edges. Rounded or crushed edges move the pivot inwards, so that the block "
      "is less stable than its width suggests. Give the effective width."},

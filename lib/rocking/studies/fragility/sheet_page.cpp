@@ -287,7 +287,7 @@ std::string assumptions(const SheetContent& sheet) {
                                                                 significant(*subject.least_uplift, 3))
                                                   : std::string("counted from its first point on");
   return fmt::format(
-      "<h2>Assumptions and limits</h2>\n<ol>\n<li>One rigid, symmetric block on a level, rigid floor, in one vertical "
+      "<h2>Assumptions and limits</h2>\n<ol>\n<li>One rigid block on a level, rigid floor, in one vertical "
       "plane; without anchorage, neighbours, twist or flexibility.</li>\n<li>Energy is lost in impacts and by friction "
       "as stated in the question. Give measured values if there are any.</li>\n<li>The hazard curve is taken as exact, "
       "and {}.</li>\n<li>Intervals cover the choice of the records and the random numbers, nothing else. Records that "

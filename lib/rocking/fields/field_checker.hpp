@@ -9,7 +9,7 @@ namespace rocking {
 
 /// Checks the values that a caller in C++ has given, each by its ValueType. Places are JSON pointers into a file that
 /// would have the same values.
-class FieldChecker final : public FieldVisitor {
+class FieldChecker : public FieldVisitor {
  public:
   /// `place`: of the object; empty: the file.
   FieldChecker(std::string place, std::vector<base::Problem>& problems)
@@ -38,8 +38,8 @@ class FieldChecker final : public FieldVisitor {
   }
   bool stands(std::string_view, bool is_given) override { return is_given; }
 
- private:
-  std::string place_;
+ protected:
+  std::string place_;  ///< of the present object, with `/` at its end
 };
 
 }  // namespace rocking

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "rocking/base/error.hpp"
+#include "rocking/fields/field_checker.hpp"
 #include "rocking/fields/field_reader.hpp"
 #include "rocking/input/ground_motion_files.hpp"
 #include "rocking/input/quantities_in_text.hpp"
@@ -39,11 +40,11 @@ Json document_without_sweep(const Experiment& experiment) {
 }
 
 /// Sets a number among the values of a condition in C++.
-class FieldSetter final : public FieldVisitor {
+class FieldSetter final : public FieldChecker {
  public:
   /// `document`: has the numbers of all places that are set.
   FieldSetter(const Json& document, const Parameter& number, Problems& problems)
-      : FieldVisitor(&problems, false), document_(&document), number_(&number) {}
+      : FieldChecker("", problems), document_(&document), number_(&number) {}
 
   [[nodiscard]] bool is_set() const { return is_set_; }
 
@@ -55,22 +56,8 @@ class FieldSetter final : public FieldVisitor {
     is_set_ = true;
   }
   bool one_of(std::span<const Alternative> keys, std::size_t& chosen, void* value, Absent absent) override {
-    field(keys[chosen].key, *keys[chosen].type, value, absent);
+    FieldChecker::one_of(keys, chosen, value, absent);
     return true;
-  }
-  void object(const Key& key, Absent, const Part& part) override {
-    const std::size_t length = place_.size();
-    (place_ += key.name) += '/';
-    part(*this);
-    place_.resize(length);
-  }
-  void value_or_object(const Key& key, bool is_object, const Part& value, const Part& with_more) override {
-    if (!is_object) return value(*this);
-    object(key, Absent::standard, with_more);
-  }
-  void kinds(const Key&, std::span<const std::string_view>, std::size_t kind,
-             const std::function<void(FieldVisitor&, std::size_t)>& part) override {
-    part(*this, kind);
   }
   bool stands(std::string_view key, bool is_given) override {
     return is_given || is_within(number_->pointer, place_ + std::string(key));
@@ -79,7 +66,6 @@ class FieldSetter final : public FieldVisitor {
  private:
   const Json* document_;
   const Parameter* number_;
-  std::string place_ = "/";
   bool is_set_ = false;
 };
 

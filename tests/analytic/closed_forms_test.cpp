@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "analytic/motion.hpp"
+#include "rocking/realisation/realisation_result.hpp"
 #include "support/excitation.hpp"
 
 namespace rocking {
@@ -73,6 +74,36 @@ TEST(FreeRocking, LosesAtEachImpactTheShareOfTheEnergyThatHousnerSays) {
     EXPECT_NEAR(trajectory.events[n].tau, tau, 2e-12) << n;
     tau += 2.0 * falling_time(std::acos(block.cosine + energy), block.shape_angle);
   }
+}
+
+// With a ratio of each edge, delta of an impact is that of the edge that lands: the left one at the first impact from a
+// negative tilt.
+TEST(FreeRocking, LosesAtEachImpactTheMeasuredShareOfTheEdgeThatLands) {
+  Condition condition = still(-0.8);
+  condition.scene.restitution = RateRatio{.value = 0.97, .right = 0.91};
+  const auto block = dynamics::geometry_of(mean_block(condition.scene));
+  const Trajectory trajectory = run(condition, 60);
+  double energy = std::cos(0.2 * block.shape_angle) - block.cosine;
+  for (std::size_t n = 0; n < 12; ++n) {
+    const double delta = n % 2 == 0 ? 0.97 : 0.91;
+    energy *= delta * delta;
+    EXPECT_NEAR(std::abs(trajectory.events.at(n).tilt_rate) * block.shape_angle, std::sqrt(2.0 * energy), 1e-12) << n;
+  }
+}
+
+// X goes on from the displacement at the start, which counts for its peak.
+TEST(Sliding, BeginsAtTheInitialSlip) {
+  Condition condition = still(0.0);
+  condition.scene.friction = Friction{.static_coefficient = 0.2, .kinetic_coefficient = 0.2};
+  condition.scene.initial = {.slip = -0.3, .slip_rate = 0.1, .units = {.slip = StateUnit::si}};
+  const Trajectory trajectory = run(condition, 60);
+  const double start = -0.3 / dynamics::geometry_of(mean_block(condition.scene)).half_diagonal;
+  const double end = start + 0.1 * 0.1 / (2.0 * 0.2 * 4.0 / 3.0);
+  EXPECT_EQ(trajectory.strobe.at(0).contact, dynamics::ContactState::rest);
+  EXPECT_NEAR(trajectory.strobe[0].slip, end, 1e-14);
+  const RealisationResult result = realise(condition, 0, 0);
+  EXPECT_NEAR(result.peaks.final_slip, end, 1e-14);
+  EXPECT_EQ(result.peaks.slip, -start);
 }
 
 /// Phase and amplitude such that the peak base acceleration is tan(psi), as nearly as doubles allow.

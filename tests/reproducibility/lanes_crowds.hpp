@@ -157,6 +157,12 @@ inline std::vector<Condition> crowd() {
   conditions.back().scene.restitution = Triangular{.low = 0.0, .mode = 0.1, .high = 0.3};
   conditions.back().scene.friction =
       Friction{.static_coefficient = Normal{.mean = 0.4, .sigma = 0.05}, .kinetic_ratio = 0.9};
+  conditions.push_back(from_random_tilt(4.5));  // impacts that differ between the edges
+  conditions.back().scene.restitution = RateRatio{.value = 0.93, .right = 0.89};
+  conditions.back().scene.initial.slip = 0.2;
+  conditions.push_back(from_random_tilt(7.0, rough));
+  conditions.back().scene.restitution = RateRatio{.value = 0.93, .right = 0.89};
+  conditions.back().scene.initial.slip = 0.2;
   conditions.push_back(from_random_tilt(0.6));  // chatters to rest, repeatedly
   conditions.push_back(from_random_tilt(4.5));
   conditions.back().scene.fluctuation.restitution = 0.05;

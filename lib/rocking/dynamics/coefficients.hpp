@@ -47,7 +47,7 @@ concept CoefficientSource = requires(Source source, const Clock& clock, bool sli
 /// A source that can also say which coefficients will be in force, so that lanes can compute several steps in a row.
 template <class Source>
 concept KnowsComingCoefficients = CoefficientSource<Source> && requires(Source source, const Clock& clock) {
-  // e of every impact of a rectangle; absent if it fluctuates.
+  // e of every impact of a rectangle; absent if it fluctuates, or differs between the edges.
   { source.constant_restitution() } -> std::same_as<std::optional<double>>;
   // Until the next change of anything but kinetic friction.
   { source.known_intervals() } -> std::same_as<KnownIntervals>;

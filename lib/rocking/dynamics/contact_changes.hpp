@@ -76,6 +76,7 @@ inline void enter(MotionContext<Coefficients>& context, const State& initial) {
   State& state = context.state;
   state = initial;
   context.find_cell();
+  context.peaks.slip = peaks::larger(context.peaks.slip, std::abs(state.slip));
   const bool flat = state.tilt == 0.0 && state.tilt_rate == 0.0;
   state.slip_direction = sign(state.slip_rate);
   state.side = sign(state.tilt != 0.0 ? state.tilt : state.tilt_rate);

@@ -163,6 +163,8 @@ Axis axis_of_parameter(const std::string& pointer) {
       {"/excitation/frequency_hz", {"base frequency", "", "Hz"}},
       {"/excitation/period_s", {"base period", "", "s"}},
       {"/restitution/rate_ratio", {"rate ratio", "δ", ""}},
+      {"/restitution/rate_ratio/0", {"rate ratio of the left edge", "δ_1", ""}},
+      {"/restitution/rate_ratio/1", {"rate ratio of the right edge", "δ_-1", ""}},
       {"/excitation/phase_rad", {"phase", "Φ", "rad"}},
       {"/excitation/scale", {"scale of the ground motion", "", ""}},
       {"/excitation/pga_g", {"peak ground acceleration", "PGA", "g"}},
@@ -181,7 +183,12 @@ Axis axis_of_parameter(const std::string& pointer) {
       {"/block/height_m", {"height", "H", "m"}},
       {"/initial/tilt", {"initial tilt", "Θ_0", ""}},
       {"/initial/tilt_rate", {"initial tilt rate", "Θ′_0", ""}},
-      {"/initial/slip_rate", {"initial slip rate", "V_0", ""}}};
+      {"/initial/slip", {"initial slip", "X_0", ""}},
+      {"/initial/slip_rate", {"initial slip rate", "V_0", ""}},
+      {"/initial/tilt_rad", {"initial tilt", "θ_0", "rad"}},
+      {"/initial/tilt_rate_rad_s", {"initial tilt rate", "", "rad/s"}},
+      {"/initial/slip_m", {"initial slip", "", "m"}},
+      {"/initial/slip_rate_m_s", {"initial slip rate", "", "m/s"}}};
   if (const auto found = known.find(pointer); found != known.end()) return found->second;
   const std::string key = last_key(pointer);
   if (key == "refresh_slip_m") return {"cell of friction", "", "m"};

@@ -28,6 +28,10 @@ std::vector<DrawnPlace> collected_places() {
   Scene scene;
   scene.friction.emplace();
   add_places(scene, places);
+  scene.initial.units = {StateUnit::si, StateUnit::si, StateUnit::si, StateUnit::si};
+  add_places(scene, places);
+  scene.restitution = RateRatio{.right = 1.0};
+  add_places(scene, places);
   for (std::size_t law = 1; law < std::variant_size_v<Restitution>; ++law) {
     scene.restitution = alternative_at<Restitution>(law);
     add_places(scene, places);

@@ -20,7 +20,11 @@ const std::vector<std::vector<std::string>>& alternatives() {
     return std::vector<std::vector<std::string>>{
         {"/excitation/amplitude", "/excitation/amplitude_g", "/excitation/amplitude_m_s2"},
         std::move(strengths),
-        {"/excitation/frequency_ratio", "/excitation/frequency_hz", "/excitation/period_s"}};
+        {"/excitation/frequency_ratio", "/excitation/frequency_hz", "/excitation/period_s"},
+        {"/initial/tilt", "/initial/tilt_rad"},
+        {"/initial/tilt_rate", "/initial/tilt_rate_rad_s"},
+        {"/initial/slip", "/initial/slip_m"},
+        {"/initial/slip_rate", "/initial/slip_rate_m_s"}};
   }();
   return places;
 }
@@ -32,6 +36,8 @@ std::optional<std::string> advice_on_form(const std::string& pointer, const Json
   };
   if (pointer == "/restitution/rate_ratio" && document.contains("restitution"))
     return advice("/restitution", "{\"rate_ratio\": 0.93}");
+  if (pointer.starts_with("/restitution/rate_ratio/") && document.contains("restitution"))
+    return advice("/restitution", "{\"rate_ratio\": [0.93, 0.9]}");
   for (const auto& places : alternatives()) {
     if (std::ranges::find(places, pointer) == places.end()) continue;
     for (const std::string& place : places) {

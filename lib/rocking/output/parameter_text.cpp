@@ -73,7 +73,10 @@ std::string short_value(const Parameter& parameter) {
   }
   const Json value = json_of(parameter.value);
   if (!value.is_object()) return brief(value);
-  if (value.size() == 1 && value.contains("rate_ratio")) return "rate ratio " + significant(value["rate_ratio"], 6);
+  if (value.size() == 1 && value.contains("rate_ratio")) {
+    const Json& ratio = value["rate_ratio"];
+    return "rate ratio " + (ratio.is_number() ? significant(ratio.get<double>(), 6) : brief(ratio));
+  }
   std::string text;
   for (const auto& [key, part] : value.items()) {
     if (!text.empty()) text += '/';

@@ -136,10 +136,7 @@ const StructType& fields_of(const Shaking*) {
 
 std::string impacts_text(const Report& report) {
   RateRatios ratios;
-  for (const ReportedCondition& condition : report.conditions) {
-    const dynamics::Geometry block = dynamics::geometry_of(mean_block(condition.asked.scene));
-    ratios.add(block, mean_restitution(condition.asked.scene.restitution, block));
-  }
+  for (const ReportedCondition& condition : report.conditions) ratios.add(condition.asked.scene);
   return ratios.text();
 }
 

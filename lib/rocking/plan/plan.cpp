@@ -60,13 +60,14 @@ std::array<Effect, 8> effects_of(const Scene& scene) {
 /// Effects that a scene may have, in the words of those who miss them.
 std::array<Effect, 6> optional_effects_of(const Scene& scene) {
   const auto& [block, slide_inertia, impact_slip_rule, restitution, excitation, friction, fluctuation, initial] = scene;
-  const Quantity* const rebound = number_of(restitution).value;
+  const auto is_drawn_number = [](const RestitutionNumber& e) { return e.value != nullptr && is_drawn(*e.value); };
+  const bool draws_rebound = std::ranges::any_of(numbers_of(restitution), is_drawn_number);
   // Without friction nothing is to scatter.
   const bool scatters_friction = !friction || fluctuation.static_friction > 0.0 || fluctuation.kinetic_friction > 0.0 ||
                                  is_any_drawn(friction->static_coefficient, friction->kinetic_coefficient);
   return {{{"sliding", friction.has_value()},
            {"scatter of friction", scatters_friction},
-           {"scatter of restitution", fluctuation.restitution > 0.0 || (rebound != nullptr && is_drawn(*rebound))},
+           {"scatter of restitution", fluctuation.restitution > 0.0 || draws_rebound},
            {"scatter of the amplitude", fluctuation.amplitude > 0.0},
            {"scatter of the block's size", is_drawn(block)},
            {"vertical motion of the base", has_vertical_motion(excitation)}}};
@@ -130,10 +131,7 @@ Plan plan_of(const Experiment& experiment, const Means& means) {
   for (std::string& name : names_of(experiment, effects_of, true)) plan.effects.push_back(std::move(name));
   add_drawn_quantities(experiment, plan.effects);
   RateRatios ratios;
-  for (const Condition& condition : experiment.conditions) {
-    const dynamics::Geometry block = dynamics::geometry_of(mean_block(condition.scene));
-    ratios.add(block, mean_restitution(condition.scene.restitution, block));
-  }
+  for (const Condition& condition : experiment.conditions) ratios.add(condition.scene);
   plan.impacts = ratios.text();
   plan.thresholds = thresholds_text(experiment);
   plan.omitted = names_of(experiment, optional_effects_of, false);

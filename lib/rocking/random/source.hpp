@@ -38,11 +38,13 @@ enum class Source : std::uint8_t {
   right_edge = 25,
   base_left = 26,
   base_right = 27,
+  mean_right_restitution = 28,
+  slip = 29,
   first_block_part = 64,  ///< and 159 after it: five numbers of each part
 };
 
 /// Names of the sources, in the order of their numbers, of which the first is 1.
-inline constexpr std::array<std::string_view, 27> source_names{"static_friction",
+inline constexpr std::array<std::string_view, 29> source_names{"static_friction",
                                                                "kinetic_friction",
                                                                "restitution",
                                                                "amplitude",
@@ -68,7 +70,9 @@ inline constexpr std::array<std::string_view, 27> source_names{"static_friction"
                                                                "left_edge",
                                                                "right_edge",
                                                                "base_left",
-                                                               "base_right"};
+                                                               "base_right",
+                                                               "mean_right_restitution",
+                                                               "slip"};
 
 /// Empty of a number that no source has.
 [[nodiscard]] constexpr std::string_view to_string(Source source) {

@@ -52,7 +52,7 @@ class PoincareMap {
   explicit PoincareMap(const Condition& condition);
 
   /// Whether the mirror image of a motion is a motion.
-  [[nodiscard]] bool has_mirror_symmetry() const { return at_zero_.setting.block.has_mirror_symmetry(); }
+  [[nodiscard]] bool has_mirror_symmetry() const { return rocking::has_mirror_symmetry(scene_); }
 
   /// After 1 ... `periods` periods. Absent where the motion ends before: it overturns, or has no solution.
   [[nodiscard]] std::optional<PoincareImage> image(const section::StrobePoint& from, int periods) const;

@@ -22,8 +22,9 @@ struct CoefficientLaws {
   double correlation = 0.0;           ///< of the normal numbers of both
   double own_share = 1.0;             ///< sqrt(1 - correlation^2): of kinetic friction's own number
   RedrawnQuantity restitution = 0.0;  ///< at the left edge
-  /// (1 + e) of the right edge over that of the left one; other than 1 only for a rate ratio, which is the same at both.
+  /// 1 + e of the right edge is right_share times that of the left one, plus right_more. 1 and 0 but for rate ratios.
   double right_share = 1.0;
+  double right_more = 0.0;
   RedrawnQuantity amplitude = 0.0;
 };
 
@@ -54,7 +55,7 @@ class SceneCoefficients {
   [[nodiscard]] std::optional<dynamics::Instant> next_change(const dynamics::Clock& clock, bool slipping) const;
   [[nodiscard]] std::optional<double> constant_restitution() const {
     const auto* constant = std::get_if<double>(&laws_.restitution);
-    return constant != nullptr ? std::optional(*constant) : std::nullopt;
+    return constant != nullptr && is_alike_at_both_edges() ? std::optional(*constant) : std::nullopt;
   }
   void place(double slip);
   [[nodiscard]] std::optional<double> cell_end(double direction) const;
@@ -76,6 +77,8 @@ class SceneCoefficients {
   [[nodiscard]] const Clamps& clamps() const { return clamps_; }
 
  private:
+  [[nodiscard]] bool is_alike_at_both_edges() const { return laws_.right_share == 1.0 && laws_.right_more == 0.0; }
+
   /// Counts of events, from which the indices of draws are computed.
   struct Count {
     std::uint64_t chatters = 0;

@@ -42,8 +42,9 @@ void limit_drawn(Scene& scene, Source source, Quantity& drawn, Clamps& clamps) {
     case Source::mean_static_friction: return limit(drawn, 0.0, infinity, clamps.static_at_zero);
     case Source::mean_kinetic_friction: return limit(drawn, 0.0, infinity, clamps.kinetic_at_zero);
     case Source::excitation_size: return limit(drawn, 0.0, infinity, clamps.amplitude_at_zero);
-    case Source::mean_restitution: {
-      const Reach bounds = bounds_of(scene.restitution, dynamics::geometry_of(mean_of(scene.block)));
+    case Source::mean_restitution:
+    case Source::mean_right_restitution: {
+      const Reach bounds = bounds_of(scene.restitution, source, dynamics::geometry_of(mean_of(scene.block)));
       return limit(drawn, bounds.least, bounds.largest, clamps.restitution);
     }
     default: return;
@@ -63,6 +64,19 @@ Scene scene_of(const Scene& asked, const random::BranchedDraws& draws, std::uint
   return scene;
 }
 
+/// Of numbers without laws.
+dynamics::State state_of(const InitialState& initial, const dynamics::Geometry& block) {
+  const double tilt = mean_of(initial.tilt), tilt_rate = mean_of(initial.tilt_rate);
+  const double slip = mean_of(initial.slip), slip_rate = mean_of(initial.slip_rate);
+  const double psi = block.tilt_unit(tilt, tilt_rate);
+  const double p = block.frequency_parameter, radius = block.half_diagonal;
+  const InitialUnits& units = initial.units;
+  return {.tilt = units.tilt == StateUnit::si ? tilt : psi * tilt,
+          .tilt_rate = units.tilt_rate == StateUnit::si ? tilt_rate / p : psi * tilt_rate,
+          .slip = units.slip == StateUnit::si ? slip / radius : slip,
+          .slip_rate = units.slip_rate == StateUnit::si ? slip_rate / (p * radius) : slip_rate};
+}
+
 /// The equivalent angle in [0, 2 pi) [rad].
 double wrapped(double angle) {
   constexpr double two_pi = 0x1.921fb54442d18p+2;
@@ -79,11 +93,8 @@ Start start_of(const Scene& asked, const random::BranchedDraws& draws) {
   const Scene& scene = start.scene;
   start.block = mean_of(scene.block);
   start.geometry = dynamics::geometry_of(start.block);
-  const double tilt = mean_of(scene.initial.tilt);
-  const double tilt_rate = mean_of(scene.initial.tilt_rate);
-  const double psi = start.geometry.tilt_unit(tilt, tilt_rate);
   start.phase = wrapped(mean_of(start_phase(scene.excitation)));
-  start.state = {.tilt = psi * tilt, .tilt_rate = psi * tilt_rate, .slip_rate = mean_of(scene.initial.slip_rate)};
+  start.state = state_of(scene.initial, start.geometry);
   return start;
 }
 

@@ -36,8 +36,12 @@ std::int64_t periods_until_rest(const Scene& scene) {
   constexpr double two_pi = 0x1.921fb54442d18p+2;
   constexpr double first_hop = 8.0, other_hops = 4.0, least_loss = 1e-3;  // derived in the header
   const dynamics::Geometry block = dynamics::geometry_of(mean_block(scene));
-  const double delta = dynamics::inelastic_rate_ratio(block, mean_restitution(scene.restitution, block));
-  const double coming_to_rest = first_hop + other_hops / std::max(1.0 - std::abs(delta), least_loss);
+  double largest = 0.0;
+  for (const double side : {1.0, -1.0}) {
+    const double e = mean_restitution(scene.restitution, block, side);
+    largest = std::max(largest, std::abs(dynamics::inelastic_rate_ratio(block.edge(side), e)));
+  }
+  const double coming_to_rest = first_hop + other_hops / std::max(1.0 - largest, least_loss);
   const double shaking = std::visit([&](const auto& kind) { return kind.end_of_shaking(block); }, scene.excitation);
   const double periods = std::ceil((shaking + coming_to_rest) * frequency_ratio_for(scene, block) / two_pi);
   return std::isfinite(periods) ? static_cast<std::int64_t>(periods) : 1;  // not finite: the block is refused anyway

@@ -89,6 +89,19 @@ namespace quantities {
   return physical->unit == FrequencyUnit::hertz ? "/excitation/frequency_hz" : "/excitation/period_s";
 }
 
+[[nodiscard]] inline std::string_view place_of_tilt(const InitialUnits& units) {
+  return units.tilt == StateUnit::si ? "/initial/tilt_rad" : "/initial/tilt";
+}
+[[nodiscard]] inline std::string_view place_of_tilt_rate(const InitialUnits& units) {
+  return units.tilt_rate == StateUnit::si ? "/initial/tilt_rate_rad_s" : "/initial/tilt_rate";
+}
+[[nodiscard]] inline std::string_view place_of_slip(const InitialUnits& units) {
+  return units.slip == StateUnit::si ? "/initial/slip_m" : "/initial/slip";
+}
+[[nodiscard]] inline std::string_view place_of_slip_rate(const InitialUnits& units) {
+  return units.slip_rate == StateUnit::si ? "/initial/slip_rate_m_s" : "/initial/slip_rate";
+}
+
 /// Of any kind of excitation, constant or not.
 template <class Kind, class Visit>
 void visit_excitation(Kind& kind, const Visit& visit) {
@@ -118,9 +131,9 @@ void for_each_quantity(AScene& scene, const Visit& visit) {
   for_each_block_number(block, [&visit](const BlockNumber& what, auto& number) {
     visit({what.source, what.name, what.place}, number);
   });
-  if (const RestitutionNumber number = number_of(restitution); number.value != nullptr) {
+  for (const RestitutionNumber& number : numbers_of(restitution)) {
     using Number = std::conditional_t<std::is_const_v<AScene>, const Quantity, Quantity>;
-    visit({Source::mean_restitution, number.name, number.place}, const_cast<Number&>(*number.value));
+    if (number.value != nullptr) visit({number.source, number.name, number.place}, const_cast<Number&>(*number.value));
   }
   std::visit([&visit](auto& kind) { quantities::visit_excitation(kind, visit); }, excitation);
   if (friction) {
@@ -130,10 +143,11 @@ void for_each_quantity(AScene& scene, const Visit& visit) {
       visit({Source::mean_kinetic_friction, "kinetic friction", "/friction/kinetic"}, kinetic_coefficient);
     }
   }
-  auto& [tilt, tilt_rate, slip_rate] = initial;
-  visit({Source::tilt, "initial tilt", "/initial/tilt"}, tilt);
-  visit({Source::tilt_rate, "initial tilt rate", "/initial/tilt_rate"}, tilt_rate);
-  visit({Source::slip_rate, "initial slip rate", "/initial/slip_rate"}, slip_rate);
+  auto& [tilt, tilt_rate, slip, slip_rate, units] = initial;
+  visit({Source::tilt, "initial tilt", quantities::place_of_tilt(units)}, tilt);
+  visit({Source::tilt_rate, "initial tilt rate", quantities::place_of_tilt_rate(units)}, tilt_rate);
+  visit({Source::slip, "initial slip", quantities::place_of_slip(units)}, slip);
+  visit({Source::slip_rate, "initial slip rate", quantities::place_of_slip_rate(units)}, slip_rate);
 }
 
 }  // namespace rocking

@@ -50,25 +50,6 @@ constexpr std::array<UnitKey, all_strengths.size()> strength_units{
        "gravity_m_s2; hazard and ground-motion models are not given in it"},
       rules::pga_g}}};
 
-struct QuantityInUnit {
-  std::size_t unit = 0;  ///< place among the keys
-  Quantity value = 0.0;
-};
-
-/// The quantity that one of the keys gives. Returns whether one was read.
-template <std::size_t size>
-bool one_of(FieldVisitor& in, const std::array<UnitKey, size>& units, QuantityInUnit& value, Absent absent) {
-  return [&]<std::size_t... i>(std::index_sequence<i...>) {
-    const std::array types{QuantityType(units[i].rule)...};
-    const std::array keys{Alternative{units[i].key, &types[i]}...};
-    QuantityInUnit read = value;
-    const bool is_read = in.one_of(keys, read.unit, &read.value, absent);
-    if (is_read) value = std::move(read);
-    return is_read;
-  }
-  (std::make_index_sequence<size>{});
-}
-
 /// The number as it is given: `normalised`, or in the physical unit.
 template <class Physical>
 QuantityInUnit number_of(const Quantity& normalised, const std::optional<Physical>& physical) {

@@ -44,6 +44,10 @@ double frequency_ratio_for(const Scene& scene, const dynamics::Geometry& block) 
   return std::visit([&](const auto& kind) { return kind.frequency_ratio_for(block, mean); }, scene.excitation);
 }
 
+bool has_mirror_symmetry(const Scene& scene) {
+  return dynamics::geometry_of(mean_block(scene)).has_mirror_symmetry() && is_alike_at_both_edges(scene.restitution);
+}
+
 bool is_random(const Scene& scene) {
   bool has_law = false;
   for_each_quantity(scene,

@@ -104,7 +104,8 @@ struct Jy25Restitution {
 /// The ratio abs(w2/w1) of the tilt rates across an impact without slip, as it is measured on a block that goes on over
 /// its other edge [-]. e follows from each block: dynamics::restitution_of_rate_ratio.
 struct RateRatio {
-  Quantity value = 1.0;
+  Quantity value = 1.0;                          ///< of both edges, or where the left edge lands
+  std::optional<Quantity> right = std::nullopt;  ///< where the right edge lands
   friend bool operator==(const RateRatio&, const RateRatio&) = default;
 };
 
@@ -156,10 +157,23 @@ struct Fluctuation {
   friend bool operator==(const Fluctuation&, const Fluctuation&) = default;
 };
 
+/// Whether a number of a state is normalised by the block of the realisation, or given in rad, m and s.
+enum class StateUnit : std::uint8_t { normalised, si };
+
+struct InitialUnits {
+  StateUnit tilt = StateUnit::normalised;
+  StateUnit tilt_rate = StateUnit::normalised;
+  StateUnit slip = StateUnit::normalised;
+  StateUnit slip_rate = StateUnit::normalised;
+  friend bool operator==(const InitialUnits&, const InitialUnits&) = default;
+};
+
 struct InitialState {
-  Quantity tilt = 0.0;       ///< Theta = theta/psi [-]
-  Quantity tilt_rate = 0.0;  ///< Theta' = w/psi [-]
-  Quantity slip_rate = 0.0;  ///< V [-]
+  Quantity tilt = 0.0;       ///< Theta = theta/psi [-], or theta [rad]
+  Quantity tilt_rate = 0.0;  ///< Theta' = w/psi [-], or p w [rad/s]
+  Quantity slip = 0.0;       ///< X [-], or X R [m]
+  Quantity slip_rate = 0.0;  ///< V [-], or V p R [m/s]
+  InitialUnits units = {};
   friend bool operator==(const InitialState&, const InitialState&) = default;
 };
 
@@ -285,6 +299,9 @@ struct Experiment {
 /// Omega_h of the clock and the strobe for a block. Physical motions and their strobe do not change with the block: a
 /// ground motion's ratio is given in units of p of the mean block, and a physical frequency in Hz or by its period.
 [[nodiscard]] double frequency_ratio_for(const Scene& scene, const dynamics::Geometry& block);
+
+/// Whether the mirror image of a motion is a motion half a period later: both edges are alike.
+[[nodiscard]] bool has_mirror_symmetry(const Scene& scene);
 
 /// Whether any quantity of the scene is random. If not, all realisations are equal and one suffices.
 [[nodiscard]] bool is_random(const Scene& scene);

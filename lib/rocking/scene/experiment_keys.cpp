@@ -5,6 +5,7 @@
 #include <functional>
 #include <initializer_list>
 #include <string>
+#include <utility>
 
 #include "rocking/scene/check_condition.hpp"
 #include "rocking/scene/defaults.hpp"
@@ -106,7 +107,9 @@ void keys_of_formulation(FieldVisitor& in, Scene& scene) {
   Formed restitution = formed(scene.restitution);
   in.value({"restitution",
             "vertical restitution e of an impact; \"jy25\": 1 - 1.5 sin^2(psi); rate_ratio: the measured ratio "
-            "abs(w2/w1) of the tilt rates across an impact without slip, from which e follows"},
+            "abs(w2/w1) of the tilt rates across an impact without slip, from which e follows; a list of two: where "
+            "the left "
+            "and where the right edge lands"},
            restitution, restitution_type(), follows);
   scene.restitution = restitution_of(std::move(restitution));
   in.choice({"impact_slip_rule", "when an impact slips"}, scene.impact_slip_rule, impact_slip_rule_names, follows);
@@ -252,13 +255,35 @@ void keys_of_fluctuation(FieldVisitor& in, Scene& scene) {
             });
 }
 
+/// Two keys of each number of a state, in the order of StateUnit.
+constexpr std::array<UnitKey, 2> tilt_units{
+    {{{"tilt", "Theta = theta/psi; abs(theta) < pi/2 for every block that can be drawn"}, rules::initial_value},
+     {{"tilt_rad", "in place of tilt: theta [rad], > 0 about the left edge"}, rules::initial_value}}};
+constexpr std::array<UnitKey, 2> tilt_rate_units{
+    {{{"tilt_rate", "Theta' = dTheta/dtau"}, rules::initial_value},
+     {{"tilt_rate_rad_s", "in place of tilt_rate: dtheta/dt [rad/s]"}, rules::initial_value}}};
+constexpr std::array<UnitKey, 2> slip_units{
+    {{{"slip", "X, displacement of the edge relative to the base, over R, from which X goes on; needs friction"},
+      rules::initial_value},
+     {{"slip_m", "in place of slip: the displacement [m]"}, rules::initial_value}}};
+constexpr std::array<UnitKey, 2> slip_rate_units{
+    {{{"slip_rate", "V, of the edge relative to the base, over p R; needs friction"}, rules::initial_value},
+     {{"slip_rate_m_s", "in place of slip_rate: the velocity [m/s]"}, rules::initial_value}}};
+
 void keys_of(FieldVisitor& in, InitialState& initial, bool slides) {
-  in.value({"tilt", "Theta = theta/psi; abs(theta) < pi/2 for every block that can be drawn"}, initial.tilt,
-           rules::initial_value, Absent::standard);
-  in.value({"tilt_rate", "Theta' = dTheta/dtau"}, initial.tilt_rate, rules::initial_value, Absent::standard);
-  if (!slides && !in.stands("slip_rate", true)) return;
-  in.value({"slip_rate", "V, of the edge relative to the base, over p R; needs friction"}, initial.slip_rate,
-           rules::initial_value, Absent::standard);
+  const auto number = [&in](const std::array<UnitKey, 2>& keys, Quantity& value, StateUnit& unit, Absent absent) {
+    QuantityInUnit given{.unit = static_cast<std::size_t>(unit), .value = value};
+    if (!one_of(in, keys, given, absent)) return;
+    value = std::move(given.value);
+    unit = static_cast<StateUnit>(given.unit);
+  };
+  auto& [tilt, tilt_rate, slip, slip_rate, units] = initial;
+  number(tilt_units, tilt, units.tilt, Absent::standard);
+  number(tilt_rate_units, tilt_rate, units.tilt_rate, Absent::standard);
+  number(slip_units, slip, units.slip, Absent::omitted);
+  const bool in_si = units.slip_rate == StateUnit::si;
+  if (!slides && !in.stands("slip_rate", !in_si) && !in.stands("slip_rate_m_s", in_si)) return;
+  number(slip_rate_units, slip_rate, units.slip_rate, Absent::standard);
 }
 
 void keys_of(FieldVisitor& in, Scene& scene, RecordFields& records) {

@@ -97,6 +97,26 @@ class QuantityType final : public ValueType {
 
 [[nodiscard]] inline QuantityType written_type(const Quantity*, const NumberRule& rule) { return QuantityType(rule); }
 
+/// A quantity as one of several keys gives it.
+struct QuantityInUnit {
+  std::size_t unit = 0;  ///< place among the keys
+  Quantity value = 0.0;
+};
+
+/// The quantity that one of the keys gives; returns whether one was read.
+template <std::size_t size>
+bool one_of(FieldVisitor& in, const std::array<UnitKey, size>& units, QuantityInUnit& value, Absent absent) {
+  return [&]<std::size_t... i>(std::index_sequence<i...>) {
+    const std::array types{QuantityType(units[i].rule)...};
+    const std::array keys{Alternative{units[i].key, &types[i]}...};
+    QuantityInUnit read = value;
+    const bool is_read = in.one_of(keys, read.unit, &read.value, absent);
+    if (is_read) value = std::move(read);
+    return is_read;
+  }
+  (std::make_index_sequence<size>{});
+}
+
 /// A list of two quantities: those on the left and on the right.
 class QuantityPairType final : public ValueType {
  public:
@@ -119,15 +139,17 @@ class QuantityPairType final : public ValueType {
 
 /// A form in which a value may stand in a file: a number or a law alone, a word, or an object with one key.
 struct Form {
-  std::string_view name;     ///< the word, or the key; empty: the number or law stands alone
-  const NumberRule* rule;    ///< of the number or the law; null: a word
-  bool may_be_drawn = true;  ///< whether a law may stand in place of the number
+  std::string_view name;            ///< the word, or the key; empty: the number or law stands alone
+  const NumberRule* rule;           ///< of the number or the law; null: a word
+  bool may_be_drawn = true;         ///< whether a law may stand in place of the number
+  bool may_differ_by_side = false;  ///< whether a list of two may stand there: left and right
 };
 
 /// A value in one of several forms.
 struct Formed {
-  std::size_t form = 0;  ///< place among them
-  Quantity value = 0.0;  ///< not used of a word
+  std::size_t form = 0;                          ///< place among them
+  Quantity value = 0.0;                          ///< not used of a word
+  std::optional<Quantity> right = std::nullopt;  ///< where it differs by side; `value` is that of the left
 };
 
 /// A Formed. The first form is a quantity alone. `remedy`: of a word that is none of theirs.

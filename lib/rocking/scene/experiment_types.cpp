@@ -193,7 +193,8 @@ Json FormsType::json(const void* value) const {
   const auto& formed = *static_cast<const Formed*>(value);
   const Form& form = forms_[formed.form];
   if (form.rule == nullptr) return form.name;
-  const Json number = mean_of(formed.value);
+  Json number = mean_of(formed.value);
+  if (formed.right) number = Json::array({number, mean_of(*formed.right)});
   return form.name.empty() ? number : Json{{form.name, number}};
 }
 
@@ -217,7 +218,13 @@ void FormsType::read(const Json& json, const ReadingPlace& place, void* value) c
   formed.form = static_cast<std::size_t>(of_object - forms_.begin());
   FieldReader in(json, place.pointer, *place.problems);
   const Key key{of_object->name, ""};
-  if (of_object->may_be_drawn) {
+  const auto given = json.find(of_object->name);
+  if (of_object->may_differ_by_side && given != json.end() && given->is_array()) {
+    std::array<Quantity, 2> pair;
+    in.value(key, pair, QuantityPairType(*of_object->rule), Absent::error);
+    formed.value = std::move(pair[0]);
+    formed.right = std::move(pair[1]);
+  } else if (of_object->may_be_drawn) {
     in.value(key, formed.value, *of_object->rule, Absent::error);
   } else {
     formed.value = in.number(key, *of_object->rule);
@@ -235,7 +242,12 @@ void FormsType::check(const void* value, const ReadingPlace& place) const {
   const auto& formed = *static_cast<const Formed*>(value);
   const Form& form = forms_[formed.form];
   if (form.rule == nullptr) return;
-  QuantityType(*form.rule).check(&formed.value, form.name.empty() ? place : place.at(form.name));
+  const ReadingPlace of_number = form.name.empty() ? place : place.at(form.name);
+  if (formed.right) {
+    const std::array<Quantity, 2> pair{formed.value, *formed.right};
+    return QuantityPairType(*form.rule).check(&pair, of_number);
+  }
+  QuantityType(*form.rule).check(&formed.value, of_number);
 }
 
 Json FormsType::schema(const Rule& rule) const {
@@ -246,7 +258,8 @@ Json FormsType::schema(const Rule& rule) const {
       schema["oneOf"].push_back({{"const", name}});
       continue;
     }
-    const Json number = form.may_be_drawn ? QuantityType(*form.rule).schema({}) : NumberType(*form.rule).schema({});
+    Json number = form.may_be_drawn ? QuantityType(*form.rule).schema({}) : NumberType(*form.rule).schema({});
+    if (form.may_differ_by_side) number["oneOf"].push_back(QuantityPairType(*form.rule).schema({}));
     schema["oneOf"].push_back(closed_object({{name, number}}, Json::array({name})));
   }
   return schema;
@@ -261,7 +274,7 @@ ValueType::Shown FormsType::shown(const void*) const {
       allowed += name + '`';
     } else {
       allowed += "{\"" + name + "\": r}` with " + (form.may_be_drawn ? "*quantity* " : "") + "r in " +
-                 interval_text(form.rule->bounds);
+                 interval_text(form.rule->bounds) + (form.may_differ_by_side ? " or `[left, right]` of them" : "");
     }
   }
   return {.allowed = allowed, .standard = ""};

@@ -10,6 +10,7 @@
 #include "rocking/base/number_text.hpp"
 #include "rocking/dynamics/impact.hpp"
 #include "rocking/scene/check_condition.hpp"
+#include "rocking/scene/drawn_quantities.hpp"
 #include "rocking/scene/restitution.hpp"
 #include "rocking/scene/rules.hpp"
 
@@ -70,20 +71,26 @@ std::optional<Refusal> painleve(const Condition& condition) {
 }
 
 std::optional<Refusal> tilt_of_overturned(const Condition& condition) {
+  const InitialState& initial = condition.scene.initial;
+  const bool in_rad = initial.units.tilt == StateUnit::si;
   const dynamics::Geometry squat = shapes_of(condition.scene.block).squattest;
   const double psi = std::max(squat.edges[0].shape_angle, squat.edges[1].shape_angle);
-  const double overturned = 0.5 * std::numbers::pi / psi;
-  const auto [least, largest] = reach_of(condition.scene.initial.tilt);
+  const double overturned = 0.5 * std::numbers::pi / (in_rad ? 1.0 : psi);
+  const auto [least, largest] = reach_of(initial.tilt);
   if (std::max(std::abs(least), std::abs(largest)) < overturned) return std::nullopt;
-  return Refusal{"reaches the tilt of an overturned block: abs(tilt) must be below pi/2/psi = " + shown(overturned),
-                 "give a smaller tilt, in units of the shape angle"};
+  return Refusal{std::string("reaches the tilt of an overturned block: abs(") +
+                     (in_rad ? "tilt_rad) must be below pi/2 = " : "tilt) must be below pi/2/psi = ") +
+                     shown(overturned),
+                 in_rad ? "give a smaller tilt, in rad" : "give a smaller tilt, in units of the shape angle"};
 }
 
+template <Quantity InitialState::*slip>
 std::optional<Refusal> slip_without_friction(const Condition& condition) {
-  const auto* number = std::get_if<double>(&condition.scene.initial.slip_rate);
+  const auto* number = std::get_if<double>(&(condition.scene.initial.*slip));
   if (condition.scene.friction || (number != nullptr && *number == 0.0)) return std::nullopt;
   return Refusal{"the block cannot slide, because the file has no friction",
-                 "add \"friction\": {\"static\": 0.35, \"kinetic\": 0.30}, or remove the slip rate"};
+                 std::string("add \"friction\": {\"static\": 0.35, \"kinetic\": 0.30}, or remove the ") +
+                     (slip == &InitialState::slip ? "slip" : "slip rate")};
 }
 
 std::optional<Refusal> static_fluctuation_without_friction(const Condition& condition) {
@@ -198,8 +205,9 @@ std::optional<Refusal> frequency_beyond_bounds(const Condition& condition) {
                  "give from " + shown(in_hertz ? least : 1.0 / most) + " to " + shown(in_hertz ? most : 1.0 / least)};
 }
 
+template <std::size_t number>
 std::optional<Refusal> restitution_beyond_bounds(const Condition& condition) {
-  return refusal_of(condition.scene.restitution, shapes_of(condition.scene.block));
+  return refusal_of(condition.scene.restitution, number, shapes_of(condition.scene.block));
 }
 
 std::optional<Refusal> until_classified_without_period(const Condition& condition) {
@@ -240,8 +248,16 @@ struct Relation {
   std::string_view (*place_of)(const Condition&) = nullptr;
 };
 
+template <std::size_t number>
+constexpr Relation rate_ratio_of_block{
+    "/restitution",
+    {"/block", "/restitution"},
+    restitution_beyond_bounds<number>,
+    [](const Condition& c) { return text_of(*numbers_of(c.scene.restitution)[number].value); },
+    [](const Condition& c) { return numbers_of(c.scene.restitution)[number].place; }};
+
 /// In the order in which the problems of a file are reported.
-constexpr std::array<Relation, 27> all_relations{{
+constexpr std::array<Relation, 29> all_relations{{
     {"/block", {"/block"}, impossible_body, no_value},
     {"/restitution", {"/block", "/restitution", "/formulation"}, jy25_of_no_rectangle, no_value},
     {"/slide_inertia", {"/block", "/slide_inertia", "/formulation"}, slide_inertia_of_no_rectangle, no_value},
@@ -286,13 +302,20 @@ constexpr std::array<Relation, 27> all_relations{{
      painleve,
      [](const Condition& c) { return base::shortest(mean_kinetic(*c.scene.friction)); }},
     {"/initial/tilt",
-     {"/block", "/initial/tilt"},
+     {"/block", "/initial/tilt", "/initial/tilt_rad"},
      tilt_of_overturned,
-     [](const Condition& c) { return text_of(c.scene.initial.tilt); }},
+     [](const Condition& c) { return text_of(c.scene.initial.tilt); },
+     [](const Condition& c) { return quantities::place_of_tilt(c.scene.initial.units); }},
+    {"/initial/slip",
+     {"/initial/slip", "/initial/slip_m"},
+     slip_without_friction<&InitialState::slip>,
+     [](const Condition& c) { return text_of(c.scene.initial.slip); },
+     [](const Condition& c) { return quantities::place_of_slip(c.scene.initial.units); }},
     {"/initial/slip_rate",
-     {"/initial/slip_rate"},
-     slip_without_friction,
-     [](const Condition& c) { return text_of(c.scene.initial.slip_rate); }},
+     {"/initial/slip_rate", "/initial/slip_rate_m_s"},
+     slip_without_friction<&InitialState::slip_rate>,
+     [](const Condition& c) { return text_of(c.scene.initial.slip_rate); },
+     [](const Condition& c) { return quantities::place_of_slip_rate(c.scene.initial.units); }},
     {"/excitation/amplitude_g",
      {"/block", "/excitation"},
      amplitude_beyond_bounds<AccelerationUnit::gravity>,
@@ -313,11 +336,8 @@ constexpr std::array<Relation, 27> all_relations{{
      {"/block", "/excitation", "/fluctuation/amplitude"},
      amplitude_sigma_beyond_bounds,
      no_value},
-    {"/restitution",
-     {"/block", "/restitution"},
-     restitution_beyond_bounds,
-     [](const Condition& c) { return text_of(*number_of(c.scene.restitution).value); },
-     [](const Condition& c) { return number_of(c.scene.restitution).place; }},
+    rate_ratio_of_block<0>,
+    rate_ratio_of_block<1>,
 }};
 
 /// Whether a problem of what stands at `place`, or within it, is told.

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <string>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "rocking/base/number_text.hpp"
 #include "rocking/dynamics/impact.hpp"
@@ -15,64 +17,104 @@ namespace rocking {
 namespace {
 
 using dynamics::Geometry;
+using random::Source;
 
 // e itself
 
-double mean(const Quantity& e, const Geometry&) { return mean_of(e); }
+double mean(const Quantity& e, const Geometry&, double) { return mean_of(e); }
 double as_given(const Quantity& e, const Geometry&) { return mean_of(e); }
 double unit(const Quantity&, const Geometry&) { return 1.0; }
 std::optional<double> lognormal(const Quantity& e) { return mean_of(e); }
-RestitutionNumber number(const Quantity& e) { return {.name = "restitution", .place = "/restitution", .value = &e}; }
-Reach bounds(const Quantity&, const Geometry&) { return {least_restitution, largest_restitution}; }
-std::optional<Refusal> refusal(const Quantity&, const ShapeRange&) { return std::nullopt; }
+RestitutionNumbers numbers(const Quantity& e) {
+  return {{{.name = "restitution", .place = "/restitution", .value = &e}, {}}};
+}
+Reach bounds(const Quantity&, Source, const Geometry&) { return {least_restitution, largest_restitution}; }
+std::optional<Refusal> refusal(const Quantity&, std::size_t, const ShapeRange&) { return std::nullopt; }
+bool is_alike(const Quantity&) { return true; }
 constexpr Form form(const Quantity*) { return {.name = "", .rule = &rules::restitution}; }
-Quantity value_in(const Quantity& e) { return e; }
-void set(Quantity& e, Quantity value) { e = std::move(value); }
+void put(const Quantity& e, Formed& formed) { formed.value = e; }
+void set(Quantity& e, Formed value) { e = std::move(value.value); }
 
 // Jeong & Yang (2012)
 
-double mean(const Jy25Restitution&, const Geometry& block) { return dynamics::inelastic_rate_ratio(block); }
-double as_given(const Jy25Restitution& law, const Geometry& block) { return mean(law, block); }
+double mean(const Jy25Restitution&, const Geometry& block, double) { return dynamics::inelastic_rate_ratio(block); }
+double as_given(const Jy25Restitution& law, const Geometry& block) { return mean(law, block, 1.0); }
 double unit(const Jy25Restitution&, const Geometry&) { return 1.0; }
 std::optional<double> lognormal(const Jy25Restitution&) { return std::nullopt; }
-RestitutionNumber number(const Jy25Restitution&) { return {.name = "", .place = "/restitution", .value = nullptr}; }
-Reach bounds(const Jy25Restitution&, const Geometry&) { return {least_restitution, largest_restitution}; }
-std::optional<Refusal> refusal(const Jy25Restitution&, const ShapeRange&) { return std::nullopt; }
+RestitutionNumbers numbers(const Jy25Restitution&) { return {}; }
+Reach bounds(const Jy25Restitution&, Source, const Geometry&) { return {least_restitution, largest_restitution}; }
+std::optional<Refusal> refusal(const Jy25Restitution&, std::size_t, const ShapeRange&) { return std::nullopt; }
+bool is_alike(const Jy25Restitution&) { return true; }
 constexpr Form form(const Jy25Restitution*) { return {.name = "jy25", .rule = nullptr}; }
-Quantity value_in(const Jy25Restitution&) { return 0.0; }
-void set(Jy25Restitution&, const Quantity&) {}
+void put(const Jy25Restitution&, Formed&) {}
+void set(Jy25Restitution&, const Formed&) {}
 
 // A measured ratio of the tilt rates
 
-double mean(const RateRatio& ratio, const Geometry& block) {
-  return dynamics::restitution_of_rate_ratio(block, mean_of(ratio.value));
+/// The number of the edge of a side with the sign of `landing`.
+const Quantity& of_edge(const RateRatio& ratio, double landing) {
+  return ratio.right && landing < 0.0 ? *ratio.right : ratio.value;
 }
-double as_given(const RateRatio& ratio, const Geometry&) { return mean_of(ratio.value); }
+/// Sides with the edges to which the number with this source applies.
+std::vector<double> sides_of(const RateRatio& ratio, Source source) {
+  if (!ratio.right) return {1.0, -1.0};
+  return {source == Source::mean_restitution ? 1.0 : -1.0};
+}
+double mean(const RateRatio& ratio, const Geometry& block, double landing) {
+  return dynamics::restitution_of_rate_ratio(block.edge(landing), mean_of(of_edge(ratio, landing)));
+}
+double as_given(const RateRatio& ratio, const Geometry&) {
+  return 0.5 * (mean_of(of_edge(ratio, 1.0)) + mean_of(of_edge(ratio, -1.0)));
+}
 double unit(const RateRatio&, const Geometry& block) { return dynamics::impact_loss(0.0, block); }
 std::optional<double> lognormal(const RateRatio&) { return std::nullopt; }
-RestitutionNumber number(const RateRatio& ratio) {
-  return {.name = "ratio of the tilt rates at impacts", .place = "/restitution/rate_ratio", .value = &ratio.value};
+RestitutionNumbers numbers(const RateRatio& ratio) {
+  constexpr std::string_view name = "ratio of the tilt rates at impacts";
+  if (!ratio.right) return {{{.name = name, .place = "/restitution/rate_ratio", .value = &ratio.value}, {}}};
+  return {{{.name = "ratio of the tilt rates at impacts of the left edge",
+            .place = "/restitution/rate_ratio/0",
+            .value = &ratio.value},
+           {.source = Source::mean_right_restitution,
+            .name = "ratio of the tilt rates at impacts of the right edge",
+            .place = "/restitution/rate_ratio/1",
+            .value = &*ratio.right}}};
 }
-Reach bounds(const RateRatio&, const Geometry& block) {
-  return {dynamics::inelastic_rate_ratio(block, largest_restitution),
-          dynamics::inelastic_rate_ratio(block, least_restitution)};
-}
-std::optional<Refusal> refusal(const RateRatio& ratio, const ShapeRange& shapes) {
-  const auto allows = [&ratio](const dynamics::Edge& edge) {
-    return rules::restitution.allows(dynamics::restitution_of_rate_ratio(edge, mean_of(ratio.value)));
-  };
-  const double largest = mean(ratio, shapes.most_slender);
-  if (std::ranges::all_of(shapes.most_slender.edges, allows) && std::ranges::all_of(shapes.squattest.edges, allows)) {
-    return std::nullopt;
+Reach bounds(const RateRatio& ratio, Source source, const Geometry& block) {
+  Reach both{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  for (const double side : sides_of(ratio, source)) {
+    both.least = std::max(both.least, dynamics::inelastic_rate_ratio(block.edge(side), largest_restitution));
+    both.largest = std::min(both.largest, dynamics::inelastic_rate_ratio(block.edge(side), least_restitution));
   }
-  const auto shown = [](double number) { return base::significant(number, 6); };
-  const double least_ratio = std::max(0.0, dynamics::inelastic_rate_ratio(shapes.most_slender, 1.0));
-  return Refusal{"needs a restitution e = " + shown(largest) + " for this block, which must be above -1 and at most 1",
-                 "give at least 1 - 3 sin^2(psi) = " + shown(least_ratio) + " and less than 1"};
+  return both;
 }
-constexpr Form form(const RateRatio*) { return {.name = "rate_ratio", .rule = &rules::rate_ratio}; }
-Quantity value_in(const RateRatio& ratio) { return ratio.value; }
-void set(RateRatio& ratio, Quantity value) { ratio.value = std::move(value); }
+std::optional<Refusal> refusal(const RateRatio& ratio, std::size_t number, const ShapeRange& shapes) {
+  const RestitutionNumber given = numbers(ratio)[number];
+  if (given.value == nullptr) return std::nullopt;
+  const auto shown = [](double value) { return base::significant(value, 6); };
+  for (const double side : sides_of(ratio, given.source)) {
+    for (const Geometry* block : {&shapes.most_slender, &shapes.squattest}) {
+      const double e = mean(ratio, *block, side);
+      if (rules::restitution.allows(e)) continue;
+      const bool is_one = block->has_mirror_symmetry() && !ratio.right;
+      const std::string edge = side < 0.0 ? "right" : "left";
+      const double least = std::max(0.0, dynamics::inelastic_rate_ratio(block->edge(side), largest_restitution));
+      return Refusal{"needs a restitution e = " + shown(e) + (is_one ? "" : " at the " + edge + " edge") +
+                         " for this block, which must be above -1 and at most 1",
+                     "give at least " + std::string(block->is_rectangle() ? "1 - 3 sin^2(psi) = " : "") + shown(least) +
+                         " and less than 1"};
+    }
+  }
+  return std::nullopt;
+}
+bool is_alike(const RateRatio& ratio) { return !ratio.right || *ratio.right == ratio.value; }
+constexpr Form form(const RateRatio*) {
+  return {.name = "rate_ratio", .rule = &rules::rate_ratio, .may_differ_by_side = true};
+}
+void put(const RateRatio& ratio, Formed& formed) {
+  formed.value = ratio.value;
+  formed.right = ratio.right;
+}
+void set(RateRatio& ratio, Formed value) { ratio = {.value = std::move(value.value), .right = std::move(value.right)}; }
 
 /// In the order of the alternatives.
 constexpr auto forms = []<class... Laws>(std::variant<Laws...>*) {
@@ -81,8 +123,8 @@ constexpr auto forms = []<class... Laws>(std::variant<Laws...>*) {
 
 }  // namespace
 
-double mean_restitution(const Restitution& law, const Geometry& block) {
-  return std::visit([&](const auto& each) { return mean(each, block); }, law);
+double mean_restitution(const Restitution& law, const Geometry& block, double landing) {
+  return std::visit([&](const auto& each) { return mean(each, block, landing); }, law);
 }
 
 double mean_as_given(const Restitution& law, const Geometry& block) {
@@ -97,32 +139,38 @@ std::optional<double> lognormal_mean(const Restitution& law) {
   return std::visit([](const auto& each) { return lognormal(each); }, law);
 }
 
-RestitutionNumber number_of(const Restitution& law) {
-  return std::visit([](const auto& each) { return number(each); }, law);
+RestitutionNumbers numbers_of(const Restitution& law) {
+  return std::visit([](const auto& each) { return numbers(each); }, law);
 }
 
-Reach bounds_of(const Restitution& law, const Geometry& block) {
-  return std::visit([&](const auto& each) { return bounds(each, block); }, law);
+Reach bounds_of(const Restitution& law, Source source, const Geometry& block) {
+  return std::visit([&](const auto& each) { return bounds(each, source, block); }, law);
 }
 
-std::optional<Refusal> refusal_of(const Restitution& law, const ShapeRange& shapes) {
-  return std::visit([&](const auto& each) { return refusal(each, shapes); }, law);
+std::optional<Refusal> refusal_of(const Restitution& law, std::size_t number, const ShapeRange& shapes) {
+  return std::visit([&](const auto& each) { return refusal(each, number, shapes); }, law);
+}
+
+bool is_alike_at_both_edges(const Restitution& law) {
+  return std::visit([](const auto& each) { return is_alike(each); }, law);
 }
 
 const FormsType& restitution_type() {
   static const FormsType type(forms,
                               "write a number, \"jy25\" for 1 - 1.5 sin^2(psi), or {\"rate_ratio\": 0.93} for a "
-                              "measured ratio of the tilt rates");
+                              "measured ratio of the tilt rates, [left, right] where the edges have two");
   return type;
 }
 
 Formed formed(const Restitution& law) {
-  return {.form = law.index(), .value = std::visit([](const auto& each) { return value_in(each); }, law)};
+  Formed formed{.form = law.index()};
+  std::visit([&formed](const auto& each) { put(each, formed); }, law);
+  return formed;
 }
 
 Restitution restitution_of(Formed value) {
   auto law = alternative_at<Restitution>(value.form);
-  std::visit([&](auto& each) { set(each, std::move(value.value)); }, law);
+  std::visit([&](auto& each) { set(each, std::move(value)); }, law);
   return law;
 }
 
@@ -144,18 +192,29 @@ std::string NumberRange::text() const {
   return first == last ? first : first + " to " + last;
 }
 
-void RateRatios::add(const dynamics::Geometry& block, double restitution) {
-  const double ratio = dynamics::inelastic_rate_ratio(block, restitution);
-  const double housner = dynamics::inelastic_rate_ratio(block);
-  restitution_.add(restitution);
-  ratio_.add(ratio);
-  housner_.add(housner);
-  if (housner > 0.0) share_.add(ratio / housner);
+void RateRatios::add(const Scene& scene) {
+  const Geometry block = dynamics::geometry_of(mean_block(scene));
+  for (const double side : {1.0, -1.0}) {
+    const dynamics::Edge& edge = block.edge(side);
+    const double restitution = mean_restitution(scene.restitution, block, side);
+    const double ratio = dynamics::inelastic_rate_ratio(edge, restitution);
+    const double housner = dynamics::inelastic_rate_ratio(edge);
+    OfEdge& here = edges_[side < 0.0 ? 1 : 0];
+    here.restitution.add(restitution);
+    here.ratio.add(ratio);
+    here.housner.add(housner);
+    if (housner > 0.0) share_.add(ratio / housner);
+  }
 }
 
 std::string RateRatios::text() const {
-  std::string text = "e = " + restitution_.text() + ": " + ratio_.text() +
-                     " of the tilt rate survives an impact without slip (Housner's ratio: " + housner_.text() + ")";
+  const auto of = [this](NumberRange OfEdge::*numbers) {
+    const std::string left = (edges_[0].*numbers).text(), right = (edges_[1].*numbers).text();
+    return left == right ? left : left + " (left edge) and " + right + " (right edge)";
+  };
+  std::string text = "e = " + of(&OfEdge::restitution) + ": " + of(&OfEdge::ratio) +
+                     " of the tilt rate survives an impact without slip (Housner's ratio: " + of(&OfEdge::housner) +
+                     ")";
   if (!(share_.least < usual_share)) return text;
   return text +
          ". This is less than 0.85 of Housner's ratio. If your number is the measured ratio of the rates, write "

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <limits>
 #include <optional>
 #include <string>
@@ -7,6 +9,7 @@
 
 #include "rocking/base/number_rule.hpp"
 #include "rocking/dynamics/block.hpp"
+#include "rocking/random/source.hpp"
 #include "rocking/scene/experiment.hpp"
 
 /// What is to be known of a law of the restitution. A law is an alternative of Restitution (experiment.hpp); restitution.cpp
@@ -17,31 +20,37 @@ namespace rocking {
 inline constexpr double least_restitution = -0.999;
 inline constexpr double largest_restitution = 1.0;
 
-/// Mean of e for a block of this shape.
-[[nodiscard]] double mean_restitution(const Restitution& law, const dynamics::Geometry& block);
+/// Mean of e for a block of this shape where the edge of a side with the sign of `landing` lands.
+[[nodiscard]] double mean_restitution(const Restitution& law, const dynamics::Geometry& block, double landing = 1.0);
 
-/// Mean of the number as it is given: of e, or of the rate ratio.
+/// Mean of the number as it is given: of e, or of the rate ratio, over both edges.
 [[nodiscard]] double mean_as_given(const Restitution& law, const dynamics::Geometry& block);
 
-/// Change of the number as it is given for a change of e by 1.
+/// Change of the number as it is given for a change of e by 1 at the left edge.
 [[nodiscard]] double unit_of(const Restitution& law, const dynamics::Geometry& block);
 
 /// Mean that a lognormal scatter along the way may have; absent: there is none.
 [[nodiscard]] std::optional<double> lognormal_mean(const Restitution& law);
 
-/// The number that a realisation may draw once.
+/// A number that a realisation may draw once.
 struct RestitutionNumber {
-  std::string_view name;   ///< in words
-  std::string_view place;  ///< JSON pointer into an experiment file
-  const Quantity* value;   ///< null: there is none
+  random::Source source = random::Source::mean_restitution;
+  std::string_view name = "";       ///< in words
+  std::string_view place = "";      ///< JSON pointer into an experiment file
+  const Quantity* value = nullptr;  ///< null: there is none
 };
-[[nodiscard]] RestitutionNumber number_of(const Restitution& law);
+/// The only one or that of the left edge, and that of the right edge.
+using RestitutionNumbers = std::array<RestitutionNumber, 2>;
+[[nodiscard]] RestitutionNumbers numbers_of(const Restitution& law);
 
-/// Bounds of that number, as it is given, for a block of this shape.
-[[nodiscard]] Reach bounds_of(const Restitution& law, const dynamics::Geometry& block);
+/// Bounds of the number with this source, as it is given, for a block of this shape.
+[[nodiscard]] Reach bounds_of(const Restitution& law, random::Source source, const dynamics::Geometry& block);
 
-/// Why blocks of these shapes cannot have it.
-[[nodiscard]] std::optional<Refusal> refusal_of(const Restitution& law, const ShapeRange& shapes);
+/// Why blocks of these shapes cannot have the number with this place among numbers_of.
+[[nodiscard]] std::optional<Refusal> refusal_of(const Restitution& law, std::size_t number, const ShapeRange& shapes);
+
+/// Whether impacts on both edges of a block with equal edges are alike.
+[[nodiscard]] bool is_alike_at_both_edges(const Restitution& law);
 
 /// The least and the largest of some numbers.
 struct NumberRange {
@@ -56,18 +65,22 @@ struct NumberRange {
 /// ratio, that of e = 0.
 class RateRatios {
  public:
-  /// `restitution`: e of the mean block.
-  void add(const dynamics::Geometry& block, double restitution);
+  /// Those of the mean block.
+  void add(const Scene& scene);
 
-  /// A sentence with e, the ratio and Housner's: `e = 0.93: 0.868 of the tilt rate survives an impact ...`. A second one
-  /// where a ratio is below 0.85 of Housner's, since e may then be a measured ratio of the rates.
+  /// A sentence with e, the ratio and Housner's: `e = 0.93: 0.868 of the tilt rate survives an impact ...`, of both edges
+  /// where they differ. A second one where a ratio is below 0.85 of Housner's, since e may then be a measured ratio of
+  /// the rates.
   [[nodiscard]] std::string text() const;
 
  private:
-  NumberRange restitution_;
-  NumberRange ratio_;
-  NumberRange housner_;
-  NumberRange share_;  ///< of Housner's ratio, of blocks that go on over their other edge
+  struct OfEdge {
+    NumberRange restitution;
+    NumberRange ratio;
+    NumberRange housner;
+  };
+  std::array<OfEdge, 2> edges_;  ///< where the left edge lands, and the right one
+  NumberRange share_;            ///< of Housner's ratio, of blocks that go on over their other edge
 };
 
 }  // namespace rocking

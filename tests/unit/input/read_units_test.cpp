@@ -171,6 +171,46 @@ TEST(ARateRatioInFiles, CanBeSweptAmongOtherRestitutions) {
   EXPECT_EQ(scene_of(experiment_of(document), 1).restitution, Restitution(RateRatio{0.95}));
 }
 
+TEST(ARateRatioInFiles, MayDifferBetweenTheEdges) {
+  Json document = support::least_experiment();
+  document["restitution"] = parse_json(R"({"rate_ratio": [0.93, {"normal": {"mean": 0.9, "sigma": 0.01}}]})");
+  EXPECT_EQ(support::objections("experiment", document.dump()), "");
+  EXPECT_EQ(scene_of(experiment_of(document)).restitution,
+            Restitution(RateRatio{.value = 0.93, .right = Normal{.mean = 0.9, .sigma = 0.01}}));
+  document["restitution"] = parse_json(R"({"rate_ratio": [0.93, 0.9]})");
+  document["fluctuation"] = parse_json(R"({"restitution": {"relative_sigma": 0.1}})");
+  EXPECT_DOUBLE_EQ(scene_of(experiment_of(document)).fluctuation.restitution, 0.0915) << "of the mean of both";
+  document["sweep"] = parse_json(R"([{"parameter": "/restitution/rate_ratio/1", "values": [0.85, 0.95]}])");
+  const auto experiment = experiment_of(document);
+  EXPECT_EQ(scene_of(experiment, 1).restitution, Restitution(RateRatio{.value = 0.93, .right = 0.95}));
+  EXPECT_THAT(experiment.canonical_text, HasSubstr(R"("restitution":{"rate_ratio":[0.93,0.9]})"));
+  EXPECT_EQ(experiment_in(experiment.canonical_text).canonical_text, experiment.canonical_text);
+  EXPECT_FALSE(has_mirror_symmetry(scene_of(experiment, 1))) << "of a rectangle with two ratios";
+  document["sweep"] = parse_json(R"([{"parameter": "/restitution/rate_ratio", "values": [[0.9, 0.9], 0.9]}])");
+  EXPECT_TRUE(has_mirror_symmetry(scene_of(experiment_of(document))));
+}
+
+TEST(AnInitialStateInFiles, IsGivenInSiUnitsOrNormalised) {
+  Json document = support::least_experiment();
+  document["friction"] = parse_json(R"({"static": 0.4, "kinetic": 0.35})");
+  document["initial"] =
+      parse_json(R"({"tilt_rad": -0.05, "tilt_rate": 0.2, "slip_m": 0.1, "slip_rate_m_s": {"uniform": [0, 0.1]}})");
+  EXPECT_EQ(support::objections("experiment", document.dump()), "");
+  const auto experiment = experiment_of(document);
+  const InitialState expected{.tilt = -0.05,
+                              .tilt_rate = 0.2,
+                              .slip = 0.1,
+                              .slip_rate = Uniform{0.0, 0.1},
+                              .units = {.tilt = StateUnit::si, .slip = StateUnit::si, .slip_rate = StateUnit::si}};
+  EXPECT_EQ(scene_of(experiment).initial, expected);
+  EXPECT_THAT(experiment.canonical_text,
+              HasSubstr(R"("initial":{"tilt_rad":-0.05,"tilt_rate":0.2,"slip_m":0.1,"slip_rate_m_s":{"uniform":[0)"));
+  EXPECT_EQ(experiment_in(experiment.canonical_text).canonical_text, experiment.canonical_text);
+  document["sweep"] = parse_json(R"([{"parameter": "/initial/tilt_rad", "values": [0.01, 0.02]}])");
+  EXPECT_EQ(scene_of(experiment_of(document), 1).initial.tilt, Quantity(0.02));
+  EXPECT_EQ(scene_of(experiment_of(document), 1).initial.units, expected.units);
+}
+
 struct BadUnit {
   const char* place;  ///< of the edit
   const char* value;
@@ -228,6 +268,17 @@ INSTANTIATE_TEST_SUITE_P(
         BadUnit{"/restitution", R"({"rate_ratio": 1.0})", "/restitution/rate_ratio", "below 1", "0.93"},
         BadUnit{"/restitution", R"({"rate_ratio": 0.5})", "/restitution/rate_ratio", "needs a restitution e = 4.66667",
                 "0.823529", false},
+        BadUnit{"/restitution", R"({"rate_ratio": [0.9, 0.5]})", "/restitution/rate_ratio/1",
+                "needs a restitution e = 4.66667 at the right edge", "0.823529", false},
+        BadUnit{"/restitution", R"({"rate_ratio": [1.0, 0.9]})", "/restitution/rate_ratio/0", "below 1", "0.93"},
+        BadUnit{"/restitution", R"({"rate_ratio": [0.9]})", "/restitution/rate_ratio", "list of two", "[0.3, 0.2]"},
+        BadUnit{"/initial", R"({"tilt": 0.1, "tilt_rad": 0.1})", "/initial/tilt_rad", "excludes \"tilt\"", "keep one",
+                false},
+        BadUnit{"/initial", R"({"tilt_rad": -1.6})", "/initial/tilt_rad", "below pi/2 = 1.5708", "in rad", false},
+        BadUnit{"/initial", R"({"slip_m": 0.1})", "/initial/slip_m", "cannot slide", "friction", false},
+        BadUnit{"/initial", R"({"slip_rate_m_s": 0.1})", "/initial/slip_rate_m_s", "cannot slide", "friction", false},
+        BadUnit{"/sweep", R"([{"parameter": "/initial/tilt_rad", "values": [0.1]}])", "/sweep/0/parameter",
+                "is not a value of this file", "the file has \"/initial/tilt\"", false},
         BadUnit{"/restitution", R"({"rate_ratio": 0.9, "ratio": 0.9})", "/restitution/ratio", "is not a key",
                 "rate_ratio"},
         BadUnit{"/restitution", R"({})", "/restitution/rate_ratio", "is missing", "0.93"},

@@ -137,6 +137,11 @@ TEST(ModeTableOfShaking, HasTheOtherFormBesideTheSweptOne) {
 TEST(ShortValue, NamesARateRatio) {
   EXPECT_EQ(short_value({.pointer = "/restitution", .value = WrittenPart{R"({"rate_ratio":0.93})"}}),
             "rate ratio 0.93");
+  EXPECT_EQ(short_value({.pointer = "/restitution", .value = WrittenPart{R"({"rate_ratio":[0.93,0.9]})"}}),
+            "rate ratio [0.93,0.9]");
+  EXPECT_THAT(
+      short_value({.pointer = "/restitution", .value = WrittenPart{R"({"rate_ratio":{"uniform":[0.9,0.95]}})"}}),
+      ::testing::HasSubstr("uniform"));
 }
 
 }  // namespace

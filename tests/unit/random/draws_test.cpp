@@ -44,7 +44,9 @@ TEST(Source, KeepsItsNumber) {
                                                 {25, "right_edge"},
                                                 {26, "base_left"},
                                                 {27, "base_right"},
-                                                {28, ""}};
+                                                {28, "mean_right_restitution"},
+                                                {29, "slip"},
+                                                {30, ""}};
   for (const auto& [number, name] : numbers) EXPECT_EQ(to_string(static_cast<Source>(number)), name);
 }
 

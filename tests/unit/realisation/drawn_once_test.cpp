@@ -46,9 +46,9 @@ TEST(DrawnOnce, HasASourceOfItsOwnForEachNumber) {
     EXPECT_FALSE(is_drawn_along_the_way(what.source));
     quantity = Uniform{0.1, 0.2};
   });
-  EXPECT_EQ(sources.size(), 11U)
-      << "two lengths, restitution, three of the shaking, two of friction, three of the start";
-  EXPECT_EQ(start_of(scene, draws_once).draws, 11U);
+  EXPECT_EQ(sources.size(), 12U)
+      << "two lengths, restitution, three of the shaking, two of friction, four of the start";
+  EXPECT_EQ(start_of(scene, draws_once).draws, 12U);
 }
 
 TEST(DrawnOnce, IsInForceForTheWholeRealisation) {
@@ -131,6 +131,38 @@ TEST(DrawnOnce, KeepsAMeasuredRatioWithinPossibleRestitutions) {
   EXPECT_NEAR(largest, largest_restitution, 1e-12);
 }
 
+TEST(DrawnOnce, GivesEachEdgeItsRatioFromItsOwnSource) {
+  Scene scene;
+  scene.restitution = RateRatio{.value = Normal{0.92, 0.01}, .right = Uniform{0.93, 0.95}};
+  const Start start = start_of(scene, draws_once);
+  EXPECT_EQ(start.draws, 2U);
+  const auto ratio = std::get<RateRatio>(start.scene.restitution);
+  EXPECT_EQ(mean_of(ratio.value), Normal({0.92, 0.01}).at(draws_once.standard_normal(Source::mean_restitution, 0)));
+  EXPECT_EQ(mean_of(*ratio.right), Uniform({0.93, 0.95}).at(draws_once.uniform(Source::mean_right_restitution, 0)));
+  scene.restitution = RateRatio{.value = Normal{0.92, 0.01}};
+  EXPECT_EQ(start_of(scene, draws_once).scene.restitution, Restitution(RateRatio{ratio.value}))
+      << "the number of the left edge keeps the draws of the only number";
+}
+
+TEST(DrawnOnce, KeepsTheRatioOfEachEdgeWithinWhatIsPossibleThere) {
+  Scene scene;
+  scene.block.mass = GivenEdges{.edges = {0.3, 0.6}, .centre_height = 1.6, .radius_of_gyration = 0.9};
+  for (const bool are_two : {false, true}) {
+    scene.restitution = RateRatio{.value = Normal{0.9, 0.3}};
+    if (are_two) scene.restitution = RateRatio{.value = Normal{0.9, 0.3}, .right = Normal{0.9, 0.3}};
+    std::uint64_t limited = 0;
+    for (std::uint64_t realisation = 0; realisation < 200; ++realisation) {
+      const Start start = start_of(scene, random::Draws(1, realisation));
+      limited += start.clamps.restitution;
+      for (const double side : {1.0, -1.0}) {
+        const double e = mean_restitution(start.scene.restitution, start.geometry, side);
+        EXPECT_TRUE(least_restitution - 1e-12 <= e && e <= largest_restitution + 1e-12) << e << " " << side;
+      }
+    }
+    EXPECT_GT(limited, 20U);
+  }
+}
+
 // With every number drawn, a realisation is that of the scene with these numbers written in it.
 TEST(DrawnOnce, GivesTheBitsOfTheSceneWithTheseNumbers) {
   Condition drawn;
@@ -155,6 +187,8 @@ TEST(DrawnOnce, IsReadFromEveryPlaceAndWrittenBack) {
       {"/friction/kinetic", R"({"uniform": [0.4, 0.5]})"},
       {"/restitution", R"({"uniform": [0.1, 0.2]})"},
       {"/restitution", R"({"rate_ratio": {"uniform": [0.92, 0.95]}})"},
+      {"/restitution", R"({"rate_ratio": [0.93, {"uniform": [0.92, 0.95]}]})"},
+      {"/initial", R"({"tilt_rad": {"uniform": [0.0, 0.1]}, "tilt_rate_rad_s": 0.1, "slip_m": 0.2, "slip_rate": 0.0})"},
       {"/excitation/amplitude", R"({"lognormal": {"mean": 4, "sigma": 1}})"},
       {"/excitation/frequency_ratio", R"({"uniform": [8, 12]})"}};
   for (const auto& [place, law] : laws) {

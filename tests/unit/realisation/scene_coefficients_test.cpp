@@ -309,6 +309,39 @@ TEST(Restitution, OfARateRatioIsThatOfTheEdgeThatLands) {
   EXPECT_GT(coefficients.restitution(1.0), coefficients.restitution(-1.0));
 }
 
+// Of a rectangle too. A scatter has the same sigma, of the ratio, at both edges.
+TEST(Restitution, OfTwoRateRatiosIsThatOfTheEdgeThatLands) {
+  for (const bool is_rectangle : {true, false}) {
+    Scene scene;
+    if (!is_rectangle) {
+      scene.block.mass = GivenEdges{.edges = {0.3, 0.5}, .centre_height = 1.6, .radius_of_gyration = 0.9};
+    }
+    scene.restitution = RateRatio{.value = 0.9, .right = 0.87};
+    const dynamics::Geometry block = dynamics::geometry_of(mean_block(scene));
+    SceneCoefficients coefficients(scene, draws);
+    const auto ratio = [&block](SceneCoefficients& source, double side) {
+      return dynamics::inelastic_rate_ratio(block.edge(side), source.restitution(side));
+    };
+    EXPECT_NEAR(ratio(coefficients, 1.0), 0.9, 1e-15);
+    EXPECT_NEAR(ratio(coefficients, -1.0), 0.87, 1e-15);
+    EXPECT_EQ(coefficients.constant_restitution(), std::nullopt) << "lanes compute impacts with one e";
+    scene.fluctuation.restitution = 0.002;
+    SceneCoefficients scattered(scene, draws);
+    for (std::uint64_t i = 0; i < 20; ++i) {
+      const double side = i % 3 == 0 ? -1.0 : 1.0;
+      const double z = draws.standard_normal(Source::restitution, i);
+      ASSERT_NEAR(ratio(scattered, side), (side < 0.0 ? 0.87 : 0.9) - 0.002 * z, 2e-15) << i;
+    }
+    scene.fluctuation.restitution = 0.0;
+    scene.restitution = RateRatio{.value = 0.9, .right = 0.9};
+    Scene one = scene;
+    one.restitution = RateRatio{.value = 0.9};
+    SceneCoefficients both(scene, draws), only(one, draws);
+    EXPECT_EQ(both.restitution(-1.0), only.restitution(-1.0));
+    EXPECT_EQ(both.constant_restitution(), only.constant_restitution());
+  }
+}
+
 TEST(Amplitude, ChangesAtTheZerosOfTheSine) {
   const Scene scene = scene_with({.amplitude = 0.5});
   const auto expected = [](std::uint64_t index) {

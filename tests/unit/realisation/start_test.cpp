@@ -62,6 +62,27 @@ TEST(Start, DrawsEachLawFromItsOwnSource) {
   }
 }
 
+// Each SI number is that of the realisation's own block; the sign of the tilt chooses its unit of a mixed pair.
+TEST(Start, TakesNumbersInSiUnits) {
+  Scene scene;
+  scene.block.mass = GivenEdges{.edges = {0.3, 0.5}, .centre_height = 1.6, .radius_of_gyration = 0.9};
+  scene.initial = {.tilt = -0.05, .tilt_rate = 0.2, .slip = Uniform{-0.4, 0.4}, .slip_rate = 0.25};
+  scene.initial.units = {StateUnit::si, StateUnit::si, StateUnit::si, StateUnit::si};
+  const Start start = start_of(scene, draws_of_start);
+  const dynamics::Geometry block = start.geometry;
+  const double p = block.frequency_parameter, radius = block.half_diagonal;
+  EXPECT_EQ(start.state.tilt, -0.05);
+  EXPECT_EQ(start.state.tilt_rate, 0.2 / p);
+  EXPECT_EQ(start.state.slip, (-0.4 + 0.8 * draws_of_start.uniform(random::Source::slip, 0)) / radius);
+  EXPECT_EQ(start.state.slip_rate, 0.25 / (p * radius));
+  scene.initial.units.tilt = StateUnit::normalised;
+  EXPECT_EQ(start_of(scene, draws_of_start).state.tilt, -0.05 * std::atan(0.5 / 1.6)) << "the right edge";
+  scene.initial.units = {.tilt = StateUnit::si};
+  scene.initial.slip = 0.75;
+  EXPECT_EQ(start_of(scene, draws_of_start).state.tilt_rate, 0.2 * std::atan(0.5 / 1.6)) << "the side of the tilt";
+  EXPECT_EQ(start_of(scene, draws_of_start).state.slip, 0.75);
+}
+
 TEST(Start, IsDrawnAloneWhereOneQuantityIsALaw) {
   Scene scene;
   scene.initial.tilt = Uniform{-0.5, 0.5};

@@ -277,7 +277,10 @@ INSTANTIATE_TEST_SUITE_P(
         number("/excitation/frequency_hz", "0", [](auto& c) { set(c, 0.0, FrequencyUnit::hertz); }),
         in_unit("period_s", "-2", [](auto& c) { set(c, -2.0, FrequencyUnit::period_s); }),
         number("/restitution/rate_ratio", "1", [](auto& c) { c.scene.restitution = RateRatio{1.0}; }),
-        number("/restitution/rate_ratio", "-0.9", [](auto& c) { c.scene.restitution = RateRatio{-0.9}; })));
+        number("/restitution/rate_ratio", "-0.9", [](auto& c) { c.scene.restitution = RateRatio{-0.9}; }),
+        Change{{{"/restitution/rate_ratio", "[0.9, 1]"}},
+               [](auto& c) { c.scene.restitution = RateRatio{.value = 0.9, .right = 1.0}; },
+               {"/restitution/rate_ratio/1"}}));
 
 // psi is 0.245, and p 1.889 rad/s: A_h = 1e6 is 0.245e6 g, Omega_h = 0.001 is 3.01e-4 Hz. e = 1 is the ratio 0.8235.
 INSTANTIATE_TEST_SUITE_P(
@@ -298,6 +301,15 @@ INSTANTIATE_TEST_SUITE_P(
         number("/excitation/frequency_hz", "302000", [](auto& c) { set(c, 302000, FrequencyUnit::hertz); }),
         in_unit("period_s", "3350", [](auto& c) { set(c, 3350, FrequencyUnit::period_s); }),
         in_unit("period_s", "3e-6", [](auto& c) { set(c, 3e-6, FrequencyUnit::period_s); }),
+        Change{{{"/initial/tilt", ""}, {"/initial/tilt_rad", "1.6"}},
+               [](auto& c) {
+                 c.scene.initial.tilt = 1.6;
+                 c.scene.initial.units.tilt = StateUnit::si;
+               },
+               {"/initial/tilt_rad"}},
+        Change{{{"/restitution/rate_ratio", "[0.823, 0.8]"}},
+               [](auto& c) { c.scene.restitution = RateRatio{.value = 0.823, .right = 0.8}; },
+               {"/restitution/rate_ratio/0"}},
         number("/restitution/rate_ratio", "0.823", [](auto& c) { c.scene.restitution = RateRatio{0.823}; })));
 
 // The limits that a remedy names are allowed, and a little beyond them is not.

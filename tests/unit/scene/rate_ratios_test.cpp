@@ -8,6 +8,7 @@
 #include "rocking/input/read_experiment.hpp"
 #include "rocking/output/plan_text.hpp"
 #include "rocking/plan/plan.hpp"
+#include "rocking/scene/restitution.hpp"
 
 namespace {
 
@@ -49,10 +50,24 @@ TEST(RateRatios, OfASweepAreARange) {
   EXPECT_THAT(text, AllOf(HasSubstr("e = 0 to 0.5: 0.55 to 0.7 of the tilt rate"), HasSubstr("less than 0.85")));
 }
 
+// Edges 0.3 and 0.5 m, h = 1.6 m, k = 0.9 m: 1 - b (b + b')/(k^2 + b^2 + h^2) = 0.93064 and 0.88950.
+TEST(RateRatios, OfUnlikeEdgesAreStatedForBoth) {
+  EXPECT_THAT(plan_of_block(R"({ "rate_ratio": [0.92, 0.9] })"),
+              HasSubstr(": 0.92 (left edge) and 0.9 (right edge) of the tilt rate survives"));
+  Scene scene;
+  scene.block.mass = GivenEdges{.edges = {0.3, 0.5}, .centre_height = 1.6, .radius_of_gyration = 0.9};
+  RateRatios ratios;
+  ratios.add(scene);
+  EXPECT_EQ(ratios.text(),
+            "e = 0: 0.931 (left edge) and 0.89 (right edge) of the tilt rate survives an impact without slip "
+            "(Housner's ratio: 0.931 (left edge) and 0.89 (right edge))");
+}
+
 TEST(Plans, CountADrawnRateRatioAsScatterOfRestitution) {
   const std::string words = "scatter of restitution";
   EXPECT_THAT(plan_of_block(R"({ "rate_ratio": 0.9 })"), HasSubstr(words)) << "among what is left out";
   EXPECT_THAT(plan_of_block(R"({ "rate_ratio": {"uniform": [0.89, 0.91]} })"), Not(HasSubstr(words)));
+  EXPECT_THAT(plan_of_block(R"({ "rate_ratio": [0.9, {"uniform": [0.89, 0.91]}] })"), Not(HasSubstr(words)));
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ def housner(aspect):
 
 
 def least_ratio(aspect):
-    """The ratio of an impact whose normal restitution e is 1: the least that the model takes."""
+    """The ratio of an impact whose normal restitution e is 1."""
     return 1.0 - 3.0 * math.sin(math.atan(1.0 / aspect)) ** 2
 
 
@@ -118,8 +118,8 @@ The amplitudes agree with the closed form, in which each impact leaves the squar
   block on concrete, the amplitude after six impacts is {over:.2f} times too large and the time to the next impact
   {late:.2f} times too long. An error of 5 % in the ratio is small at one impact and large after six.
 - *What does not fit.* On rubber the abstract gives {ON_RUBBER[1]} of Housner's ratio for height/width {ON_RUBBER[0]}, which is
-  {ON_RUBBER[1] * housner(ON_RUBBER[0]):.3f}. An impact of this model leaves at least 1 - 3 sin^2(psi) = {least_ratio(ON_RUBBER[0]):.3f} of the tilt rate, and the program
-  refuses less. Rubber takes energy from the block all the time, not only at impacts (ElGawady, Ma, Butterworth & Ingham
+  {ON_RUBBER[1] * housner(ON_RUBBER[0]):.3f}. An impact with a restitution of 1 leaves 1 - 3 sin^2(psi) = {least_ratio(ON_RUBBER[0]):.3f} of the tilt rate. The program
+  takes a smaller measured ratio for a block that cannot slide, but rubber takes energy from the block all the time, not only at impacts (ElGawady, Ma, Butterworth & Ingham
   2011, Earthquake Engng Struct. Dyn. 40, 375-392): a block on rubber is outside the model.
 - *What contradicts it.* Kalliontzis, Sritharan and Schultz (2016, J. Struct. Eng. 142(12), 06016002) and Ther and Kollar
   (2017, Bull. Earthquake Eng. 15) report measured ratios above Housner's, since blocks do not touch at their edges alone.

@@ -44,7 +44,7 @@ void limit_drawn(Scene& scene, Source source, Quantity& drawn, Clamps& clamps) {
     case Source::excitation_size: return limit(drawn, 0.0, infinity, clamps.amplitude_at_zero);
     case Source::mean_restitution:
     case Source::mean_right_restitution: {
-      const Reach bounds = bounds_of(scene.restitution, source, dynamics::geometry_of(mean_of(scene.block)));
+      const Reach bounds = bounds_of(scene, source, dynamics::geometry_of(mean_of(scene.block)));
       return limit(drawn, bounds.least, bounds.largest, clamps.restitution);
     }
     default: return;

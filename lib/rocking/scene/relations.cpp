@@ -207,7 +207,7 @@ std::optional<Refusal> frequency_beyond_bounds(const Condition& condition) {
 
 template <std::size_t number>
 std::optional<Refusal> restitution_beyond_bounds(const Condition& condition) {
-  return refusal_of(condition.scene.restitution, number, shapes_of(condition.scene.block));
+  return refusal_of(condition.scene, number);
 }
 
 std::optional<Refusal> until_classified_without_period(const Condition& condition) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <string>
 #include <utility>
@@ -28,8 +29,8 @@ std::optional<double> lognormal(const Quantity& e) { return mean_of(e); }
 RestitutionNumbers numbers(const Quantity& e) {
   return {{{.name = "restitution", .place = "/restitution", .value = &e}, {}}};
 }
-Reach bounds(const Quantity&, Source, const Geometry&) { return {least_restitution, largest_restitution}; }
-std::optional<Refusal> refusal(const Quantity&, std::size_t, const ShapeRange&) { return std::nullopt; }
+Reach bounds(const Quantity&, Source, const Geometry&, double largest) { return {least_restitution, largest}; }
+std::optional<Refusal> refusal(const Quantity&, std::size_t, const ShapeRange&, double) { return std::nullopt; }
 bool is_alike(const Quantity&) { return true; }
 constexpr Form form(const Quantity*) { return {.name = "", .rule = &rules::restitution}; }
 void put(const Quantity& e, Formed& formed) { formed.value = e; }
@@ -42,8 +43,8 @@ double as_given(const Jy25Restitution& law, const Geometry& block) { return mean
 double unit(const Jy25Restitution&, const Geometry&) { return 1.0; }
 std::optional<double> lognormal(const Jy25Restitution&) { return std::nullopt; }
 RestitutionNumbers numbers(const Jy25Restitution&) { return {}; }
-Reach bounds(const Jy25Restitution&, Source, const Geometry&) { return {least_restitution, largest_restitution}; }
-std::optional<Refusal> refusal(const Jy25Restitution&, std::size_t, const ShapeRange&) { return std::nullopt; }
+Reach bounds(const Jy25Restitution&, Source, const Geometry&, double largest) { return {least_restitution, largest}; }
+std::optional<Refusal> refusal(const Jy25Restitution&, std::size_t, const ShapeRange&, double) { return std::nullopt; }
 bool is_alike(const Jy25Restitution&) { return true; }
 constexpr Form form(const Jy25Restitution*) { return {.name = "jy25", .rule = nullptr}; }
 void put(const Jy25Restitution&, Formed&) {}
@@ -79,29 +80,37 @@ RestitutionNumbers numbers(const RateRatio& ratio) {
             .place = "/restitution/rate_ratio/1",
             .value = &*ratio.right}}};
 }
-Reach bounds(const RateRatio& ratio, Source source, const Geometry& block) {
+/// The least ratio that an impact with e at its largest leaves.
+double least_ratio(const dynamics::Edge& landing, double largest_e) {
+  return std::isinf(largest_e) ? 0.0 : std::max(0.0, dynamics::inelastic_rate_ratio(landing, largest_e));
+}
+Reach bounds(const RateRatio& ratio, Source source, const Geometry& block, double largest_e) {
   Reach both{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   for (const double side : sides_of(ratio, source)) {
-    both.least = std::max(both.least, dynamics::inelastic_rate_ratio(block.edge(side), largest_restitution));
+    both.least = std::max(both.least, least_ratio(block.edge(side), largest_e));
     both.largest = std::min(both.largest, dynamics::inelastic_rate_ratio(block.edge(side), least_restitution));
   }
   return both;
 }
-std::optional<Refusal> refusal(const RateRatio& ratio, std::size_t number, const ShapeRange& shapes) {
+std::optional<Refusal> refusal(const RateRatio& ratio, std::size_t number, const ShapeRange& shapes, double largest_e) {
   const RestitutionNumber given = numbers(ratio)[number];
   if (given.value == nullptr) return std::nullopt;
   const auto shown = [](double value) { return base::significant(value, 6); };
   for (const double side : sides_of(ratio, given.source)) {
     for (const Geometry* block : {&shapes.most_slender, &shapes.squattest}) {
       const double e = mean(ratio, *block, side);
-      if (rules::restitution.allows(e)) continue;
+      if (e > -1.0 && e <= largest_e) continue;
       const bool is_one = block->has_mirror_symmetry() && !ratio.right;
       const std::string edge = side < 0.0 ? "right" : "left";
-      const double least = std::max(0.0, dynamics::inelastic_rate_ratio(block->edge(side), largest_restitution));
+      const bool is_bounded = !std::isinf(largest_e);
+      const double least = least_ratio(block->edge(side), largest_e);
       return Refusal{"needs a restitution e = " + shown(e) + (is_one ? "" : " at the " + edge + " edge") +
-                         " for this block, which must be above -1 and at most 1",
-                     "give at least " + std::string(block->is_rectangle() ? "1 - 3 sin^2(psi) = " : "") + shown(least) +
-                         " and less than 1"};
+                         " for this block, which must be above -1" + (is_bounded ? " and at most 1" : ""),
+                     "give at least " + std::string(is_bounded && block->is_rectangle() ? "1 - 3 sin^2(psi) = " : "") +
+                         shown(least) + " and less than 1" +
+                         (is_bounded && e > 1.0 ? "; a block that cannot slide, without scatter of the ratio along the "
+                                                  "way, may have less: omit \"friction\" and \"fluctuation\""
+                                                : "")};
     }
   }
   return std::nullopt;
@@ -143,12 +152,21 @@ RestitutionNumbers numbers_of(const Restitution& law) {
   return std::visit([](const auto& each) { return numbers(each); }, law);
 }
 
-Reach bounds_of(const Restitution& law, Source source, const Geometry& block) {
-  return std::visit([&](const auto& each) { return bounds(each, source, block); }, law);
+double largest_restitution_of(const Scene& scene) {
+  const bool is_free =
+      std::holds_alternative<RateRatio>(scene.restitution) && !scene.friction && scene.fluctuation.restitution == 0.0;
+  return is_free ? std::numeric_limits<double>::infinity() : largest_restitution;
 }
 
-std::optional<Refusal> refusal_of(const Restitution& law, std::size_t number, const ShapeRange& shapes) {
-  return std::visit([&](const auto& each) { return refusal(each, number, shapes); }, law);
+Reach bounds_of(const Scene& scene, Source source, const Geometry& block) {
+  const double largest = largest_restitution_of(scene);
+  return std::visit([&](const auto& each) { return bounds(each, source, block, largest); }, scene.restitution);
+}
+
+std::optional<Refusal> refusal_of(const Scene& scene, std::size_t number) {
+  const ShapeRange shapes = shapes_of(scene.block);
+  const double largest = largest_restitution_of(scene);
+  return std::visit([&](const auto& each) { return refusal(each, number, shapes, largest); }, scene.restitution);
 }
 
 bool is_alike_at_both_edges(const Restitution& law) {
@@ -203,7 +221,7 @@ void RateRatios::add(const Scene& scene) {
     here.restitution.add(restitution);
     here.ratio.add(ratio);
     here.housner.add(housner);
-    if (housner > 0.0) share_.add(ratio / housner);
+    if (housner > 0.0 && restitution <= largest_restitution) share_.add(ratio / housner);
   }
 }
 
@@ -212,9 +230,11 @@ std::string RateRatios::text() const {
     const std::string left = (edges_[0].*numbers).text(), right = (edges_[1].*numbers).text();
     return left == right ? left : left + " (left edge) and " + right + " (right edge)";
   };
-  std::string text = "e = " + of(&OfEdge::restitution) + ": " + of(&OfEdge::ratio) +
+  const bool is_imposed =
+      std::ranges::any_of(edges_, [](const OfEdge& edge) { return edge.restitution.largest > largest_restitution; });
+  std::string text = (is_imposed ? "" : "e = " + of(&OfEdge::restitution) + ": ") + of(&OfEdge::ratio) +
                      " of the tilt rate survives an impact without slip (Housner's ratio: " + of(&OfEdge::housner) +
-                     ")";
+                     (is_imposed ? "), which is less than an impact of edges alone leaves" : ")");
   if (!(share_.least < usual_share)) return text;
   return text +
          ". This is less than 0.85 of Housner's ratio. If your number is the measured ratio of the rates, write "

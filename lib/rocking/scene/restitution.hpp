@@ -43,11 +43,16 @@ struct RestitutionNumber {
 using RestitutionNumbers = std::array<RestitutionNumber, 2>;
 [[nodiscard]] RestitutionNumbers numbers_of(const Restitution& law);
 
-/// Bounds of the number with this source, as it is given, for a block of this shape.
-[[nodiscard]] Reach bounds_of(const Restitution& law, random::Source source, const dynamics::Geometry& block);
+/// Largest e of a scene: 1. A measured ratio of the tilt rates may be less than such an impact leaves. It has no bound if
+/// the block cannot slide, since an impulse with e above 1 could give energy to a block that slides, and if the ratio does
+/// not scatter along the way.
+[[nodiscard]] double largest_restitution_of(const Scene& scene);
 
-/// Why blocks of these shapes cannot have the number with this place among numbers_of.
-[[nodiscard]] std::optional<Refusal> refusal_of(const Restitution& law, std::size_t number, const ShapeRange& shapes);
+/// Bounds of the number with this source, as it is given, for a block of this shape.
+[[nodiscard]] Reach bounds_of(const Scene& scene, random::Source source, const dynamics::Geometry& block);
+
+/// Why the blocks of the scene cannot have the number with this place among numbers_of.
+[[nodiscard]] std::optional<Refusal> refusal_of(const Scene& scene, std::size_t number);
 
 /// Whether impacts on both edges of a block with equal edges are alike.
 [[nodiscard]] bool is_alike_at_both_edges(const Restitution& law);

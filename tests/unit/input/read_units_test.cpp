@@ -213,7 +213,7 @@ TEST(AnInitialStateInFiles, IsGivenInSiUnitsOrNormalised) {
 
 struct BadUnit {
   const char* place;  ///< of the edit
-  const char* value;
+  std::string value;
   const char* told_at;
   const char* reason;
   const char* remedy;
@@ -221,6 +221,13 @@ struct BadUnit {
 };
 
 void PrintTo(const BadUnit& bad, std::ostream* out) { *out << bad.place << " = " << bad.value; }
+
+/// An experiment of a block that can slide, with a restitution.
+std::string sliding_with(const std::string& restitution) {
+  Json document = support::with(support::least_experiment(), "/restitution", restitution);
+  document["friction"] = parse_json(R"({"static": 0.4, "kinetic": 0.35})");
+  return document.dump();
+}
 
 class UnitFault : public ::testing::TestWithParam<BadUnit> {};
 
@@ -266,10 +273,10 @@ INSTANTIATE_TEST_SUITE_P(
         BadUnit{"/excitation", R"({"amplitude_g": 0.4, "frequency_hz": 3, "frequency_h": 3})",
                 "/excitation/frequency_h", "is not a key", "did you mean"},
         BadUnit{"/restitution", R"({"rate_ratio": 1.0})", "/restitution/rate_ratio", "below 1", "0.93"},
-        BadUnit{"/restitution", R"({"rate_ratio": 0.5})", "/restitution/rate_ratio", "needs a restitution e = 4.66667",
-                "0.823529", false},
-        BadUnit{"/restitution", R"({"rate_ratio": [0.9, 0.5]})", "/restitution/rate_ratio/1",
-                "needs a restitution e = 4.66667 at the right edge", "0.823529", false},
+        BadUnit{"", sliding_with(R"({"rate_ratio": 0.5})"), "/restitution/rate_ratio",
+                "needs a restitution e = 4.66667", "0.823529", false},
+        BadUnit{"", sliding_with(R"({"rate_ratio": [0.9, 0.5]})"), "/restitution/rate_ratio/1",
+                "needs a restitution e = 4.66667 at the right edge", "omit \"friction\"", false},
         BadUnit{"/restitution", R"({"rate_ratio": [1.0, 0.9]})", "/restitution/rate_ratio/0", "below 1", "0.93"},
         BadUnit{"/restitution", R"({"rate_ratio": [0.9]})", "/restitution/rate_ratio", "list of two", "[0.3, 0.2]"},
         BadUnit{"/initial", R"({"tilt": 0.1, "tilt_rad": 0.1})", "/initial/tilt_rad", "excludes \"tilt\"", "keep one",

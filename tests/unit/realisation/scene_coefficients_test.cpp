@@ -309,6 +309,23 @@ TEST(Restitution, OfARateRatioIsThatOfTheEdgeThatLands) {
   EXPECT_GT(coefficients.restitution(1.0), coefficients.restitution(-1.0));
 }
 
+// Less than an impact with e = 1 leaves. Where the block may slide, or the ratio scatters along the way, e is limited.
+TEST(Restitution, OfABlockThatCannotSlideLeavesTheRateRatioAsMeasured) {
+  Scene scene;
+  scene.restitution = RateRatio{.value = Uniform{0.3, 0.5}};
+  EXPECT_EQ(refusal_of(scene, 0), std::nullopt);
+  const dynamics::Geometry block = dynamics::geometry_of(mean_block(scene));
+  EXPECT_EQ(bounds_of(scene, Source::mean_restitution, block).least, 0.0);
+  scene.restitution = RateRatio{.value = 0.4};
+  SceneCoefficients coefficients(scene, draws);
+  EXPECT_NEAR(dynamics::inelastic_rate_ratio(block, coefficients.restitution(1.0)), 0.4, 1e-15);
+  Scene sliding = scene;
+  sliding.friction = Friction{.static_coefficient = 0.4, .kinetic_coefficient = 0.35};
+  EXPECT_TRUE(refusal_of(sliding, 0).has_value());
+  scene.fluctuation.restitution = 0.01;
+  EXPECT_TRUE(refusal_of(scene, 0).has_value());
+}
+
 // Of a rectangle too. A scatter has the same sigma, of the ratio, at both edges.
 TEST(Restitution, OfTwoRateRatiosIsThatOfTheEdgeThatLands) {
   for (const bool is_rectangle : {true, false}) {

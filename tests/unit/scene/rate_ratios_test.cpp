@@ -44,6 +44,12 @@ TEST(RateRatios, FarBelowHousnersAreNoted) {
   EXPECT_THAT(plan_of_block("0.36", "0.8"), HasSubstr("less than 0.85"));       // 0.592/0.7 = 0.846
 }
 
+TEST(RateRatios, BelowThoseOfEdgesAloneAreStatedWithoutRestitution) {
+  EXPECT_THAT(plan_of_block(R"({ "rate_ratio": 0.5 })"),
+              AllOf(HasSubstr("Impacts: 0.5 of the tilt rate survives"),
+                    HasSubstr("less than an impact of edges alone"), Not(HasSubstr("If your number"))));
+}
+
 TEST(RateRatios, OfASweepAreARange) {
   const std::string text =
       plan_of_block("0.0", "0.8", R"([{ "parameter": "/restitution", "values": [0.0, 0.5, 0.2] }])");

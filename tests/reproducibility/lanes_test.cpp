@@ -100,7 +100,8 @@ std::string spelled(const RealisationResult& result) {
          std::to_string(operations.kinetic_friction_draws) + " draws, " + std::to_string(operations.exponent_periods) +
          " periods with tangents, " + std::to_string(result.losses_of_contact) + " losses, " +
          std::to_string(result.contradictions) + " contradictions, margin " +
-         std::to_string(result.classification.margin) + ", peaks" + spelled(result.peaks) + ", " +
+         std::to_string(result.classification.margin) + ", peaks" + spelled(result.peaks) +
+         (result.overturned_side ? ", to the " + std::string(to_string(*result.overturned_side)) : "") + ", " +
          std::to_string(result.losses_before_fall) + " losses before the fall" + spelled(result.settling);
 }
 

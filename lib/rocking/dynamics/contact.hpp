@@ -47,6 +47,11 @@ inline constexpr std::size_t event_kind_count = event_names.size();
 }
 [[nodiscard]] inline std::string_view to_string(EventKind kind) { return event_names[static_cast<std::size_t>(kind)]; }
 
+/// Where a block falls: over its left edge (theta > 0) or over its right one.
+enum class Side : std::uint8_t { left, right };
+inline constexpr std::array<std::string_view, 2> side_names{"left", "right"};
+[[nodiscard]] inline std::string_view to_string(Side side) { return side_names[static_cast<std::size_t>(side)]; }
+
 /// State of the block: positions, rates, contact. Normalised: time by p, slip by R.
 struct State {
   double tilt = 0.0;            ///< theta [rad], counter-clockwise > 0

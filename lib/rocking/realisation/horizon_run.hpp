@@ -33,6 +33,10 @@ inline void collect(RealisationResult& result, const Motion& motion) {
   result.losses_before_fall = motion.losses_before_fall();
   result.first_loss_of_contact = motion.first_loss_of_contact();
   result.was_past_balance = motion.was_past_balance();
+  result.overturned_side = std::nullopt;
+  if (result.termination == dynamics::Termination::overturned) {
+    result.overturned_side = motion.state().tilt > 0.0 ? dynamics::Side::left : dynamics::Side::right;
+  }
   result.contradictions = motion.contradictions();
   result.peaks = peaks_of(motion, motion.setting().block);
 }

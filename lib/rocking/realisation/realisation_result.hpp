@@ -42,6 +42,8 @@ struct RealisationResult {
   std::uint64_t losses_before_fall = 0;  ///< of these, without those of the final fall
   double first_loss_of_contact = 0.0;    ///< tau, if there was one
   bool was_past_balance = false;
+  std::optional<dynamics::Side> overturned_side =
+      std::nullopt;                  ///< absent if it did not overturn; not part of the digest
   std::uint64_t contradictions = 0;  ///< instants at which neither sticking nor slipping agrees with the equations
   PeakValues peaks;                  ///< not part of the digest
   OperationCounts operations;

@@ -62,6 +62,12 @@ std::optional<dynamics::Termination> termination_named(std::string_view name) {
   return dynamics::terminations[static_cast<std::size_t>(found - dynamics::termination_names.begin())];
 }
 
+std::optional<dynamics::Side> side_named(std::string_view name) {
+  const auto* const found = std::ranges::find(dynamics::side_names, name);
+  if (found == dynamics::side_names.end()) return std::nullopt;
+  return static_cast<dynamics::Side>(found - dynamics::side_names.begin());
+}
+
 /// Reads the columns of a row, one after the other. A value that no program writes makes the row unsound, although the
 /// field that it becomes may have the right checksum.
 class Reader {
@@ -87,6 +93,7 @@ class Reader {
   void get(section::ResponseMode& mode) { take(section::response_mode_named(statement_->text(place_++)), mode); }
   void get(section::ModeCounts& counts) { take(section::mode_counts_named(statement_->text(place_++)), counts); }
   void get(section::Reason& reason) { take(section::reason_named(statement_->text(place_++)), reason); }
+  void get(dynamics::Side& side) { take(side_named(statement_->text(place_++)), side); }
   void get(dynamics::Termination& termination) { take(termination_named(statement_->text(place_++)), termination); }
   template <class Value>
   void get(std::optional<Value>& value) {

@@ -20,6 +20,7 @@ Summary summary_at_fixed_horizon(const RealisationResult& result, std::uint64_t 
           .in_transient = result.classification.in_transient,
           .left_ground = result.losses_of_contact > 0,
           .was_past_balance = result.was_past_balance,
+          .overturned_side = result.overturned_side,
           .met_contradiction = result.contradictions > 0,
           .digest = digest_of(result, realisation),
           .diverged_from_next = std::nullopt,

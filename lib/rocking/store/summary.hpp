@@ -25,6 +25,7 @@ struct Summary {
   bool in_transient = false;
   bool left_ground = false;
   bool was_past_balance = false;
+  std::optional<dynamics::Side> overturned_side;  ///< absent if it did not overturn
   bool met_contradiction = false;
   base::Sha256 digest{};  ///< of the result
   /// For an even-numbered realisation: period in which the next one diverged from it.
@@ -55,7 +56,7 @@ struct Summary {
 [[nodiscard]] Summary summarise(const RealisationResult& result, std::uint64_t realisation);
 
 /// Number of the layout of a store. A new or renamed field of a row needs the next one.
-inline constexpr std::int64_t current_layout = 8;
+inline constexpr std::int64_t current_layout = 9;
 
 /// Calls visit(name, field) for every field of a summary, in a fixed order. These fields make up a stored row.
 template <class SomeSummary, class Visit>
@@ -70,6 +71,7 @@ void for_each_field(SomeSummary& summary, Visit&& visit) {
   visit("in_transient", summary.in_transient);
   visit("left_ground", summary.left_ground);
   visit("past_balance", summary.was_past_balance);
+  visit("overturned_side", summary.overturned_side);
   visit("contradiction", summary.met_contradiction);
   visit("digest", summary.digest);
   visit("diverged_from_next", summary.diverged_from_next);

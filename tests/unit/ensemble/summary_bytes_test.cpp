@@ -42,6 +42,7 @@ Summary fixed(std::uint64_t number) {
   summary.mode = chaos;
   summary.digest = base::sha256(std::to_string(number));
   summary.diverged_from_next = 17;
+  summary.overturned_side = dynamics::Side::right;
   summary.exponent = 0.125;
   summary.exponent_error = 0.5;
   return summary;

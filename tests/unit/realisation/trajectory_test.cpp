@@ -194,6 +194,16 @@ TEST(Classification, OfARunThatOverturnsHasNoReason) {
   EXPECT_EQ(result.classification.reason, std::nullopt);
 }
 
+TEST(Realisation, SaysToWhichSideItOverturned) {
+  Condition still = fifty_periods(0.0);
+  for (const auto& [tilt, side] : {std::pair(1.5, dynamics::Side::left), std::pair(-1.5, dynamics::Side::right)}) {
+    still.scene.initial.tilt = tilt;
+    EXPECT_EQ(realise(still, 1, 0).overturned_side, side) << tilt;
+  }
+  still.scene.initial.tilt = 0.5;
+  EXPECT_FALSE(realise(still, 1, 0).overturned_side);
+}
+
 TEST(Classification, AfterAGroundMotionTellsWhetherTheBlockEverMoved) {
   Condition condition = fifty_periods(1.0);
   condition.scene.excitation = support::recorded_by({.samples = {{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}}}, 10.0);

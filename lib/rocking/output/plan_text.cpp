@@ -1,7 +1,16 @@
 #include "rocking/output/plan_text.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <string_view>
 
+#include "rocking/dynamics/block.hpp"
+#include "rocking/dynamics/impact.hpp"
+#include "rocking/look/table.hpp"
+#include "rocking/scene/restitution.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking {
@@ -34,7 +43,92 @@ std::string time_text(const Plan& plan) {
          counted(realisations, "realisation") + horizons + '\n' + continued_text(plan);
 }
 
+/// Numbers of an edge in all conditions.
+struct EdgeNumbers {
+  NumberRange distance, radius, shape_angle, degrees, frequency, uplift, rate_ratio;
+  std::size_t slides = 0;  ///< conditions in which the block slides before it turns about the edge
+
+  void add(const dynamics::Geometry& block, const dynamics::Edge& edge) {
+    distance.add(edge.sine * block.half_diagonal);
+    radius.add(edge.radius * block.half_diagonal);
+    shape_angle.add(edge.shape_angle);
+    degrees.add(edge.shape_angle * (180.0 / std::numbers::pi));
+    frequency.add(block.frequency_parameter * std::sqrt(edge.rocking_gain * edge.radius));
+    uplift.add(edge.tangent);
+    rate_ratio.add(dynamics::inelastic_rate_ratio(edge));
+  }
+  [[nodiscard]] look::Row row(const std::string& name, const std::string& direction, std::size_t conditions) const {
+    const std::string sliding = slides == 0 ? "no"
+                                : slides == conditions
+                                    ? "yes"
+                                    : "in " + std::to_string(slides) + " of " + std::to_string(conditions);
+    return {name,
+            distance.text(),
+            radius.text(),
+            shape_angle.text(),
+            degrees.text(),
+            frequency.text(),
+            uplift.text() + direction,
+            rate_ratio.text(),
+            sliding};
+  }
+};
+
+/// The numbers of the block as a whole.
+struct BodyNumbers {
+  NumberRange height, radius, inertia, frequency;
+  bool is_drawn = false, has_friction = false, has_sides = false;
+
+  [[nodiscard]] std::string text(std::size_t conditions) const {
+    std::string which = is_drawn ? "with the means of its laws" : "";
+    if (conditions > 1) which += std::string(is_drawn ? ", " : "") + "over " + counted(conditions, "condition");
+    return "Block" + (which.empty() ? "" : " (" + which + ')') + ": centre of mass " + height.text() +
+           " m above the base, I = " + inertia.text() + " m R^2; units R = " + radius.text() +
+           " m, 1/p with p = " + frequency.text() + " rad/s";
+  }
+};
+
+constexpr std::string_view block_legend =
+    "b: edge to centre of mass, horizontally; R: edge to centre of mass; p: sqrt(m g R/I) with I about the edge; "
+    "uplift: base\n"
+    "acceleration that lifts a block at rest, which turns about this edge; Housner: rate ratio when this edge lands, e "
+    "= 0\n";
+
 }  // namespace
+
+std::string block_text(const Experiment& experiment) {
+  BodyNumbers body;
+  std::array<EdgeNumbers, 2> sides;
+  for (const Condition& condition : experiment.conditions) {
+    const Scene& scene = condition.scene;
+    const dynamics::Geometry block = dynamics::geometry_of(mean_block(scene));
+    body.height.add(block.cosine * block.half_diagonal);
+    body.radius.add(block.half_diagonal);
+    body.inertia.add(block.inertia);
+    body.frequency.add(block.frequency_parameter);
+    body.is_drawn = body.is_drawn || is_drawn(scene.block);
+    body.has_friction = body.has_friction || scene.friction;
+    body.has_sides = body.has_sides || !block.has_mirror_symmetry();
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+      sides[i].add(block, block.edges[i]);
+      if (scene.friction && mean_static(*scene.friction) < block.edges[i].tangent) ++sides[i].slides;
+    }
+  }
+  const std::size_t conditions = experiment.conditions.size();
+  look::Table table{.title = body.text(conditions), .notes = std::string(block_legend)};
+  add_columns(table, {"edge", "b [m]", "R [m]", "psi [rad]", "psi [deg]", "p [rad/s]", "uplift [g]", "Housner",
+                      "slides first"});
+  if (body.has_sides) {
+    table.rows = {sides[0].row("left", " to the right", conditions), sides[1].row("right", " to the left", conditions)};
+  } else {
+    table.rows = {sides[0].row("both", "", conditions)};
+  }
+  table.notes +=
+      body.has_friction
+          ? "slides first: a block at rest slides, and does not rock, as static friction is below the uplift\n"
+          : "slides first: friction is not given, so that the block cannot slide\n";
+  return to_terminal(table);
+}
 
 std::string plan_text(const Plan& plan) {
   std::string text = plan.title.empty() ? "" : plan.title + '\n';

@@ -12,7 +12,12 @@ namespace rocking {
 /// and what is on beside rocking.
 [[nodiscard]] std::string plan_text(const Plan& plan);
 
-/// The same as facts, for JSON.
+/// What is checked of a block first, as a table with a row for each edge, or one where both are alike: its distance from the
+/// centre of mass, R, psi and p about it, the base acceleration of uplift, Housner's rate ratio, and whether the block slides
+/// before it rocks. Of the mean blocks of all conditions.
+[[nodiscard]] std::string block_text(const Experiment& experiment);
+
+/// The plan as facts, for JSON.
 [[nodiscard]] std::vector<Fact> plan_facts(const Plan& plan);
 
 }  // namespace rocking

@@ -8,6 +8,7 @@
 
 #include "rocking/dynamics/forces.hpp"
 #include "rocking/input/read_experiment.hpp"
+#include "rocking/output/plan_text.hpp"
 #include "rocking/plan/plan.hpp"
 
 namespace {
@@ -65,6 +66,32 @@ TEST(Thresholds, NameNoSlidingThatCannotBe) {
   EXPECT_THAT(thresholds_of(R"(, "friction": { "static": 0.2, "kinetic": 0.2 })"), Not(HasSubstr("begins to rock")));
   EXPECT_THAT(thresholds_of(R"(, "friction": { "static": 1.7, "kinetic": 0.3 })"), Not(HasSubstr("begins to rock")));
   EXPECT_LT(demand_at(1e9), 1.7);
+}
+
+// Computed outside: R = 1.15353 m, J = 0.368248; p_S^2 = g sqrt(b_S^2 + h^2)/(k^2 + b_S^2 + h^2), with k = 0.7 m: 2.55212 and
+// 2.39547 rad/s; Housner (k^2 + h^2 - b_1 b_-1)/(k^2 + h^2 + b_S^2): 0.814815 and 0.55.
+TEST(BlockText, HasARowForEachEdgeWhereTheyDiffer) {
+  Experiment experiment;
+  experiment.conditions.resize(2);
+  for (Condition& condition : experiment.conditions) {
+    condition.scene.block.mass = GivenEdges{.edges = {0.25, 0.9}, .centre_height = 1.0, .radius_of_gyration = 0.7};
+    condition.scene.friction = Friction{.static_coefficient = 0.4, .kinetic_coefficient = 0.3};
+  }
+  experiment.conditions.back().scene.friction->static_coefficient = 0.2;
+  const std::string text = block_text(experiment);
+  EXPECT_THAT(
+      text,
+      HasSubstr(" left   0.25   1.03      0.245         14       2.55  0.25 to the right    0.815     in 1 of 2\n"
+                "right    0.9   1.35      0.733         42        2.4    0.9 to the left     0.55           yes\n"));
+}
+
+TEST(BlockText, HasOneRowForARectangleAndSaysThatItIsTheMeanBlock) {
+  const std::string text = block_text(experiment_in(R"({ "format": "rocking.experiment/1",
+    "block": { "width_m": { "uniform": [0.9, 1.1] }, "height_m": 4.0 },
+    "excitation": { "kind": "harmonic", "amplitude": 4.2, "frequency_ratio": 10.0 } })"));
+  EXPECT_THAT(text, HasSubstr("Block (with the means of its laws)"));
+  EXPECT_THAT(text, HasSubstr("both    0.5   2.06      0.245         14       1.89        0.25    0.912"));
+  EXPECT_THAT(text, HasSubstr("cannot slide"));
 }
 
 }  // namespace

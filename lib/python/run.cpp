@@ -30,6 +30,7 @@ struct RealisationRow {
   std::uint8_t termination;
   bool left_ground;
   bool past_balance;
+  std::int8_t overturned_side;  ///< 1: left, -1: right, 0: it did not overturn
   double margin;
   double peak_tilt;
   double peak_tilt_rate;
@@ -94,6 +95,11 @@ py::array_t<double> intervals_of(const RunResult& run) {
   return table;
 }
 
+std::int8_t sign_of(const std::optional<dynamics::Side>& side) {
+  if (!side) return 0;
+  return *side == dynamics::Side::left ? 1 : -1;
+}
+
 /// Array of rows, whose modes are places in the list of names. It takes the rows over.
 py::array rows_of(const RunResult& run) {
   auto rows = std::make_unique<std::vector<RealisationRow>>();
@@ -106,6 +112,7 @@ py::array rows_of(const RunResult& run) {
                      .termination = static_cast<std::uint8_t>(row.termination),
                      .left_ground = row.left_ground,
                      .past_balance = row.was_past_balance,
+                     .overturned_side = sign_of(row.overturned_side),
                      .margin = row.margin,
                      .peak_tilt = row.peaks.tilt,
                      .peak_tilt_rate = row.peaks.tilt_rate,
@@ -146,8 +153,9 @@ std::pair<std::string, std::string> plan_watched(const Experiment& experiment, u
 }  // namespace
 
 void add_runs(py::module_& module) {
-  PYBIND11_NUMPY_DTYPE(RealisationRow, condition, realisation, mode, termination, left_ground, past_balance, margin,
-                       peak_tilt, peak_tilt_rate, peak_slip, peak_slip_m, final_slip, final_slip_m);
+  PYBIND11_NUMPY_DTYPE(RealisationRow, condition, realisation, mode, termination, left_ground, past_balance,
+                       overturned_side, margin, peak_tilt, peak_tilt_rate, peak_slip, peak_slip_m, final_slip,
+                       final_slip_m);
   py::class_<RunResult>(module, "Run")
       .def_readonly("done", &RunResult::done)
       .def_readonly("all", &RunResult::all)

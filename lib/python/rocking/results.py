@@ -118,7 +118,7 @@ class Result:
         """A structured array with a row for each finished realisation.
 
         Fields: condition, realisation, mode (place in ``modes``), termination (place in ``rocking.TERMINATIONS``),
-        left_ground, past_balance, margin, peak_tilt [-], peak_tilt_rate [-], peak_slip [-], peak_slip_m [m],
+        left_ground, past_balance, overturned_side (1: left, -1: right, 0: none), margin, peak_tilt [-], peak_tilt_rate [-], peak_slip [-], peak_slip_m [m],
         final_slip [-], final_slip_m [m].
         """
         return self._rows

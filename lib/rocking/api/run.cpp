@@ -170,6 +170,7 @@ std::vector<RunRealisation> realisations_of(const RunResult& run) {
                      .termination = summary.termination,
                      .left_ground = summary.left_ground,
                      .was_past_balance = summary.was_past_balance,
+                     .overturned_side = summary.overturned_side,
                      .margin = summary.margin,
                      .peaks = summary.peaks});
   });

@@ -100,8 +100,9 @@ struct RunRealisation {
   section::ResponseMode mode;
   dynamics::Termination termination = dynamics::Termination::reached_horizon;
   bool left_ground = false;
-  bool was_past_balance = false;  ///< abs(Theta) reached 1
-  double margin = 0.0;            ///< of the classification
+  bool was_past_balance = false;                       ///< abs(Theta) reached 1
+  std::optional<dynamics::Side> overturned_side = {};  ///< absent if it did not overturn
+  double margin = 0.0;                                 ///< of the classification
   PeakValues peaks;
 };
 

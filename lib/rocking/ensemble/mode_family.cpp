@@ -23,6 +23,43 @@ constexpr std::array prespecified_modes{section::periodic(1, 1),
 /// So many of them, from the first on, are listed in a report also where they did not occur.
 constexpr std::size_t first_listed = 4;
 
+constexpr section::ResponseMode overturned{.kind = ResponseKind::overturned};
+
+/// A response mode, or a part of one, of a list in which each realisation counts once.
+struct Category {
+  section::ResponseMode mode;
+  std::uint64_t count = 0;
+  stats::Significance significance;
+};
+
+/// The probability of each, in their order.
+std::vector<Estimate> estimates_of(const std::vector<Category>& categories, double confidence,
+                                   std::uint64_t without_answer) {
+  std::vector<std::uint64_t> all_counts;
+  for (const Category& each : categories) all_counts.push_back(each.count);
+  const std::uint64_t trials = std::accumulate(all_counts.begin(), all_counts.end(), std::uint64_t{0});
+  const auto of_sison_and_glaz = without_answer == 0 ? stats::sison_glaz(all_counts, confidence) : std::nullopt;
+  std::vector<Estimate> estimates;
+  for (const auto& [mode, count, significance] : categories) {
+    Estimate estimate;
+    estimate.counts = {.successes = count, .trials = trials};
+    estimate.estimate = static_cast<double>(count) / static_cast<double>(trials);
+    const auto covering = [bounds = bounds_of(mode, estimate.counts, without_answer)](auto&& interval_of) {
+      return stats::covering(bounds, interval_of);
+    };
+    std::ranges::transform(stats::interval_methods, estimate.alone.begin(), [&](const stats::IntervalMethod& method) {
+      return covering([&](const stats::Proportion& each) { return method.of(each, confidence); });
+    });
+    estimate.simultaneous =
+        covering([&level = significance](const stats::Proportion& each) { return stats::exact_interval(each, level); });
+    estimate.goodman =
+        covering([&](const stats::Proportion& each) { return stats::goodman(each, confidence, categories.size()); });
+    if (of_sison_and_glaz) estimate.sison_glaz = of_sison_and_glaz->at(estimates.size());
+    estimates.push_back(estimate);
+  }
+  return estimates;
+}
+
 }  // namespace
 
 std::vector<section::ResponseMode> most_frequent(const ModeTally& tally, std::size_t most) {
@@ -75,30 +112,33 @@ stats::CountBounds bounds_of(const section::ResponseMode& mode, const stats::Pro
 }
 
 std::vector<ModeEstimate> estimate_modes(const ModeTally& listed, double confidence, std::uint64_t without_answer) {
-  std::vector<std::uint64_t> all_counts;
-  for (const auto& [mode, count] : listed) all_counts.push_back(count);
-  const std::uint64_t trials = std::accumulate(all_counts.begin(), all_counts.end(), std::uint64_t{0});
-  const auto of_sison_and_glaz = without_answer == 0 ? stats::sison_glaz(all_counts, confidence) : std::nullopt;
-  std::vector<ModeEstimate> modes;
+  std::vector<Category> categories;
   for (const auto& [mode, count] : listed) {
-    const stats::Proportion counts{.successes = count, .trials = trials};
-    Estimate estimate;
-    estimate.counts = counts;
-    estimate.estimate = static_cast<double>(count) / static_cast<double>(trials);
-    const auto covering = [bounds = bounds_of(mode, counts, without_answer)](auto&& interval_of) {
-      return stats::covering(bounds, interval_of);
-    };
-    std::ranges::transform(stats::interval_methods, estimate.alone.begin(), [&](const stats::IntervalMethod& method) {
-      return covering([&](const stats::Proportion& each) { return method.of(each, confidence); });
-    });
-    estimate.simultaneous = covering(
-        [&, &mode = mode](const stats::Proportion& each) { return simultaneous_interval(mode, each, confidence); });
-    estimate.goodman =
-        covering([&](const stats::Proportion& each) { return stats::goodman(each, confidence, listed.size()); });
-    if (of_sison_and_glaz) estimate.sison_glaz = of_sison_and_glaz->at(modes.size());
-    modes.push_back({.mode = mode, .probability = estimate});
+    categories.push_back({.mode = mode, .count = count, .significance = significance_of(mode, confidence)});
   }
+  const std::vector<Estimate> estimates = estimates_of(categories, confidence, without_answer);
+  std::vector<ModeEstimate> modes;
+  for (const Category& each : categories) modes.push_back({.mode = each.mode, .probability = estimates[modes.size()]});
   return modes;
+}
+
+stats::Significance significance_of_side(double confidence) {
+  const auto [fixed, proportional] = significance_of(overturned, confidence);
+  return {.fixed = 0.5 * fixed, .proportional = 0.5 * proportional};
+}
+
+std::array<SideEstimate, 2> estimate_sides(const ModeTally& listed, const SideCounts& sides, double confidence,
+                                           std::uint64_t without_answer) {
+  std::vector<Category> categories;
+  for (const std::uint64_t count : sides) {
+    categories.push_back({.mode = overturned, .count = count, .significance = significance_of_side(confidence)});
+  }
+  for (const auto& [mode, count] : listed) {
+    if (mode == overturned) continue;
+    categories.push_back({.mode = mode, .count = count, .significance = significance_of(mode, confidence)});
+  }
+  const std::vector<Estimate> estimates = estimates_of(categories, confidence, without_answer);
+  return {SideEstimate{estimates[0]}, SideEstimate{estimates[1]}};
 }
 
 }  // namespace rocking

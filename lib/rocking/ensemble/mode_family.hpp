@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -44,5 +45,16 @@ namespace rocking {
 /// belong to one list of counts, are absent then.
 [[nodiscard]] std::vector<ModeEstimate> estimate_modes(const ModeTally& listed, double confidence,
                                                        std::uint64_t without_answer = 0);
+
+/// How often realisations overturned to the left and to the right.
+using SideCounts = std::array<std::uint64_t, 2>;
+
+/// The share of 1 - confidence that a statement about overturning to one side takes: half of that of the mode.
+[[nodiscard]] stats::Significance significance_of_side(double confidence);
+
+/// Probabilities of overturning to the left and to the right, as estimate_modes gives them where both are modes in place
+/// of `overturned`. Their counts add up to that of the mode in `listed`.
+[[nodiscard]] std::array<SideEstimate, 2> estimate_sides(const ModeTally& listed, const SideCounts& sides,
+                                                         double confidence, std::uint64_t without_answer = 0);
 
 }  // namespace rocking

@@ -96,6 +96,9 @@ void Reduction::add(const Summary& summary) {
 
 void Reduction::count(const Summary& summary) {
   ++modes_[summary.mode];
+  if (summary.mode.kind == ResponseKind::overturned && summary.overturned_side) {
+    ++overturned_[static_cast<std::size_t>(*summary.overturned_side)];
+  }
   add_to_validity(summary);
   add_to_pairs(summary);
   if (summary.long_mode) ++checked_[{summary.mode, *summary.long_mode}];
@@ -197,12 +200,29 @@ void Reduction::add_anytime_intervals(std::vector<ModeEstimate>& modes) const {
   }
 }
 
+std::array<SideEstimate, 2> Reduction::overturned_sides() const {
+  auto sides = estimate_sides(listed_modes(), overturned_, condition_->confidence, without_answer());
+  if (!condition_->until) return sides;
+  const stats::StoppingRule rule = stopping_rule(*condition_);
+  for (auto& [probability] : sides) {
+    probability.anytime =
+        stats::covering(stats::bounds_of(probability.counts, without_answer()), [&](const stats::Proportion& counts) {
+          return rule.interval(counts, significance_of_side(condition_->confidence));
+        });
+  }
+  return sides;
+}
+
 ConditionResult Reduction::result() const {
   ConditionResult result;
   // A member that is not named here does not compile.
-  auto& [realisations, modes, recurrence, peaks, exponents, settling, validity, operations, stopped_because] = result;
+  auto& [realisations, modes, left, right, recurrence, peaks, exponents, settling, validity, operations,
+         stopped_because] = result;
   realisations = realisations_;
   modes = estimate_modes(listed_modes(), condition_->confidence, without_answer());
+  const std::array<SideEstimate, 2> sides = overturned_sides();
+  left = sides[0];
+  right = sides[1];
   if (realisations_ >= 2) recurrence = non_recurrence();
   peaks = peak_quantiles_ ? *peak_quantiles_ : peaks_.quantiles(*condition_);
   exponents = peak_quantiles_ ? found_exponents_ : exponents_.exponents(condition_->confidence);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -80,6 +81,7 @@ class Reduction {
   [[nodiscard]] ModeTally listed_modes() const;
   [[nodiscard]] std::uint64_t without_answer() const;
   [[nodiscard]] NonRecurrence non_recurrence() const;
+  [[nodiscard]] std::array<SideEstimate, 2> overturned_sides() const;
   void add_corrected(std::vector<ModeEstimate>& modes) const;
   void add_anytime_intervals(std::vector<ModeEstimate>& modes) const;
 
@@ -89,6 +91,7 @@ class Reduction {
   std::optional<Exponents> found_exponents_;     ///< likewise
   std::uint64_t realisations_ = 0;
   ModeTally modes_;
+  SideCounts overturned_{};
   Validity validity_;
   PeakTally peaks_;
   ExponentTally exponents_;

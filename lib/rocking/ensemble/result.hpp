@@ -160,6 +160,12 @@ struct ModeEstimate {
   Estimate probability;
 };
 
+/// Overturning to one side: a part of the mode `overturned`. Its simultaneous interval holds at once with that of the other
+/// side and those of all other modes, since both sides divide the significance of the mode.
+struct SideEstimate {
+  Estimate probability;
+};
+
 /// Divergence times in excitation periods over pairs of runs. Pairs that had not diverged by the horizon count as later
 /// than all others.
 struct DivergenceTimes {
@@ -182,8 +188,10 @@ struct NonRecurrence {
 
 struct ConditionResult {
   std::uint64_t realisations = 0;
-  std::vector<ModeEstimate> modes;              ///< in order; (1,1), (1,3), chaotic and overturned are always present
-  std::optional<NonRecurrence> non_recurrence;  ///< absent for fewer than two realisations
+  std::vector<ModeEstimate> modes;               ///< in order; (1,1), (1,3), chaotic and overturned are always present
+  std::optional<SideEstimate> overturned_left;   ///< absent only in a report of an earlier version
+  std::optional<SideEstimate> overturned_right;  ///< likewise
+  std::optional<NonRecurrence> non_recurrence;   ///< absent for fewer than two realisations
   PeakQuantiles peaks;
   std::optional<Exponents> exponents = std::nullopt;      ///< absent where no classification needed one
   std::optional<SettlingResult> settling = std::nullopt;  ///< absent at a fixed horizon

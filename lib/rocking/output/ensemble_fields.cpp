@@ -130,8 +130,8 @@ static const StructType& fields_of(const Exponents*) {
 
 /// A member that is not named here does not compile: it has a field below, or it has none.
 static void name_members(const ConditionResult& result) {
-  [[maybe_unused]] const auto& [realisations, modes, non_recurrence, peaks, exponents, settling, validity, operations,
-                                stopped_because] = result;
+  [[maybe_unused]] const auto& [realisations, modes, left, right, non_recurrence, peaks, exponents, settling, validity,
+                                operations, stopped_because] = result;
 }
 
 const StructType& fields_of(const ConditionResult*) {
@@ -145,6 +145,12 @@ const StructType& fields_of(const ConditionResult*) {
                             "response mode to realisations; (1,1), (1,3), chaotic and overturned are always present",
                             mode_counts_type()),
       field<&Result::modes>("probabilities", "response mode to its probability", mode_probabilities_type()),
+      field<&Result::overturned_left>("overturned_left",
+                                      "of the mode overturned: to the left (theta > 0), with the intervals of a mode; "
+                                      "`simultaneous` holds at once with the other side and all other modes. Absent in "
+                                      "reports of earlier versions",
+                                      {}, WithoutValue::omitted),
+      field<&Result::overturned_right>("overturned_right", "to the right", {}, WithoutValue::omitted),
       field<&Result::non_recurrence>("non_recurrence",
                                      "different responses under equal conditions; null with fewer than two "
                                      "realisations, because there is nothing to compare"),

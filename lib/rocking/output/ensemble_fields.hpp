@@ -12,6 +12,9 @@ namespace rocking {
 [[nodiscard]] const StructType& fields_of(const ConditionResult*);
 [[nodiscard]] const StructType& fields_of(const ToleranceSensitivity*);
 
+/// Overturning to one side.
+[[nodiscard]] const StructType& fields_of(const SideEstimate*);
+
 /// What was computed for a condition, or for a run.
 struct Effort {
   OperationCounts operations;

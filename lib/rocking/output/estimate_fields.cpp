@@ -62,6 +62,17 @@ static const StructType& fields_of(const Estimate*) {
   return fields;
 }
 
+const StructType& fields_of(const SideEstimate*) {
+  using Side = SideEstimate;
+  static const StructType fields{
+      "SideEstimate",
+      field<&Side::probability, &Estimate::counts, &stats::Proportion::successes>(
+          "count", "realisations of the n that overturned to this side"),
+      inlined<&Side::probability>(),
+  };
+  return fields;
+}
+
 namespace {
 
 using Counts = std::map<section::ResponseMode, std::uint64_t>;

@@ -58,6 +58,7 @@ class CountChecker {
                     "is greater than the largest number that an experiment may have");
     }
     check_modes(result);
+    check_sides(result);
     if (result.non_recurrence) check_non_recurrence(*result.non_recurrence, result.realisations);
     const PeakQuantiles& peaks = result.peaks;
     check_quantiles(peaks.tilt, result.realisations, "/peak_tilt");
@@ -68,6 +69,28 @@ class CountChecker {
     check_validity(result);
   }
 
+  void check_share(const Estimate& probability, std::uint64_t realisations, const std::string& place) {
+    const double share = static_cast<double>(probability.counts.successes) / static_cast<double>(realisations);
+    if (std::abs(probability.estimate - share) <= rounding) return;
+    reject(place + "/estimate", probability.estimate, "is not count/n, " + Json(share).dump());
+  }
+
+  void check_sides(const ConditionResult& result) {
+    std::uint64_t sum = 0;
+    for (const auto& [side, place] : {std::pair(&result.overturned_left, "/overturned_left"),
+                                      std::pair(&result.overturned_right, "/overturned_right")}) {
+      if (!*side) return;
+      const Estimate& probability = (*side)->probability;
+      sum += std::min(probability.counts.successes, result.realisations);
+      check_share(probability, result.realisations, place);
+    }
+    const Estimate* both = result.estimate_of({.kind = section::ResponseKind::overturned});
+    const std::uint64_t count = both == nullptr ? 0 : both->counts.successes;
+    if (sum != count)
+      reject("/overturned_left", sum,
+             "is the sum of both sides, not the count of overturned, " + std::to_string(count));
+  }
+
   void check_modes(const ConditionResult& result) {
     std::uint64_t sum = 0;
     for (const auto& [mode, probability] : result.modes) {
@@ -75,10 +98,7 @@ class CountChecker {
       const std::string place = "/probabilities/" + to_string(mode);
       part_of(count, result.realisations, "/counts/" + to_string(mode));
       sum += std::min(count, result.realisations);
-      const double share = static_cast<double>(count) / static_cast<double>(result.realisations);
-      if (std::abs(probability.estimate - share) > rounding) {
-        reject(place + "/estimate", probability.estimate, "is not count/n, " + Json(share).dump());
-      }
+      check_share(probability, result.realisations, place);
       if (!probability.corrected) continue;
       const stats::CheckedCounts& checked = probability.corrected->counts;
       part_of(checked.checked, result.realisations, place + "/corrected/checked");
@@ -151,6 +171,9 @@ void read_conditions(Report& report) {
     auto& [asked, states_horizon, shaking, scale, result] = report.conditions[i];
     asked = reader.read(std::move(asked.parameters), "/result/conditions/" + std::to_string(i) + "/parameters");
     for (ModeEstimate& each : result.modes) each.probability.counts.trials = result.realisations;
+    for (auto* side : {&result.overturned_left, &result.overturned_right}) {
+      if (*side) (*side)->probability.counts.trials = result.realisations;
+    }
   }
   set_what_follows(report);
 }
@@ -218,6 +241,19 @@ AnyShare share_of(const ReportedCondition& condition, const section::ResponseMod
   }
   if (!result.is_random()) share.interval.reset();
   return share;
+}
+
+AnyShare share_of(const ReportedCondition& condition, const SideEstimate& side) {
+  const Estimate& found = side.probability;
+  AnyShare share{.count = found.counts.successes, .estimate = found.estimate, .interval = found.quoted()};
+  if (!condition.result.is_random()) share.interval.reset();
+  return share;
+}
+
+bool has_unlike_edges(const Report& report) {
+  return std::ranges::any_of(report.conditions, [](const ReportedCondition& condition) {
+    return !dynamics::geometry_of(mean_block(condition.asked.scene)).has_mirror_symmetry();
+  });
 }
 
 Report report_of(Experiment experiment, ExperimentResult result, SystemFacts system) {

@@ -72,6 +72,11 @@ struct AnyShare {
 /// that a report would have for a count of 0.
 [[nodiscard]] AnyShare share_of(const ReportedCondition& condition, const section::ResponseMode& mode);
 
+/// The share that overturned to one side.
+[[nodiscard]] AnyShare share_of(const ReportedCondition& condition, const SideEstimate& side);
+/// Whether the two sides of the mean block of some condition differ.
+[[nodiscard]] bool has_unlike_edges(const Report& report);
+
 /// The report of a complete run.
 [[nodiscard]] Report report_of(Experiment experiment, ExperimentResult result, SystemFacts system);
 

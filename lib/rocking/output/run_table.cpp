@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "rocking/base/error.hpp"
@@ -209,12 +210,31 @@ std::string run_table(const Report& report, const TableLook& look) {
     text += "horizon too short: " + remedy + '\n';
   }
   text += unreached_precision(report);
-  text += overturning_line(rows) + alike_line(report, rows);
+  text += overturning_line(rows) + (is_summary ? "" : side_table(report)) + alike_line(report, rows);
   text += late_settling_of(report);
   text += noise_line(report.tolerance_sensitivity, tightest_tolerance(report));
   for (const std::string& line : ground_motion_lines(report.ground_motions)) text += line + '\n';
   for (const std::string& alarm : alarms_of(report)) text += "warning: " + alarm + '\n';
   return text;
+}
+
+std::string side_table(const Report& report) {
+  if (!has_unlike_edges(report)) return {};
+  look::Table table;
+  for (const std::string& pointer : report.swept) add_columns(table, {last_key(pointer)});
+  add_columns(table, {"n", "overturned", "to the left", "to the right"});
+  for (const ReportedCondition& condition : report.conditions) {
+    const AnyShare both = share_of(condition, section::ResponseMode{.kind = section::ResponseKind::overturned});
+    const auto& [left, right] = std::tie(condition.result.overturned_left, condition.result.overturned_right);
+    if (both.count == 0 || !left || !right) continue;
+    const std::uint64_t n = condition.result.realisations;
+    table.rows.push_back(row_of(condition.asked.parameters,
+                                {look::whole(n), share_cell(both, n), share_cell(share_of(condition, *left), n),
+                                 share_cell(share_of(condition, *right), n)}));
+  }
+  if (table.rows.empty()) return {};
+  table.title = "side of overturning, in per cent of n";
+  return to_terminal(table);
 }
 
 std::string exponent_table(const Report& report) {

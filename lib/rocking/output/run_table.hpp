@@ -18,6 +18,10 @@ namespace rocking {
 /// without any.
 [[nodiscard]] std::string exponent_table(const Report& report);
 
+/// Overturning to the left and to the right in the conditions where it occurs, as a table with a legend; empty without any,
+/// and where no block has unlike edges.
+[[nodiscard]] std::string side_table(const Report& report);
+
 /// Text for a terminal on the conditions that ended at their largest number of realisations before the half-width of
 /// `until` was reached: their number, the first few with the half-width that they have, and what to do. Ends with a
 /// line break; empty without such conditions.

@@ -89,6 +89,10 @@ class StoppingRule {
   /// The intervals that the rule uses; these are the ones to report.
   [[nodiscard]] Interval interval_of_prespecified(const Proportion& counts) const;
   [[nodiscard]] Interval interval_of_others(const Proportion& counts) const;
+  /// For a part of a category, whose significance the parts divide.
+  [[nodiscard]] Interval interval(const Proportion& counts, const Significance& significance) const {
+    return sequence_.interval(counts, significance);
+  }
 
  private:
   StoppingGoal goal_;

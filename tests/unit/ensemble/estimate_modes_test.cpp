@@ -89,4 +89,26 @@ TEST(EstimateModes, CoversEveryModeThatRealisationsWithoutAnAnswerMayHave) {
   EXPECT_FALSE(none.sison_glaz);
 }
 
+TEST(EstimateSides, DividesTheSignificanceOfOverturningBetweenBothSides) {
+  const ResponseMode overturned{.kind = ResponseKind::overturned};
+  const ModeTally tally{{section::periodic(1, 1), 150}, {overturned, 50}};
+  const auto [left, right] = estimate_sides(tally, {42, 8}, 0.95);
+  EXPECT_EQ(left.probability.estimate, 0.21);
+  EXPECT_EQ(right.probability.counts.successes, 8U);
+  EXPECT_EQ(right.probability.counts.trials, 200U);
+  expect_same(left.probability.alone[2], stats::clopper_pearson({42, 200}, 0.95));
+  // Half of the seventh of a mode: each tail has (1 - 0.95)/7/2/2.
+  expect_same(left.probability.simultaneous, stats::bonferroni_clopper_pearson({42, 200}, 0.95, 14));
+  expect_same(right.probability.simultaneous, stats::bonferroni_clopper_pearson({8, 200}, 0.95, 14));
+  expect_same(right.probability.goodman, stats::goodman({8, 200}, 0.95, 3));
+  const auto of_sison_and_glaz = stats::sison_glaz(std::vector<std::uint64_t>{42, 8, 150}, 0.95);
+  expect_same(right.probability.sison_glaz.value(), of_sison_and_glaz.value()[1]);
+}
+
+TEST(EstimateSides, CoversWhatRealisationsWithoutAnAnswerMayDo) {
+  const auto [left, right] = estimate_sides({{section::periodic(1, 1), 30}, {ResponseMode{}, 5}}, {0, 0}, 0.95, 2);
+  expect_same(left.probability.simultaneous, {0.0, stats::bonferroni_clopper_pearson({2, 35}, 0.95, 14).high});
+  expect_same(right.probability.simultaneous, left.probability.simultaneous);
+}
+
 }  // namespace

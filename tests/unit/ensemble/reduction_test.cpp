@@ -96,6 +96,35 @@ TEST(Reduction, CountsWhatOverturnedAsAboveEveryPeakAndNotAmongTheFinalSlips) {
   EXPECT_EQ(peaks.final_slip.value().over_half_diagonal.levels.at(2).value, 0.5);
 }
 
+/// A realisation that overturned to this side.
+Summary fallen_to(dynamics::Side side) {
+  Summary summary = named({section::ResponseKind::overturned}, 1.0);
+  summary.termination = dynamics::Termination::overturned;
+  summary.overturned_side = side;
+  return summary;
+}
+
+TEST(Reduction, CountsOverturningToEachSide) {
+  Condition condition = random_condition(60);
+  condition.until = Until{.half_width = 0.4};
+  Reduction reduction(condition);
+  for (int i = 0; i < 7; ++i) reduction.add(fallen_to(i < 5 ? dynamics::Side::left : dynamics::Side::right));
+  // A settled response that was left by overturning keeps its mode.
+  Summary left = named(section::periodic(1, 1), 1.0);
+  left.overturned_side = dynamics::Side::left;
+  reduction.add(left);
+  const ConditionResult result = reduction.result();
+  EXPECT_EQ(result.overturned_left.value().probability.counts.successes, 5U);
+  EXPECT_EQ(result.overturned_right.value().probability.counts.successes, 2U);
+  EXPECT_EQ(result.overturned_right.value().probability.counts.trials, 8U);
+  const Estimate& both = *result.estimate_of({section::ResponseKind::overturned});
+  EXPECT_EQ(both.counts.successes, 7U);
+  const stats::Interval anytime = result.overturned_left.value().probability.anytime.value();
+  EXPECT_LT(anytime.low, 5.0 / 8.0);
+  EXPECT_LT(anytime.high, 1.0);
+  EXPECT_GT(anytime.high - anytime.low, 0.0);
+}
+
 TEST(Reduction, LetsNoUnresolvedResponseLowerTheLeastShare) {
   const Condition condition = random_condition(1);
   Reduction reduction(condition);

@@ -6,6 +6,7 @@
 #include "rocking/base/digest.hpp"
 #include "rocking/input/read_experiment.hpp"
 #include "rocking/output/report.hpp"
+#include "rocking/output/run_table.hpp"
 #include "rocking/output/trajectory_report.hpp"
 #include "rocking/studies/check_normal/study.hpp"
 #include "support/experiment_text.hpp"
@@ -15,6 +16,7 @@ namespace {
 
 using namespace rocking;
 using support::objections;
+using ::testing::HasSubstr;
 
 ModeEstimate mode(section::ResponseMode kind, std::uint64_t successes, std::uint64_t trials) {
   const double p = static_cast<double>(successes) / static_cast<double>(trials);
@@ -75,6 +77,52 @@ TEST(Report, MayHaveNoIntervalOfSisonAndGlaz) {
   EXPECT_EQ(objections("report", text), "");
   const Json report = Json::parse(text);
   EXPECT_TRUE(report["result"]["conditions"][0]["probabilities"]["(1,1)"]["simultaneous_sison_glaz"].is_null());
+}
+
+SideEstimate side(std::uint64_t successes, std::uint64_t trials) {
+  return {mode({section::ResponseKind::overturned}, successes, trials).probability};
+}
+
+/// 10 of 200 overturned, so many of them to the left.
+Report on_block(const Json& block, std::uint64_t left) {
+  Json asked = support::example_experiment();
+  asked["block"] = block;
+  const Experiment experiment = experiment_in(asked.dump());
+  ExperimentResult result = result_for(experiment);
+  for (ConditionResult& condition : result.conditions) {
+    condition.overturned_left = side(left, 200);
+    condition.overturned_right = side(10 - left, 200);
+  }
+  return report_of(experiment, result, facts("here"));
+}
+
+const Json unlike_edges = {{"edges_m", {0.3, 0.5}}, {"centre_height_m", 2.0}, {"radius_of_gyration_m", 1.2}};
+
+TEST(Report, HasBothSidesOfOverturningAndRefusesThoseThatDoNotAddUp) {
+  Json report = Json::parse(report_document().text(on_block(unlike_edges, 7)));
+  EXPECT_EQ(objections("report", report.dump()), "");
+  EXPECT_EQ(report["result"]["conditions"][0]["overturned_left"]["count"], 7);
+  EXPECT_EQ(report["result"]["conditions"][0]["overturned_right"]["estimate"], 0.015);
+  const Report read = parse_report(report.dump());
+  EXPECT_EQ(read.conditions[0].result.overturned_right.value().probability.counts.trials, 200U);
+  report["result"]["conditions"][0]["overturned_left"]["count"] = 8;
+  report["result"]["conditions"][0]["overturned_left"]["estimate"] = 0.04;
+  try {
+    static_cast<void>(parse_report(report.dump()));
+    ADD_FAILURE() << "was read";
+  } catch (const base::InputError& error) {
+    EXPECT_THAT(error.what(),
+                HasSubstr("/result/conditions/0/overturned_left = 11: is the sum of both sides, not the count "
+                          "of overturned, 10"));
+  }
+}
+
+TEST(RunTable, ShowsTheSideOfOverturningWhereTheEdgesDiffer) {
+  EXPECT_THAT(run_table(on_block(unlike_edges, 7)),
+              HasSubstr("side of overturning, in per cent of n\n"
+                        "amplitude    n       overturned      to the left      to the right\n"
+                        "        3  200  5.0 [2.5, 52.5]  3.5 [1.8, 51.7]  1.5 [0.75, 50.7]\n"));
+  EXPECT_EQ(side_table(on_block({{"width_m", 1.0}, {"height_m", 4.0}}, 7)), "");
 }
 
 TEST(Report, DiffersInSystemOnlyBetweenEqualRuns) {

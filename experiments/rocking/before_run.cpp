@@ -36,15 +36,15 @@ bool only_uplift_starts(const Scene& scene, const dynamics::Geometry& block) {
   };
   const bool at_rest =
       is_zero(scene.initial.tilt) && is_zero(scene.initial.tilt_rate) && is_zero(scene.initial.slip_rate);
-  const bool is_random = is_drawn(scene.block.width) || is_drawn(scene.block.height);
+  const double largest = std::ranges::max(block.tangents());
   const bool holds = !scene.friction || (scene.fluctuation.static_friction == 0.0 &&
-                                         reach_of(scene.friction->static_coefficient).least >= block.tangent);
-  return at_rest && !is_random && holds;
+                                         reach_of(scene.friction->static_coefficient).least >= largest);
+  return at_rest && !is_drawn(scene.block) && holds;
 }
 
 void take_in(const Condition& condition, const Recorded& recorded, UsedMotion& used) {
   const dynamics::Geometry block = dynamics::geometry_of(mean_block(condition.scene));
-  const auto uplift = least_uplift_scale(recorded.ground_motion->samples, block);
+  const auto uplift = least_uplift_scale(recorded.ground_motion->samples, block.tangents());
   const double largest_scale = reach_of(recorded.scale).largest;
   used.largest_scale = std::max(used.largest_scale, largest_scale);
   used.may_move = used.may_move || !only_uplift_starts(condition.scene, block) || (uplift && largest_scale >= *uplift);

@@ -56,6 +56,8 @@ struct Geometry {
 
   /// The edge about which the block rocks on this side: +1 left, -1 right.
   [[nodiscard]] const Edge& edge(double side) const { return edges[side < 0.0 ? 1 : 0]; }
+  /// Of the left and of the right edge.
+  [[nodiscard]] std::array<double, 2> tangents() const { return {edges[0].tangent, edges[1].tangent}; }
   /// psi_S, the unit of Theta and Theta': S is the sign of the tilt, or of its rate where the tilt is 0.
   [[nodiscard]] double tilt_unit(double tilt, double tilt_rate) const {
     return edge(tilt != 0.0 ? tilt : tilt_rate).shape_angle;

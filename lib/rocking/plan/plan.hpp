@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -87,8 +88,8 @@ struct Plan {
 [[nodiscard]] std::string thresholds_text(const Experiment& experiment);
 
 /// The least scale of the motion at which a block leaves full contact by rocking if it cannot slide: abs(alpha) reaches
-/// tan(psi) (1 + alpha_v) at some sample. Absent if no scale does.
+/// tan(psi) (1 + alpha_v) at some sample, `tangents` being those of the left and of the right edge. Absent if no scale does.
 [[nodiscard]] std::optional<double> least_uplift_scale(const std::vector<dynamics::GroundMotionSample>& samples,
-                                                       const dynamics::Geometry& block);
+                                                       const std::array<double, 2>& tangents);
 
 }  // namespace rocking

@@ -70,13 +70,13 @@ std::string thresholds_text(const Experiment& experiment) {
 }
 
 std::optional<double> least_uplift_scale(const std::vector<dynamics::GroundMotionSample>& samples,
-                                         const dynamics::Geometry& block) {
+                                         const std::array<double, 2>& tangents) {
   // abs(alpha) - tan(psi) alpha_v is a convex function of the time between samples on each side, so that its largest value
   // is at one of them, or where alpha = 0 and another sample has a larger one.
   constexpr double infinity = std::numeric_limits<double>::infinity();
   double least = infinity;
   for (const auto& [time, horizontal, vertical] : samples) {
-    const double tangent = block.edge(horizontal).tangent;
+    const double tangent = tangents[horizontal < 0.0 ? 1 : 0];
     const double push = std::abs(horizontal) - tangent * vertical;
     if (push > 0.0) least = std::min(least, tangent / push);
   }

@@ -173,16 +173,22 @@ ShapeRange shapes_of(const SceneBlock& block) {
   if (std::holds_alternative<UniformMass>(block.mass)) {
     const Reach width = reach_of_number(block.width, true);
     const Reach height = reach_of_number(block.height, true);
-    return {
+    ShapeRange range{
         .most_slender =
             dynamics::geometry_of({.width = width.least, .height = height.largest, .gravity = block.gravity}),
         .squattest = dynamics::geometry_of({.width = width.largest, .height = height.least, .gravity = block.gravity})};
+    range.least_tangents = range.most_slender.tangents();
+    return range;
   }
   ShapeRange range{};
   double least = std::numeric_limits<double>::infinity(), largest = -least;
+  range.least_tangents = {least, least};
   for_each_corner(block, [&](const SceneBlock& corner) {
     const dynamics::Geometry geometry = dynamics::geometry_of(mean_of(corner));
-    const auto [nearer, farther] = std::minmax(geometry.edges[0].tangent, geometry.edges[1].tangent);
+    const std::array<double, 2> tangents = geometry.tangents();
+    for (std::size_t i = 0; i < tangents.size(); ++i)
+      range.least_tangents[i] = std::min(range.least_tangents[i], tangents[i]);
+    const auto [nearer, farther] = std::minmax(tangents[0], tangents[1]);
     if (nearer < least) range.most_slender = geometry;
     if (farther > largest) range.squattest = geometry;
     least = std::min(least, nearer);

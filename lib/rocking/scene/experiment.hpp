@@ -75,8 +75,9 @@ struct SceneBlock {
 
 /// Two shapes between which every block of a scene lies.
 struct ShapeRange {
-  dynamics::Geometry most_slender;  ///< smallest tan(psi) of an edge
-  dynamics::Geometry squattest;     ///< largest tan(psi) of an edge
+  dynamics::Geometry most_slender;         ///< smallest tan(psi) of an edge
+  dynamics::Geometry squattest;            ///< largest tan(psi) of an edge
+  std::array<double, 2> least_tangents{};  ///< smallest tan(psi) of the left and of the right edge, each of any block
 };
 
 /// Two sizes between which every block of a scene lies.

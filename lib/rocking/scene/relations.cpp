@@ -21,7 +21,7 @@ std::string shown(double number) { return base::significant(number, 6); }
 
 /// The smallest limit over a range of shapes.
 double painleve_friction(const ShapeRange& shapes, dynamics::SlideInertia inertia) {
-  const auto& [slender, squat] = shapes;
+  const auto& [slender, squat, least_tangents] = shapes;
   const double at_ends =
       std::min(dynamics::painleve_friction(slender, inertia), dynamics::painleve_friction(squat, inertia));
   // The limit of impacts, 1/(3 tan(psi)) + (4/3) tan(psi), is smallest at tan(psi) = 1/2: 4/3.
@@ -31,8 +31,8 @@ double painleve_friction(const ShapeRange& shapes, dynamics::SlideInertia inerti
 std::optional<Refusal> impossible_body(const Condition& condition) { return refusal_of(condition.scene.block); }
 
 bool is_rectangle(const Condition& condition) {
-  const auto [slender, squat] = shapes_of(condition.scene.block);
-  return slender.is_rectangle() && squat.is_rectangle();
+  const ShapeRange shapes = shapes_of(condition.scene.block);
+  return shapes.most_slender.is_rectangle() && shapes.squattest.is_rectangle();
 }
 
 std::optional<Refusal> jy25_of_no_rectangle(const Condition& condition) {

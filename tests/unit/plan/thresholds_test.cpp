@@ -52,12 +52,12 @@ TEST(Thresholds, OfABlockWithItsMassOffTheMiddleAreThoseOfEachSide) {
   EXPECT_THAT(thresholds_text(experiment), HasSubstr("exceeds 0.25 g to the right or 0.9 g to the left."));
   const dynamics::Geometry geometry = dynamics::geometry_of(mean_of(block));
   const auto least = [&](double horizontal, double vertical) {
-    return least_uplift_scale({{0.0, horizontal, vertical}}, geometry).value_or(0.0);
+    return least_uplift_scale({{0.0, horizontal, vertical}}, geometry.tangents()).value_or(0.0);
   };
   EXPECT_NEAR(least(0.5, 0.0), 0.5, 1e-15);
   EXPECT_NEAR(least(-0.5, 0.0), 1.8, 1e-15);
   EXPECT_NEAR(least(-0.5, -0.4), 0.9 / 0.86, 1e-15);
-  EXPECT_NEAR(least_uplift_scale({{0.0, -0.6, 0.0}, {1.0, 0.1, 0.0}}, geometry).value_or(0.0), 1.5, 1e-15);
+  EXPECT_NEAR(least_uplift_scale({{0.0, -0.6, 0.0}, {1.0, 0.1, 0.0}}, geometry.tangents()).value_or(0.0), 1.5, 1e-15);
 }
 
 TEST(Thresholds, NameNoSlidingThatCannotBe) {

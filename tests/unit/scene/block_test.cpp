@@ -135,9 +135,11 @@ TEST(SceneBlock, LiesBetweenTheShapesOfItsCorners) {
                                      "radius_of_gyration_m": 0.6})")
                           .conditions.at(0)
                           .scene;
-  const auto [slender, squat] = shapes_of(scene.block);
+  const auto [slender, squat, least_tangents] = shapes_of(scene.block);
   EXPECT_NEAR(slender.edges[0].tangent, 0.1, 1e-15);
   EXPECT_NEAR(squat.edges[0].tangent, 0.4, 1e-15);
+  EXPECT_NEAR(least_tangents[0], 0.1, 1e-15);
+  EXPECT_NEAR(least_tangents[1], 0.15, 1e-15);
   const auto [smallest, largest] = sizes_of(scene.block);
   EXPECT_NEAR(smallest.half_diagonal, std::hypot(0.25, 1.0), 1e-15);
   EXPECT_NEAR(largest.half_diagonal, std::hypot(0.35, 2.0), 1e-15);

@@ -30,14 +30,15 @@ bool starts_at_rest(const InitialState& initial) {
 
 std::optional<double> least_uplift(const Scene& scene, double intensity) {
   if (!starts_at_rest(scene.initial) || scene.fluctuation.amplitude > 0.0) return std::nullopt;
-  const dynamics::Geometry block = shapes_of(scene.block).most_slender;
+  const ShapeRange shapes = shapes_of(scene.block);
   const auto* recorded = std::get_if<Recorded>(&scene.excitation);
   if (recorded == nullptr) {
     // The largest abs(alpha) of the other kinds is A_h psi.
+    const dynamics::Geometry& block = shapes.most_slender;
     return block.tangent / block.shape_angle * amplitude_unit(scene, block);
   }
   if (!recorded->ground_motion || is_drawn(recorded->scale)) return std::nullopt;
-  const auto scale = least_uplift_scale(recorded->ground_motion->samples, block);
+  const auto scale = least_uplift_scale(recorded->ground_motion->samples, shapes.least_tangents);
   if (!scale) return std::numeric_limits<double>::infinity();
   return intensity * (*scale / mean_of(recorded->scale));
 }

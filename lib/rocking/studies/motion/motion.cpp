@@ -151,7 +151,8 @@ MeasuredMotion measured(std::shared_ptr<const GroundMotion> motion, std::string 
   for (const double period : question.periods) {
     found.spectrum.push_back(spectral_point(motion->samples, question.gravity, period, question.damping));
   }
-  if (question.block) found.uplift_scale = least_uplift_scale(motion->samples, dynamics::geometry_of(*question.block));
+  if (question.block)
+    found.uplift_scale = least_uplift_scale(motion->samples, dynamics::geometry_of(*question.block).tangents());
   found.motion = std::move(motion);
   found.sha256 = std::move(sha256);
   return found;

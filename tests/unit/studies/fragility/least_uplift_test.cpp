@@ -54,6 +54,15 @@ TEST(LeastUplift, IsThatOfTheMostSlenderBlockThatMayBeDrawn) {
   EXPECT_NEAR(least_uplift(scene, 0.3).value(), 0.3 / 1.6, 1e-15);
 }
 
+// The left edge comes nearest in one block, the right one in another; a record to either side lifts the most slender one.
+TEST(LeastUplift, OfADrawnOffsetIsThatOfTheSideToWhichTheRecordPushes) {
+  for (const double push : {0.5, -0.5}) {
+    Scene scene = scene_of(recorded(push, 0.0, 1.0));
+    scene.block = {.width = 0.8, .height = 2.0, .mass = GivenCentre{.offset = Uniform{.low = -0.1, .high = 0.2}}};
+    EXPECT_NEAR(least_uplift(scene, 0.5).value(), push > 0.0 ? 0.3 : 0.2, 1e-15) << push;
+  }
+}
+
 TEST(LeastUplift, IsNotKnownOfABlockThatDoesNotStartAtRestOrOfARandomAmplitude) {
   for (Quantity InitialState::*number : {&InitialState::tilt, &InitialState::tilt_rate, &InitialState::slip_rate}) {
     Scene scene = scene_of(recorded(0.3, 0.0, 1.0));

@@ -121,11 +121,11 @@ TEST(UpliftScale, IsWhereTheAccelerationReachesTheSlopeOfTheDiagonal) {
   const dynamics::Geometry block = dynamics::geometry_of({.width = 0.35, .height = 1.6, .gravity = 9.81});
   MotionSamples samples{{.time = 0.0, .horizontal = 0.1, .vertical = 0.0},
                         {.time = 1.0, .horizontal = -0.4, .vertical = 0.0}};
-  EXPECT_DOUBLE_EQ(least_uplift_scale(samples, block).value(), 0.35 / 1.6 / 0.4);
+  EXPECT_DOUBLE_EQ(least_uplift_scale(samples, block.tangents()).value(), 0.35 / 1.6 / 0.4);
   samples[0].vertical = -2.0;  // k 0.1 > (B/H) (1 - 2 k)
-  EXPECT_DOUBLE_EQ(least_uplift_scale(samples, block).value(), 0.35 / 1.6 / (0.1 + 2.0 * 0.35 / 1.6));
+  EXPECT_DOUBLE_EQ(least_uplift_scale(samples, block.tangents()).value(), 0.35 / 1.6 / (0.1 + 2.0 * 0.35 / 1.6));
   samples = {{.time = 0.0, .horizontal = 0.1, .vertical = 1.0}, {.time = 1.0, .horizontal = 0.0, .vertical = 0.0}};
-  EXPECT_FALSE(least_uplift_scale(samples, block));
+  EXPECT_FALSE(least_uplift_scale(samples, block.tangents()));
 }
 
 TEST(ResponseSpectrum, OfALongPushIsThatOfAStep) {

@@ -34,9 +34,15 @@ Question displaced(const Question& question, std::uint64_t signs, double size) {
     signs >>= 1U;
     return value * factor;
   };
-  scene.block.height = nudge(mean_block(scene).height);
-  support::harmonic(scene).amplitude = nudge(mean_of(support::harmonic(scene).amplitude));
-  support::harmonic(scene).phase = nudge(std::get<double>(support::harmonic(scene).phase));
+  if (auto* mass = std::get_if<GivenEdges>(&scene.block.mass)) {
+    mass->centre_height = nudge(mean_of(mass->centre_height));
+  } else {
+    scene.block.height = nudge(mean_block(scene).height);
+  }
+  amplitude_of(scene) = nudge(mean_of(amplitude_of(scene)));
+  if (auto* harmonic = std::get_if<Harmonic>(&scene.excitation)) {
+    harmonic->phase = nudge(std::get<double>(harmonic->phase));
+  }
   scene.restitution = nudge(mean_of(std::get<Quantity>(scene.restitution)));
   if (scene.friction) {
     Friction& friction = *scene.friction;

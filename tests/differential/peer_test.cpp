@@ -11,6 +11,7 @@
 #include "differential/compare.hpp"
 #include "differential/peer/block.hpp"
 #include "rocking/dynamics/contact.hpp"
+#include "rocking/realisation/trajectory.hpp"
 
 namespace rocking::differential {
 namespace {
@@ -27,39 +28,59 @@ struct Totals {
 };
 
 /// Adds a scene; prints it if the two disagree.
-void ask(std::uint64_t number, Totals& totals) {
-  const Question question = random_question(number);
+void ask(const Question& question, Totals& totals) {
   const Comparison comparison = compare(question, question, share_allowed);
   ++totals.outcomes[static_cast<std::size_t>(comparison.outcome)];
   totals.looked_closer += comparison.looked_closer ? 1 : 0;
   totals.entries += comparison.entries;
   EXPECT_NE(comparison.outcome, Outcome::disagreed)
-      << "random_question(" << number << "): entry " << comparison.entries << ", difference " << comparison.difference
-      << ", as a share of the displacement " << comparison.share;
+      << "question " << question.realisation << ": entry " << comparison.entries << ", difference "
+      << comparison.difference << ", as a share of the displacement " << comparison.share;
 }
 
 constexpr std::uint64_t block_size = 100;
+constexpr std::uint64_t uniform_scenes = 1'000;  ///< then as many of blocks with their mass off the middle
 
 /// A group of scenes; groups can run in parallel.
 class DifferentialFuzz : public testing::TestWithParam<std::uint64_t> {};
 
 TEST_P(DifferentialFuzz, AgreesWithAnIndependentBlockUntilRoundOffHasGrown) {
   Totals totals;
-  for (std::uint64_t i = 0; i < block_size; ++i) ask(GetParam() * block_size + i, totals);
+  for (std::uint64_t i = 0; i < block_size; ++i) {
+    const std::uint64_t number = GetParam() * block_size + i;
+    ask(number < uniform_scenes ? random_question(number) : random_general_question(number), totals);
+  }
   EXPECT_LE(totals.of(Outcome::split), 2) << "other lists of events, where ours is as fragile: below 2 % of scenes";
   EXPECT_LE(totals.of(Outcome::grown), 5) << "scenes that say nothing at their end";
   EXPECT_LE(totals.looked_closer, 3) << "dips that the peer missed at first";
   EXPECT_GT(totals.entries, 10 * block_size) << "the scenes have become dull";
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, DifferentialFuzz, testing::Range<std::uint64_t>(0, 10));
+INSTANTIATE_TEST_SUITE_P(Scenes, DifferentialFuzz, testing::Range<std::uint64_t>(0, 20));
+
+// Blocks with unequal edges and a moment of inertia of their own under one cycle of a sine: impacts and overturning.
+TEST(Pulse, OverturnsBlocksToBothSidesAtTheInstantsOfAnIndependentBlock) {
+  Totals totals;
+  std::array<int, 2> overturned{};  // to the left, to the right
+  for (std::uint64_t number = 0; number < 4 * block_size; ++number) {
+    const Question question = random_pulse_question(number);
+    ask(question, totals);
+    const auto events = trajectory_of(question.condition, 0, number, question.periods).events;
+    if (events.empty() || events.back().kind != dynamics::EventKind::overturn) continue;
+    ++overturned[events.back().tilt < 0.0 ? 1 : 0];
+  }
+  EXPECT_GT(overturned[0], 50);
+  EXPECT_GT(overturned[1], 50);
+  EXPECT_EQ(totals.of(Outcome::split), 0);
+  EXPECT_LE(totals.of(Outcome::grown), 4);
+}
 
 /// Number of the first scenes that reveal the difference if the peer's question is changed.
 template <class Change>
-int noticed(int scenes, Change change) {
+int noticed(int scenes, Change change, Question (&question_of)(std::uint64_t) = random_question) {
   int count = 0;
   for (int i = 0; i < scenes; ++i) {
-    const Question ours = random_question(static_cast<std::uint64_t>(i));
+    const Question ours = question_of(static_cast<std::uint64_t>(i));
     Question theirs = ours;
     change(theirs.condition.scene);
     const Outcome outcome = compare(ours, theirs, share_allowed).outcome;
@@ -93,6 +114,15 @@ TEST(Differential, NoticesAFrictionThatIsOffByATenMillionth) {
 TEST(Differential, NoticesAGridOfFrictionThatIsOneIntervalFiner) {
   const auto change = [](Scene& scene) { scene.fluctuation.refreshes_per_period += 1; };
   EXPECT_GE(noticed(20, change), 1);
+}
+
+TEST(Differential, NoticesAMomentOfInertiaThatIsOffByATenMillionth) {
+  const auto change = [](Scene& scene) {
+    auto& mass = std::get<GivenEdges>(scene.block.mass);
+    mass.radius_of_gyration = mean_of(mass.radius_of_gyration) * (1.0 + 0.5e-7);
+  };
+  EXPECT_GE(noticed(20, change, random_general_question), 5);
+  EXPECT_GE(noticed(60, change, random_pulse_question), 5);
 }
 
 TEST(Differential, NoticesTheOtherInertia) {

@@ -17,6 +17,13 @@ struct Question {
 
 /// The question with this number, the same on every machine.
 [[nodiscard]] Question random_question(std::uint64_t number);
+/// The same about a block with its mass off the middle.
+[[nodiscard]] Question random_general_question(std::uint64_t number);
+/// A block with its mass off the middle, which cannot slip, at rest before one cycle of a sine of the base.
+[[nodiscard]] Question random_pulse_question(std::uint64_t number);
+
+/// A_h of the excitation.
+[[nodiscard]] Quantity& amplitude_of(rocking::Scene& scene);
 
 /// The question in the form that the peer takes.
 [[nodiscard]] peer::Scene peer_scene(const Question& question);

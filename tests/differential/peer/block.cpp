@@ -40,7 +40,7 @@ class Block final : private Equations {
   }
 
  private:
-  [[nodiscard]] double alpha_at(double time) const { return amplitude_ * body_.psi * timetable_.sine(tau_ + time); }
+  [[nodiscard]] double alpha_at(double time) const { return amplitude_ * body_.unit() * timetable_.sine(tau_ + time); }
   [[nodiscard]] double alpha() const { return alpha_at(0.0); }
 
   /// Looks up the coefficients in force.
@@ -60,7 +60,7 @@ class Block final : private Equations {
 
   [[nodiscard]] Vector rates(double time, const Vector& y) const override {
     if (contact_ == Contact::slide) {
-      return {0.0, 0.0, y[3], -weight * alpha_at(time) - direction_ * friction_.sliding * weight};
+      return {0.0, 0.0, y[3], -body_.weight * (alpha_at(time) + direction_ * friction_.sliding)};
     }
     const Balance now = balance_at(time, y);
     if (contact_ == Contact::rock) return {y[1], now.w_dot, 0.0, 0.0};
@@ -74,7 +74,7 @@ class Block final : private Equations {
     if (contact_ == Contact::slide) return g;
     g[overturn] = std::numbers::pi / 2.0 - side_ * y[0];
     g[ground] = side_ * y[0];
-    if (!past_balance_) g[balance] = body_.psi - side_ * y[0];
+    if (!past_balance_) g[balance] = body_.psi(side_) - side_ * y[0];
     if (contact_ == Contact::rock && !scene_.friction) return g;
     const Balance now = balance_at(time, y);
     if (contact_ == Contact::rock_slide) {
@@ -97,25 +97,30 @@ class Block final : private Equations {
     const Balance slipping = sliding(body_, stance(y_), alpha(), direction, friction_.sliding);
     return slipping.normal <= 0.0 || direction * slipping.v_dot <= 0.0;
   }
-  [[nodiscard]] double threshold() const {
-    const double tangent = 1.0 / body_.slenderness;
+  /// abs(alpha) at which a block at rest leaves its place, pushed over the edge of `side`.
+  [[nodiscard]] double threshold(double side) const {
+    const double tangent = body_.tangent(side);
     return scene_.friction ? std::min(tangent, friction_.at_rest) : tangent;
   }
-  [[nodiscard]] bool tips_when_sliding() const { return friction_.sliding > 1.0 / body_.slenderness; }
+  [[nodiscard]] bool tips_when_sliding(double over_side) const { return friction_.sliding > body_.tangent(over_side); }
 
   // Output.
 
-  [[nodiscard]] Posture posture() const { return {y_[0] / body_.psi, y_[1] / body_.psi, y_[2], y_[3]}; }
+  [[nodiscard]] Posture posture() const {
+    const double psi = body_.psi(y_[0] != 0.0 ? y_[0] : y_[1]);
+    return {y_[0] / psi, y_[1] / psi, y_[2], y_[3]};
+  }
   void tell_of(std::string_view kind) { story_.events.push_back({tau_, kind, posture()}); }
 
   // Events.
 
   void begin() {
-    y_ = {scene_.tilt * body_.psi, scene_.tilt_rate * body_.psi, 0.0, scene_.slip_rate};
+    const double psi = body_.psi(scene_.tilt != 0.0 ? scene_.tilt : scene_.tilt_rate);
+    y_ = {scene_.tilt * psi, scene_.tilt_rate * psi, 0.0, scene_.slip_rate};
     look_up();
     direction_ = sign_of(y_[3]);
     side_ = sign_of(y_[0] != 0.0 ? y_[0] : y_[1]);
-    past_balance_ = std::abs(y_[0]) >= body_.psi;
+    past_balance_ = std::abs(y_[0]) >= psi;
     const bool flat = y_[0] == 0.0 && y_[1] == 0.0;
     if (flat && y_[3] == 0.0) {
       contact_ = Contact::rest;
@@ -133,14 +138,16 @@ class Block final : private Equations {
     const bool slips = contact_ == Contact::slide || contact_ == Contact::rock_slide;
     const double end = timetable_.next_break(tau_, slips);
     if (contact_ == Contact::rest) {
-      const double leave = timetable_.next_reach(tau_, threshold() / (amplitude_ * body_.psi));
+      const double largest = amplitude_ * body_.unit();
+      const double leave = timetable_.next_reach(tau_, threshold(1.0) / largest, threshold(-1.0) / largest);
       if (leave >= end) return arrive(end);
       tau_ = leave;
       look_up();
       return leave_full_contact(sign_of(alpha()), true);
     }
-    // A hop from the ground is integrated to the same relative accuracy, however low it is.
-    const double smallness = y_[0] == 0.0 && y_[1] != 0.0 ? std::min(1.0, 1e8 * y_[1] * y_[1]) : 1.0;
+    // A hop is integrated to the same relative accuracy, however low it is: its height is of the order of w^2 + abs(theta).
+    const double height = y_[1] * y_[1] + std::abs(y_[0]);
+    const double smallness = height > 0.0 ? std::min(1.0, 1e8 * height) : 1.0;
     const Stretch stretch = flow_.follow(y_, end - tau_, smallness, *this);
     y_ = stretch.state;
     const auto& fired = stretch.fired;
@@ -186,14 +193,14 @@ class Block final : private Equations {
   }
 
   void leave_rest_if_pushed() {
-    if (std::abs(alpha()) > threshold()) leave_full_contact(sign_of(alpha()), false);
+    if (std::abs(alpha()) > threshold(alpha())) leave_full_contact(sign_of(alpha()), false);
   }
 
   void leave_full_contact(double push, bool at_threshold) {
     const bool was_sliding = contact_ == Contact::slide;
     const Balance upright = sticking(body_, {push, 0.0, 0.0}, alpha());
-    const bool too_slippery = scene_.friction && friction_.at_rest <= 1.0 / body_.slenderness;
-    if (!too_slippery && (at_threshold || grips(upright) || tips_when_sliding())) {
+    const bool too_slippery = scene_.friction && friction_.at_rest <= body_.tangent(push);
+    if (!too_slippery && (at_threshold || grips(upright) || tips_when_sliding(push))) {
       side_ = push;
       contact_ = Contact::rock;
       tell_of("lift");
@@ -226,7 +233,7 @@ class Block final : private Equations {
   }
 
   void tip_if_gripped() {
-    if (!tips_when_sliding()) return;
+    if (!tips_when_sliding(-direction_)) return;
     contact_ = Contact::rock_slide;
     side_ = -direction_;
     tell_of("tip");
@@ -237,7 +244,7 @@ class Block final : private Equations {
     coefficients_.stopped();
     look_up();
     if (contact_ == Contact::slide) {
-      if (std::abs(alpha()) > threshold()) return leave_full_contact(sign_of(alpha()), false);
+      if (std::abs(alpha()) > threshold(alpha())) return leave_full_contact(sign_of(alpha()), false);
       contact_ = Contact::rest;
       return tell_of("slide_stop");
     }

@@ -19,10 +19,10 @@ struct Rebound {
   double w;
   double v;
   bool slipped;
-  bool determined = true;  ///< false: 1 + 3q <= 0, the laws have no solution
+  bool determined = true;  ///< false: J + Q <= 0, the laws have no solution
 };
 
-/// Impact of lib/docs/model.md, section 4, with the ratios lambda and delta.
+/// Impact of lib/docs/model.md, sections 4 and 11, with the ratios lambda and delta.
 [[nodiscard]] Rebound land(const Body& body, const Landing& before);
 
 }  // namespace rocking::peer

@@ -18,12 +18,13 @@ struct Pose {
   double across;
   double up;
   double square;  ///< w^2
+  double weight;  ///< g/(R p^2)
 };
 
 /// All four are affine in w'. `law(normal, force_of_sticking)` is the law of friction.
 template <class FrictionLaw>
 Trial attempt(double w_dot, double inertia, const Pose& pose, double alpha, FrictionLaw law) {
-  const auto [across, up, square] = pose;
+  const auto [across, up, square, weight] = pose;
   Trial trial{};
   trial.normal = weight + w_dot * across - square * up;
   const double without_slip = weight * alpha - w_dot * up - square * across;
@@ -35,8 +36,11 @@ Trial attempt(double w_dot, double inertia, const Pose& pose, double alpha, Fric
 
 template <class FrictionLaw>
 Balance balance_under(double inertia, const Body& body, const Stance& stance, double alpha, FrictionLaw law) {
-  const double phi = body.psi - std::abs(stance.theta);
-  const Pose pose{stance.side * std::sin(phi), std::cos(phi), stance.w * stance.w};
+  // The centre of mass of the untilted block, turned about the edge.
+  const double x = stance.side * body.edge(stance.side);
+  const double sine = std::sin(stance.theta);
+  const double cosine = std::cos(stance.theta);
+  const Pose pose{x * cosine - body.height * sine, x * sine + body.height * cosine, stance.w * stance.w, body.weight};
   const double at_zero = attempt(0.0, inertia, pose, alpha, law).moment_left_over;
   const double slope = attempt(1.0, inertia, pose, alpha, law).moment_left_over - at_zero;
   const double w_dot = -at_zero / slope;
@@ -47,12 +51,18 @@ Balance balance_under(double inertia, const Body& body, const Stance& stance, do
 }  // namespace
 
 Body body_of(const Scene& scene) {
-  const double psi = std::atan(1.0 / scene.slenderness);
-  return {psi, std::sin(psi), std::cos(psi), scene.slenderness, scene.edge_inertia ? 4.0 / 3.0 : 1.0 / 3.0};
+  const auto& [left, right] = scene.edges;
+  const double unit = std::hypot(0.5 * (left + right), scene.height);
+  const double inertia = scene.gyration_squared / (unit * unit);
+  return {.edges = {left / unit, right / unit},
+          .height = scene.height / unit,
+          .inertia = inertia,
+          .slip_inertia = scene.edge_inertia ? 1.0 + inertia : inertia,
+          .weight = 1.0 + inertia};
 }
 
 Balance sticking(const Body& body, const Stance& stance, double alpha) {
-  return balance_under(1.0 / 3.0, body, stance, alpha, [](double, double without_slip) { return without_slip; });
+  return balance_under(body.inertia, body, stance, alpha, [](double, double without_slip) { return without_slip; });
 }
 
 Balance sliding(const Body& body, const Stance& stance, double alpha, double direction, double mu_k) {

@@ -1,18 +1,27 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+
 #include "differential/peer/scene.hpp"
 
 namespace rocking::peer {
 
-inline constexpr double weight = 4.0 / 3.0;  ///< g/(R p^2)
-
 /// Quantities of a block in the laws of Newton and Euler. Lengths over R, inertia over m R^2.
 struct Body {
-  double psi;
-  double sine;
-  double cosine;
-  double slenderness;   ///< H/B
-  double slip_inertia;  ///< J in the equations with slip
+  std::array<double, 2> edges;  ///< horizontal distances of the left and the right edge from the centre of mass
+  double height;                ///< of the centre of mass
+  double inertia;               ///< about the centre of mass
+  double slip_inertia;          ///< J in the equations with slip
+  double weight;                ///< g/(R p^2)
+
+  /// Of the edge on the side S, +1 left and -1 right.
+  [[nodiscard]] double edge(double side) const { return edges[side < 0.0 ? 1 : 0]; }
+  [[nodiscard]] double tangent(double side) const { return edge(side) / height; }
+  [[nodiscard]] double psi(double side) const { return std::atan2(edge(side), height); }
+  /// psi of the nearer edge, the unit of alpha.
+  [[nodiscard]] double unit() const { return std::min(psi(1.0), psi(-1.0)); }
 };
 
 [[nodiscard]] Body body_of(const Scene& scene);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 
@@ -24,11 +25,14 @@ struct Sigmas {
 
 /// A block, its base and its initial state. Symbols as in lib/docs/model.md.
 struct Scene {
-  double slenderness;  ///< H/B
-  double amplitude;    ///< A_h
-  double frequency;    ///< Omega_h
-  double phase;        ///< Phi in [0, 2 pi)
-  double restitution;  ///< e
+  std::array<double, 2> edges;  ///< horizontal distances of the left and the right edge from the centre of mass
+  double height;                ///< of the centre of mass, in the same unit
+  double gyration_squared;      ///< I/m about the centre of mass
+  double amplitude;             ///< A_h
+  double frequency;             ///< Omega_h
+  double phase;                 ///< Phi in [0, 2 pi)
+  bool pulse;                   ///< the base moves for the first period only; Phi = 0
+  double restitution;           ///< e
   std::optional<Friction> friction;
   bool edge_inertia = false;        ///< J = 4/3 instead of 1/3
   bool signed_impact_rule = false;  ///< Jeong & Yang's Eq. 26 as printed

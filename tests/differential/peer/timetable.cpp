@@ -24,10 +24,13 @@ Timetable::Timetable(const Scene& scene)
       phase_(scene.phase),
       period_(turn / scene.frequency),
       pitch_(period_ / scene.refreshes_per_period),
+      pulse_(scene.pulse),
       friction_changes_(scene.sigmas.sliding > 0.0),
       amplitude_changes_(scene.sigmas.amplitude > 0.0) {}
 
-double Timetable::sine(double tau) const { return std::sin(frequency_ * tau + phase_); }
+double Timetable::sine(double tau) const {
+  return pulse_ && strobes(tau) > 0 ? 0.0 : std::sin(frequency_ * tau + phase_);
+}
 
 std::int64_t Timetable::strobes(double tau) const { return whole(tau / period_); }
 
@@ -42,13 +45,15 @@ double Timetable::next_break(double tau, bool slips) const {
   return next;
 }
 
-double Timetable::next_reach(double tau, double level) const {
+double Timetable::next_reach(double tau, double up, double down) const {
   double first = std::numeric_limits<double>::infinity();
-  if (!(level < 1.0)) return first;
+  if (pulse_ && strobes(tau) > 0) return first;
   const double argument = frequency_ * tau + phase_;
-  for (const double root : {std::asin(level), turn / 2.0 + std::asin(level)}) {
+  const auto reach = [&first, argument](double root) {
     first = std::min(first, root + turn * std::ceil((argument - root) / turn));
-  }
+  };
+  if (up < 1.0) reach(std::asin(up));
+  if (down < 1.0) reach(turn / 2.0 + std::asin(down));
   return std::max(tau, (first - phase_) / frequency_);
 }
 

@@ -13,7 +13,7 @@ class Timetable {
   explicit Timetable(const Scene& scene);
 
   [[nodiscard]] double period() const { return period_; }
-  [[nodiscard]] double sine(double tau) const;
+  [[nodiscard]] double sine(double tau) const;  ///< 0 after a pulse
 
   /// Number of strobes, intervals of friction and excitation periods (between zeros of the sine) up to tau.
   [[nodiscard]] std::int64_t strobes(double tau) const;
@@ -23,14 +23,15 @@ class Timetable {
   /// The next instant at which something is sampled or redrawn.
   [[nodiscard]] double next_break(double tau, bool slips) const;
 
-  /// The next instant at which the sine reaches `level` > 0 or -`level`; infinite if there is none.
-  [[nodiscard]] double next_reach(double tau, double level) const;
+  /// The next instant at which the sine reaches `up` > 0 or -`down` < 0; infinite if there is none.
+  [[nodiscard]] double next_reach(double tau, double up, double down) const;
 
  private:
   double frequency_;
   double phase_;
   double period_;
   double pitch_;  ///< of the grid
+  bool pulse_;
   bool friction_changes_;
   bool amplitude_changes_;
 };

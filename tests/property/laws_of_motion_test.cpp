@@ -21,24 +21,30 @@ namespace rocking::dynamics {
 namespace {
 
 using property::Base;
-using property::edge_angle_of;
 using property::energy_of;
+using property::load_of;
+using property::random_mass;
 using property::random_record;
 using property::rocks;
 using property::Scene;
 using property::slipping_normal;
 using property::slips;
+using property::tangent_of;
+using property::velocity_of;
 using property::with_simulation;
 using support::SplitMix;
 using support::WalkNode;
 using support::WalkPiece;
 
-/// Slender to squat blocks, weak to strong excitation, small to large friction. Static friction is redrawn at stops.
+constexpr std::uint64_t scenes_of_a_form = 1'800;
+
+/// Slender to squat blocks, rectangles and then blocks with their mass off the middle, weak to strong excitation, small to large friction. Static friction is redrawn at stops.
 /// The base motion is in turn harmonic, recorded, and recorded with a vertical motion.
 Scene random_scene(std::uint64_t number) {
   SplitMix draw(number);
   Scene scene;
   scene.stage.block.height = std::exp2(draw.uniform(-0.5, 3.5));
+  if (number >= scenes_of_a_form) scene.stage.block.mass = random_mass(draw);
   scene.stage.frequency = draw.uniform(2.0, 12.0);
   scene.stage.phase = draw.uniform(0.0, 2.0 * std::numbers::pi);
   scene.stage.periods = 1'000'000'000;
@@ -68,7 +74,7 @@ constexpr int most_pieces = 5'000;
 template <class Visit>
 std::vector<std::uint64_t> on_every_motion(Visit&& visit, double tolerance = 1e-13) {
   std::vector<std::uint64_t> stuck;
-  for (std::uint64_t number = 0; number < 1'800; ++number) {
+  for (std::uint64_t number = 0; number < 2 * scenes_of_a_form; ++number) {
     const testing::ScopedTrace trace(__FILE__, __LINE__, "scene " + std::to_string(number));
     Scene scene = random_scene(number);
     scene.stage.tolerance = tolerance;
@@ -87,11 +93,29 @@ TEST(Motion, NeverStandsStillInTime) {
   EXPECT_THAT(stuck, testing::IsEmpty()) << "these scenes take more than " << most_pieces << " steps for ten periods";
 }
 
-// dE = -(4/3) (alpha (V - w cos(phi)) + alpha_v S w sin(phi)) - s mu_k N V: the work of the base and of friction. The
-// last two terms of a step are at most the tolerance, in Theta' and in V. If the terms decrease steadily, the omitted
-// ones sum to less than twice that in each rate; in the energy this is multiplied by a few momenta of order 1 + E. If
-// two successive terms happen to be near a zero of a cosine, reduced to a share s, they hide an error larger by 1/s;
-// the probability of this is s^2. Gauss's formula adds no error. Rounding: about a hundred times 2^-53.
+/// Energy that a piece gained beyond the work of the base and of friction, over 1 + its energy:
+/// dE = -(1 + J) (alpha (V - w c) + alpha_v S w s) - s mu_k N V.
+double unaccounted(const Scene& scene, const WalkPiece& piece) {
+  double work = 0.0;
+  for (const WalkNode& node : piece.nodes) {
+    const State& state = node.state;
+    const auto [x, y] = velocity_of(state, scene);
+    const auto [alpha, weight] = scene.ground(node.tau);
+    double power = -load_of(scene) * (alpha * x + (rocks(state) ? (weight - 1.0) * y : 0.0));
+    if (slips(state)) {
+      const double mu_k = piece.kinetic_friction;
+      power -= state.slip_direction * mu_k * slipping_normal(state, scene, node.tau, mu_k) * state.slip_rate;
+    }
+    work += node.weight * power;
+  }
+  const double before = energy_of(piece.start, scene);
+  return (energy_of(piece.end, scene) - before - work) / (1.0 + before);
+}
+
+// The last two terms of a step are at most the tolerance, in Theta' and in V. If the terms decrease steadily, the omitted
+// ones sum to less than twice that in each rate; in the energy this is multiplied by a few momenta of order 1 + E. If two
+// successive terms happen to be near a zero of a cosine, reduced to a share s, they hide an error larger by 1/s; the
+// probability of this is s^2. Gauss's formula adds no error. Rounding: about a hundred times 2^-53.
 class EnergyAtTolerance : public testing::TestWithParam<double> {};
 
 TEST_P(EnergyAtTolerance, ChangesByTheWorkOfBaseAndFriction) {
@@ -99,21 +123,7 @@ TEST_P(EnergyAtTolerance, ChangesByTheWorkOfBaseAndFriction) {
   std::size_t beyond = 0;
   on_every_motion(
       [&](const Scene& scene, const auto&, const WalkPiece& piece) {
-        double work = 0.0;
-        for (const WalkNode& node : piece.nodes) {
-          const State& state = node.state;
-          const double x = state.slip_rate - state.tilt_rate * std::cos(edge_angle_of(state, scene));
-          const auto [alpha, weight] = scene.ground(node.tau);
-          const double y = state.tilt_rate * state.side * std::sin(edge_angle_of(state, scene));
-          double power = -4.0 / 3.0 * (alpha * x + (rocks(state) ? (weight - 1.0) * y : 0.0));
-          if (slips(state)) {
-            const double mu_k = piece.kinetic_friction;
-            power -= state.slip_direction * mu_k * slipping_normal(state, scene, node.tau, mu_k) * state.slip_rate;
-          }
-          work += node.weight * power;
-        }
-        const double change = energy_of(piece.end, scene) - energy_of(piece.start, scene);
-        const double error = std::abs(change - work) / (1.0 + energy_of(piece.start, scene));
+        const double error = std::abs(unaccounted(scene, piece));
         ++pieces;
         if (error > 20.0 * GetParam() + 2e-14) ++beyond;
         ASSERT_LE(error, 2000.0 * GetParam() + 2e-14)
@@ -126,7 +136,21 @@ TEST_P(EnergyAtTolerance, ChangesByTheWorkOfBaseAndFriction) {
 
 INSTANTIATE_TEST_SUITE_P(All, EnergyAtTolerance, testing::Values(1e-13, 1e-11, 1e-8));
 
-// Only impacts change the energy at an instant, and none increases it (e <= 1/3 here for squat blocks). What the end of
+// Over whole motions, impacts counted as what they took: the errors of the pieces do not add up.
+TEST(Energy, IsBalancedToTwelveDigitsAPeriod) {
+  double last = 0.0;
+  double sum = 0.0;
+  on_every_motion([&](const Scene& scene, const auto&, const WalkPiece& piece) {
+    if (piece.start_tau < last) sum = 0.0;
+    last = piece.start_tau;
+    sum += unaccounted(scene, piece);
+    const double periods = std::max(1.0, piece.end_tau / scene.stage.period_length());
+    ASSERT_LE(std::abs(sum), 1e-12 * periods) << "at tau = " << piece.end_tau;
+  });
+}
+
+// Only impacts change the energy at an instant, and none increases it: e <= 1/3 here for squat blocks, and of blocks with
+// their mass off the middle, impacts with e = 0 onto the other edge (lib/docs/model.md, sections 4 and 11). What the end of
 // a chatter neglects is below its tolerance.
 TEST(Energy, JumpsOnlyDownAndOnlyInImpacts) {
   on_every_motion([](const Scene& scene, const auto& run, const WalkPiece& piece) {
@@ -138,7 +162,9 @@ TEST(Energy, JumpsOnlyDownAndOnlyInImpacts) {
     const double jump = energy_of(piece.after, scene) - energy_of(piece.end, scene);
     // At a root theta and V are set to 0; the root has the accuracy of the time, 2^-49 T.
     const double rounding = 1e-12 * (1.0 + energy_of(piece.end, scene));
-    ASSERT_LE(jump, rounding) << "at tau = " << piece.end_tau;
+    const bool may_gain =
+        scene.stage.block.mass && (scene.coefficients.restitutions.at(0) != 0.0 || piece.end.side == piece.after.side);
+    ASSERT_TRUE(may_gain || jump <= rounding) << jump << " at tau = " << piece.end_tau;
     ASSERT_TRUE(lands || jump >= -rounding) << "at tau = " << piece.end_tau << " by " << jump;
   });
 }
@@ -166,18 +192,15 @@ TEST(Friction, OpposesTheSlip) {
   });
 }
 
-// By Newton's law, F is the change of the horizontal speed of the centre, V - w cos(phi), plus (4/3) alpha. The bound
+// By Newton's law, F is the change of the horizontal speed of the centre, V - w c, plus (1 + J) alpha. The bound
 // is a thousand tolerances, since the last terms of a step can hide an omitted part, as above.
 TEST(Friction, OfASlippingBlockIsItsShareOfTheNormalForceAgainstTheSlip) {
   on_every_motion([](const Scene& scene, const auto&, const WalkPiece& piece) {
     if (!slips(piece.start)) return;
-    const auto speed = [&scene](const State& state) {
-      return state.slip_rate - state.tilt_rate * std::cos(edge_angle_of(state, scene));
-    };
-    double friction = speed(piece.end) - speed(piece.start);
+    double friction = velocity_of(piece.end, scene).along - velocity_of(piece.start, scene).along;
     double normal = 0.0;
     for (const WalkNode& node : piece.nodes) {
-      friction += node.weight * 4.0 / 3.0 * scene.ground(node.tau).alpha;
+      friction += node.weight * load_of(scene) * scene.ground(node.tau).alpha;
       normal += node.weight * slipping_normal(node.state, scene, node.tau, piece.kinetic_friction);
     }
     ASSERT_NEAR(friction, -piece.start.slip_direction * piece.kinetic_friction * normal, 1e-10 * (1.0 + normal))
@@ -187,16 +210,16 @@ TEST(Friction, OfASlippingBlockIsItsShareOfTheNormalForceAgainstTheSlip) {
 
 TEST(FullContact, HoldsOnlyWithinItsThresholds) {
   on_every_motion([](const Scene& scene, const auto&, const WalkPiece& piece) {
-    const double tangent = scene.stage.geometry().tangent;
     for (const WalkNode& node : piece.nodes) {
       if (rocks(node.state)) continue;
       ASSERT_EQ(node.state.tilt, 0.0);
       ASSERT_EQ(node.state.tilt_rate, 0.0);
       if (node.state.contact == ContactState::rest) {
-        ASSERT_LE(std::abs(scene.ground(node.tau).alpha),
-                  std::min(tangent, piece.static_friction) * scene.ground(node.tau).weight + 1e-14);
+        const auto [alpha, weight] = scene.ground(node.tau);
+        ASSERT_LE(std::abs(alpha), std::min(tangent_of(scene, alpha), piece.static_friction) * weight + 1e-14);
       } else {
-        ASSERT_LE(piece.kinetic_friction, tangent) << "it would tip, tau = " << node.tau;
+        ASSERT_LE(piece.kinetic_friction, tangent_of(scene, -node.state.slip_direction))
+            << "it would tip, tau = " << node.tau;
       }
     }
   });

@@ -1,9 +1,11 @@
-// Left and right are equivalent: the mirror image of a motion is the motion of the mirror image, to the bit.
+// Left and right are equivalent: the mirror image of a motion is the motion of the mirror image, to the bit. The mirror
+// image of a block with unequal edges has them exchanged.
 
 #include <cmath>
 #include <cstdint>
 #include <numbers>
 #include <string>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -15,6 +17,7 @@ namespace rocking::dynamics {
 namespace {
 
 using property::Base;
+using property::random_mass;
 using property::random_record;
 using property::Scene;
 using property::with_simulation;
@@ -36,6 +39,10 @@ Scene random_setting(std::uint64_t number) {
   scene.coefficients.kinetics = {share * 0.9 * mu_s, share * 0.7 * mu_s, share * 0.95 * mu_s};
   scene.coefficients.changes = {{.period = 2, .time = 0.1}, {.period = 3, .time = 0.0}};
   scene.coefficients.restitutions = {0.0, 0.1, -0.1};
+  if (number % 2 == 1) {
+    scene.stage.block.mass = random_mass(draw);
+    scene.stage.rule = ImpactSlipRule::absolute;
+  }
   scene.base = static_cast<Base>(number % 3);
   if (scene.base != Base::harmonic) scene.knots = random_record(scene.stage, 21.0, draw);
   if (draw.below(2) == 0) return scene;
@@ -51,6 +58,7 @@ Scene mirrored(Scene scene) {
   scene.stage.start.tilt = -scene.stage.start.tilt;
   scene.stage.start.tilt_rate = -scene.stage.start.tilt_rate;
   scene.stage.start.slip_rate = -scene.stage.start.slip_rate;
+  if (scene.stage.block.mass) std::swap(scene.stage.block.mass->left_edge, scene.stage.block.mass->right_edge);
   return scene;
 }
 

@@ -58,6 +58,17 @@ inline std::vector<dynamics::GroundMotionSample> random_record(const support::St
   return knots;
 }
 
+/// A mass off the middle: a body between two edges, with I from a tenth to six tenths of m R^2.
+inline dynamics::MassLayout random_mass(support::SplitMix& draw) {
+  const double left = draw.uniform(0.2, 0.8);
+  const double right = draw.uniform(0.2, 0.8);
+  const double height = std::exp2(draw.uniform(-1.0, 1.0));
+  return {.left_edge = left,
+          .right_edge = right,
+          .centre_height = height,
+          .radius_of_gyration = std::sqrt(draw.uniform(0.1, 0.6)) * std::hypot(0.5 * (left + right), height)};
+}
+
 /// Calls use(run) with the simulation of the scene at its start.
 template <class Use>
 void with_simulation(const Scene& scene, Use&& use) {

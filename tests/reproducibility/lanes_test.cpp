@@ -167,7 +167,7 @@ TEST(Lanes, GiveEachRealisationOfBlocksWithTheirMassOffTheMiddleTheBitsThatItGet
 // A rectangle whose numbers are given as those of a general block.
 TEST(Lanes, GiveARectangleTheSameBitsHoweverItIsDescribed) {
   support::SplitMix random(72);
-  for (int i = 0; i < 300; ++i) {
+  for (int i = 0; i < 1000; ++i) {
     Condition condition;
     condition.scene = support::random_scene(random);
     condition.horizon = {.transient_periods = 3, .sampled_periods = 5};

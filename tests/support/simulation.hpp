@@ -22,7 +22,7 @@ struct Stage {
   dynamics::Block block{};
   double frequency = 10.0;
   double phase = 0.0;
-  double inertia = 1.0 / 3.0;
+  double inertia = 1.0 / 3.0;  ///< J in the equations of slip of a rectangle; other blocks have their own
   dynamics::ImpactSlipRule rule = dynamics::ImpactSlipRule::absolute;
   double tolerance = 1e-13;
   dynamics::State start{};
@@ -30,7 +30,11 @@ struct Stage {
 
   [[nodiscard]] dynamics::Geometry geometry() const { return dynamics::geometry_of(block); }
   [[nodiscard]] dynamics::Setting setting() const {
-    return {.block = geometry(), .inertia = inertia, .impact_slip_rule = rule, .tolerance = tolerance};
+    const dynamics::Geometry shape = geometry();
+    return {.block = shape,
+            .inertia = shape.is_rectangle() ? inertia : shape.inertia,
+            .impact_slip_rule = rule,
+            .tolerance = tolerance};
   }
   [[nodiscard]] double period_length() const { return 2.0 * std::numbers::pi / frequency; }
 

@@ -1,4 +1,4 @@
-// experiments/shake_table: the experiments are valid, the report follows from its numbers, and the script goes through a
+// experiments/shake_table: the report follows from its numbers, and the script goes through a
 // made-up data set of the same layout.
 
 #include <gmock/gmock.h>
@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-const fs::path experiments = ROCKING_SOURCE_DIR "/experiments/shake_table";
+const fs::path shake_table_folder = ROCKING_SOURCE_DIR "/experiments/shake_table";
 
 class ShakeTable : public rocking::support::ProgramTest {
  protected:
@@ -29,13 +29,13 @@ class ShakeTable : public rocking::support::ProgramTest {
 };
 
 TEST_F(ShakeTable, IsWrittenUpByTheScriptFromThePublishedNumbers) {
-  const auto checked = python("'" + (experiments / "shake_table.py").string() + "' --check");
+  const auto checked = python("'" + (shake_table_folder / "shake_table.py").string() + "' --check");
   EXPECT_EQ(checked.exit_code, 0) << checked.errors;
 }
 
 TEST_F(ShakeTable, GoesThroughDataOfTheSameLayout) {
-  const std::string script = "'" + (experiments / "shake_table.py").string() + "' ";
-  ASSERT_EQ(python("'" + (experiments / "make_small_data.py").string() + "' data").exit_code, 0);
+  const std::string script = "'" + (shake_table_folder / "shake_table.py").string() + "' ";
+  ASSERT_EQ(python("'" + (shake_table_folder / "make_small_data.py").string() + "' data").exit_code, 0);
   const auto run = python(script + "data results");
   ASSERT_EQ(run.exit_code, 0) << run.errors;
   EXPECT_THAT(read("results/shake_table.md"),
@@ -47,8 +47,8 @@ TEST_F(ShakeTable, GoesThroughDataOfTheSameLayout) {
 }
 
 TEST_F(ShakeTable, NamesTheLineThatItCannotUse) {
-  const std::string script = "'" + (experiments / "shake_table.py").string() + "' ";
-  ASSERT_EQ(python("'" + (experiments / "make_small_data.py").string() + "' data").exit_code, 0);
+  const std::string script = "'" + (shake_table_folder / "shake_table.py").string() + "' ";
+  ASSERT_EQ(python("'" + (shake_table_folder / "make_small_data.py").string() + "' data").exit_code, 0);
   ASSERT_EQ(shell("sed -i '10s/.*/x/' data/data/Shake_Table_Response/Test003.txt").exit_code, 0);
   const auto run = python(script + "data results");
   EXPECT_EQ(run.exit_code, 1);

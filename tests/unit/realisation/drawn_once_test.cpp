@@ -116,6 +116,7 @@ TEST(DrawnOnce, IsLimitedWhereItsLawHasNoBounds) {
 
 TEST(DrawnOnce, KeepsAMeasuredRatioWithinPossibleRestitutions) {
   Scene scene;
+  scene.friction = Friction{.static_coefficient = 0.4, .kinetic_coefficient = 0.35};
   scene.restitution = RateRatio{Normal{0.9, 0.2}};
   std::uint64_t limited = 0;
   double least = 0.0, largest = 0.0;
@@ -147,6 +148,7 @@ TEST(DrawnOnce, GivesEachEdgeItsRatioFromItsOwnSource) {
 TEST(DrawnOnce, KeepsTheRatioOfEachEdgeWithinWhatIsPossibleThere) {
   Scene scene;
   scene.block.mass = GivenEdges{.edges = {0.3, 0.6}, .centre_height = 1.6, .radius_of_gyration = 0.9};
+  scene.friction = Friction{.static_coefficient = 0.4, .kinetic_coefficient = 0.35};
   for (const bool are_two : {false, true}) {
     scene.restitution = RateRatio{.value = Normal{0.9, 0.3}};
     if (are_two) scene.restitution = RateRatio{.value = Normal{0.9, 0.3}, .right = Normal{0.9, 0.3}};

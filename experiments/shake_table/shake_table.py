@@ -4,8 +4,8 @@
 usage: shake_table.py FOLDER RESULTS      runs everything; FOLDER has the public data (data.py), RESULTS is written
        shake_table.py --check             whether shake_table.md follows from shake_table.json, in reports/experiments
 
-Writes shake_table.json, shake_table.md, the figures and rock_2.csv into RESULTS. With --publish after RESULTS they are
-written into reports/experiments. A run that was stopped goes on. Takes about half an hour on two cores.
+Writes shake_table.json, shake_table.md, the figures and shake_table_rock_2.csv into RESULTS. With --publish after RESULTS they are
+written into reports/experiments. A run that was stopped goes on. Takes about ten minutes on two cores.
 """
 
 import csv
@@ -40,7 +40,7 @@ def class_of(value, limits, unit):
 
 
 def experiment(name):
-    return json.loads((HERE / f"{name}.json").read_text(encoding="utf-8"))
+    return json.loads((HERE / f"{name}.json.in").read_text(encoding="utf-8"))
 
 
 def probabilities(runs, name):

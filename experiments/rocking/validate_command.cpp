@@ -7,7 +7,6 @@
 #include "machine.hpp"
 #include "output.hpp"
 #include "program.hpp"
-#include "rocking/output/plan_text.hpp"
 #include "rocking/rocking.hpp"
 
 namespace rocking::program {
@@ -29,7 +28,7 @@ ExitCode validate(const ValidateRequest& request) {
       tell_ground_motion_notes(experiment);
       const Plan plan = plan_of(experiment, {.threads = available_threads(), .shard = {}});
       print_result(base::printable(fmt::format("{}: valid: {}\n{}{}", source.name, describe(plan),
-                                               block_text(experiment), ground_motion_text(experiment))));
+                                               describe_block(experiment), ground_motion_text(experiment))));
     }
     return ExitCode::done;
   } catch (const base::InputError& error) {

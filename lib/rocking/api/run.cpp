@@ -201,6 +201,8 @@ Plan plan(const Experiment& experiment, const std::function<double()>& elapsed_s
 
 std::string describe(const Plan& plan) { return plan_text(plan); }
 
+std::string describe_block(const Experiment& experiment) { return block_text(experiment); }
+
 std::string describe_as_json(const Plan& plan) { return facts_text(plan_facts(plan)); }
 
 }  // namespace rocking

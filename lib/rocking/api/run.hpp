@@ -144,8 +144,13 @@ struct Provenance {
 /// A plan in words, as `rocking run --dry-run` prints it.
 [[nodiscard]] ROCKING_API std::string describe(const Plan& plan);
 
-/// The same as JSON text, as with `--json`.
+/// The plan as JSON text, as with `--json`.
 [[nodiscard]] ROCKING_API std::string describe_as_json(const Plan& plan);
+
+/// What is checked of a block first, as `rocking validate` prints it: for each edge its distance from the centre of mass, R,
+/// psi, p, the base acceleration of uplift, Housner's rate ratio, and whether the block slides before it rocks. Of the mean
+/// blocks of all conditions.
+[[nodiscard]] ROCKING_API std::string describe_block(const Experiment& experiment);
 
 /// Files that were written.
 struct Written {

@@ -34,7 +34,8 @@ std::optional<Quantiles> metres_of(const std::optional<PeakQuantiles::Slip>& sli
 
 constexpr std::array drawn_quantities{
     Drawn{"peak_tilt", [](const PeakQuantiles& peaks) { return std::optional(peaks.tilt); },
-          "How far does the block tilt?", "largest tilt", "|Θ|", "", false, "Largest |Θ| = |θ|/ψ of a realisation"},
+          "How far does the block tilt?", "largest tilt", "|Θ|", "", false,
+          "Largest |Θ| = |θ|/ψ of a realisation, over ψ of its side"},
     Drawn{"peak_slip", [](const PeakQuantiles& peaks) { return metres_of(peaks.slip); },
           "How far does the block slip at most?", "largest slip", "", "m", false,
           "Largest distance of a realisation's block from its place on the base"},

@@ -48,7 +48,7 @@ bool is_within(double time, const Window& window) { return window.from <= time &
 Table history_table(const TrajectoryFile& file, const Window& window) {
   Table table{.name = described(file),
               .columns = {time_column,
-                          {"tilt", "Θ = θ/ψ"},
+                          {"tilt", "Θ = θ/ψ, ψ of its side"},
                           {"tilt_rate", "Θ′ = dΘ/dτ"},
                           {"slip", "X, slip over the half diagonal R"}},
               .rows = {}};
@@ -160,7 +160,8 @@ Figure time_history(const TrajectoryFile& file, const Window& window) {
   figure.panels[1].layers.push_back({.kind = LayerKind::line, .table = 0, .columns = {0, 3}, .style = curve});
   mark_impacts(file, window, figure);
   figure.caption =
-      "Tilt Θ = θ/ψ and slip X (over the half diagonal R) of one realisation. Shaded: any state other than rocking "
+      "Tilt Θ = θ/ψ, over ψ of its side, and slip X (over the half diagonal R) of one realisation. Shaded: any state "
+      "other than rocking "
       "without slip; "
       "white: rocking without slip. Impacts are marked at Θ = 0." +
       words_on_ended({file}, window);
@@ -182,8 +183,8 @@ Figure responses(const std::vector<TrajectoryFile>& files, const Window& window)
         {.kind = LayerKind::line, .table = i, .columns = {0, 1}, .style = style, .legend = described(files[i])});
   }
   figure.panels.push_back(std::move(panel));
-  figure.caption =
-      "Tilt Θ = θ/ψ of " + std::to_string(files.size()) + " realisations against time." + words_on_ended(files, window);
+  figure.caption = "Tilt Θ = θ/ψ, over ψ of its side, of " + std::to_string(files.size()) +
+                   " realisations against time." + words_on_ended(files, window);
   return figure;
 }
 
@@ -217,7 +218,8 @@ Figure phase_portrait(const std::vector<TrajectoryFile>& files, const Window& wi
   }
   figure.panels.push_back(std::move(panel));
   figure.caption =
-      "Path (Θ, Θ′) of each realisation, where Θ = θ/ψ, interrupted at impacts, where Θ′ jumps; points: once an "
+      "Path (Θ, Θ′) of each realisation, where Θ = θ/ψ with ψ of its side, interrupted at impacts, where Θ′ jumps; "
+      "points: once an "
       "excitation "
       "period." +
       words_on_ended(files, window);

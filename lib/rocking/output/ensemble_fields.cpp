@@ -101,7 +101,7 @@ static const StructType& fields_of(const PeakQuantiles*) {
   using Peaks = PeakQuantiles;
   static const StructType fields{
       "PeakQuantiles",
-      field<&Peaks::tilt>("peak_tilt", "largest abs(Theta) of a realisation"),
+      field<&Peaks::tilt>("peak_tilt", "largest abs(Theta) of a realisation: tilt over psi of its side (model.md, 11)"),
       field<&Peaks::tilt_rate>("peak_tilt_rate", "largest abs(Theta')"),
       field<&Peaks::slip>("peak_slip", "largest abs(X), over R and in metres; null without friction"),
       field<&Peaks::final_slip>("final_slip",

@@ -131,6 +131,8 @@ std::string legend_of(const Report& report, const std::string& table) {
   if (table.find(peak_tilt_heading) != std::string::npos) {
     text += peak_tilt_legend;
     text += '\n';
+    if (has_unlike_edges(report))
+      text += "Theta: tilt over psi of the side on which the block is, so that balance is 1 on both\n";
   }
   return text;
 }

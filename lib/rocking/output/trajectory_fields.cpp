@@ -1,3 +1,4 @@
+#include <array>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -12,7 +13,8 @@ namespace {
 using dynamics::ContactState;
 using dynamics::EventKind;
 
-constexpr const char* words_on_tilt = "Theta = theta/psi, or theta [rad]";
+constexpr const char* words_on_tilt =
+    "Theta = theta/psi, psi of the side on which the block is (model.md, 11), or theta [rad]";
 constexpr const char* words_on_tilt_rate = "Theta' = dTheta/dtau, or dtheta/dt [rad/s]";
 constexpr const char* words_on_time = "tau = p t, or t [s]";
 
@@ -202,6 +204,46 @@ const StructType& energy_fields() {
 
 }  // namespace
 
+namespace {
+
+using Pair = std::array<double, 2>;
+
+Pair edges_of(const dynamics::MassLayout& mass) { return {mass.left_edge, mass.right_edge}; }
+void set_edges(const Pair& read, const ReadingPlace&, dynamics::MassLayout& mass) {
+  mass.left_edge = read[0];
+  mass.right_edge = read[1];
+}
+using EdgesType = ConvertedType<dynamics::MassLayout, Pair, edges_of, set_edges>;
+
+const StructType& mass_fields() {
+  using Mass = dynamics::MassLayout;
+  static const StructType fields{
+      "MassLayout",
+      of_owner<Mass>(
+          "edges_m",
+          "distances of the left and the right edge from the centre of mass [m]; only of a block that the file "
+          "gives with more than width and height, as the next ones",
+          the_only<EdgesType>(), rule::positive),
+      field<&Mass::centre_height>("centre_height_m", "of the centre of mass above the base [m]", rule::positive),
+      field<&Mass::radius_of_gyration>("radius_of_gyration_m", "sqrt(I/m) about the centre of mass [m]",
+                                       rule::positive),
+  };
+  return fields;
+}
+
+Field shape_angles_field() {
+  using dynamics::Block;
+  Field made = derived<[](const Block& block) {
+    const dynamics::Geometry geometry = geometry_of(block);
+    return Pair{geometry.edges[0].shape_angle, geometry.edges[1].shape_angle};
+  }>("shape_angles_rad", "psi of the left and of the right edge [rad]");
+  made.without_value = WithoutValue::omitted;
+  made.has_value = [](const void* block) { return static_cast<const Block*>(block)->mass.has_value(); };
+  return made;
+}
+
+}  // namespace
+
 const StructType& block_fields() {
   using dynamics::Block;
   using dynamics::geometry_of;
@@ -210,10 +252,14 @@ const StructType& block_fields() {
       field<&Block::width>("width_m", "B [m]", rule::positive),
       field<&Block::height>("height_m", "H [m]", rule::positive),
       field<&Block::gravity>("gravity_m_s2", "g [m/s^2]", rule::positive),
-      derived<[](const Block& block) { return geometry_of(block).shape_angle; }>("shape_angle_rad", "psi [rad]"),
-      derived<[](const Block& block) { return geometry_of(block).half_diagonal; }>("half_diagonal_m", "R [m]"),
+      derived<[](const Block& block) { return geometry_of(block).shape_angle; }>(
+          "shape_angle_rad", "psi [rad]; of unlike edges the smaller one"),
+      derived<[](const Block& block) { return geometry_of(block).half_diagonal; }>("half_diagonal_m",
+                                                                                   "R [m] (model.md, 1 and 11)"),
       derived<[](const Block& block) { return geometry_of(block).frequency_parameter; }>("frequency_parameter_rad_s",
                                                                                          "p [rad/s]"),
+      shape_angles_field(),
+      inlined<&Block::mass>(mass_fields()),
   };
   return fields;
 }

@@ -1,5 +1,7 @@
 // Reports, trajectories and checks as written: they satisfy their schemas, and the schemas reject wrong ones.
 
+#include <cmath>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -305,6 +307,37 @@ TEST(SamplerCheck, SaysInPlainWordsWhatIsRemarkable) {
   EXPECT_THAT(text, ::testing::ContainsRegex(
                         "D'Agostino-Pearson .* 1 sample in [0-9.e+]+\n|D'Agostino-Pearson .* not this distribution\n"));
   EXPECT_THAT(text, ::testing::HasSubstr("smallest of 18 p-values: "));
+}
+
+TEST(Trajectory, StatesTheMassAndBothShapeAnglesOfABlockThatIsGivenSo) {
+  Trajectory trajectory;
+  trajectory.block.mass =
+      dynamics::MassLayout{.left_edge = 0.25, .right_edge = 0.9, .centre_height = 1.0, .radius_of_gyration = 0.7};
+  trajectory.strobe = {{.period = 1,
+                        .tilt = 0.5,
+                        .tilt_rate = 0.0,
+                        .slip = 0.0,
+                        .slip_rate = 0.0,
+                        .contact = dynamics::ContactState::rock},
+                       {.period = 2,
+                        .tilt = -0.5,
+                        .tilt_rate = 0.0,
+                        .slip = 0.0,
+                        .slip_rate = 0.0,
+                        .contact = dynamics::ContactState::rock}};
+  const std::string text = trajectory_document().text(trajectory_report({}, trajectory, TrajectoryUnits::si));
+  EXPECT_EQ(objections("trajectory", text), "");
+  const Json block = Json::parse(text)["block"];
+  EXPECT_EQ(block["edges_m"], Json({0.25, 0.9}));
+  EXPECT_EQ(block["radius_of_gyration_m"], 0.7);
+  EXPECT_NEAR(block["shape_angles_rad"][0].get<double>(), std::atan(0.25), 1e-15);
+  EXPECT_NEAR(block["shape_angles_rad"][1].get<double>(), std::atan(0.9), 1e-15);
+  EXPECT_EQ(block["shape_angle_rad"], block["shape_angles_rad"][0]);
+  // What is read has the units of its own block.
+  const TrajectoryReport read = trajectory_document().read(Json::parse(text));
+  const TrajectoryScales scales = read.scales();
+  EXPECT_EQ(read.strobe[0].state.tilt / scales.tilt, 0.5);
+  EXPECT_NEAR(read.strobe[1].state.tilt / scales.tilt / scales.right_share, -0.5, 1e-15);
 }
 
 }  // namespace

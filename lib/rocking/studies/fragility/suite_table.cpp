@@ -133,7 +133,8 @@ std::string suite_table(const SuiteCurve& curve, RecordTable records, Extent ext
 }
 
 std::string incremental_table(const IncrementalAnalysis& analysis) {
-  look::Table table{.title = "peak tilt, abs(theta)/psi, over all records and realisations", .absent = "overturned"};
+  look::Table table{.title = "peak tilt, abs(theta)/psi of its side, over all records and realisations",
+                    .absent = "overturned"};
   add_columns(table, {last_key(analysis.parameter), "n", "overturned", "16 %", "median", "84 %"});
   for (const PeakTiltLevel& level : analysis.all) {
     look::Row& row =

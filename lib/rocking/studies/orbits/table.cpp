@@ -47,6 +47,7 @@ std::string orbits_of_conditions(const std::vector<OrbitsOfCondition>& condition
                   condition.run_on == i ? "*" : ""}));
     }
   }
+  table.notes = "tilt, tilt_rate: Theta and Theta', over psi of the side on which the block is\n";
   return to_terminal(table);
 }
 

@@ -137,7 +137,7 @@ Figure path_figure(const RareReport& report, const std::vector<const ReportedRar
     }
   }
   for (Panel& panel : figure.panels) panel.x.high = end;
-  figure.caption = "Tilt Θ = θ/ψ of paths that " + event_words(report.question) +
+  figure.caption = "Tilt Θ = θ/ψ, over ψ of its side, of paths that " + event_words(report.question) +
                    ", drawn from those of two repetitions by their weights, up to |Θ| = 1.5. At |Θ| = 1 a block at "
                    "rest would be in unstable equilibrium.";
   return figure;

@@ -11,7 +11,8 @@ using look::number;
 
 std::string event_words(const RareQuestion& question) {
   if (!question.event.peak_tilt) return "the block overturns within the horizon";
-  return "the largest abs(Theta) within the horizon exceeds " + significant(*question.event.peak_tilt, 6);
+  return "the largest abs(Theta), tilt over psi of its side, exceeds within the horizon " +
+         significant(*question.event.peak_tilt, 6);
 }
 
 look::Cell in_per_cent(const std::optional<double>& relative) {

@@ -23,23 +23,26 @@ const std::vector<Column> corners{{"x", "to the right of the block's left edge [
 
 double rounded(double length) { return std::round(length * 1e6) / 1e6 + 0.0; }
 
-/// A block that stands on its lower left edge O = (0, 0), turned anticlockwise by `tilt`.
+/// A block that stands on its left edge O = (0, 0), turned anticlockwise by `tilt`.
 class TiltedBlock {
  public:
-  TiltedBlock(double width, double height, double tilt)
-      : width_(width), height_(height), cosine_(std::cos(tilt)), sine_(std::sin(tilt)) {}
+  TiltedBlock(const BlockOutline& block, double tilt) : block_(block), cosine_(std::cos(tilt)), sine_(std::sin(tilt)) {}
 
   /// A point given by its distances along the base and the side of the block.
   [[nodiscard]] Point at(double along, double up) const {
     return {along * cosine_ - up * sine_, along * sine_ + up * cosine_};
   }
-  [[nodiscard]] Point centre() const { return at(0.5 * width_, 0.5 * height_); }
-  [[nodiscard]] std::vector<Point> outline() const {
-    return {at(0.0, 0.0), at(width_, 0.0), at(width_, height_), at(0.0, height_), at(0.0, 0.0)};
+  [[nodiscard]] const BlockOutline& block() const { return block_; }
+  [[nodiscard]] Point centre() const { return at(block_.centre_x, block_.centre_height); }
+  [[nodiscard]] Point right_edge() const { return at(block_.base, 0.0); }
+  [[nodiscard]] std::vector<Point> outline_of(const BlockOutline::Rectangle& part) const {
+    return {at(part.left, part.bottom), at(part.right, part.bottom), at(part.right, part.top), at(part.left, part.top),
+            at(part.left, part.bottom)};
   }
 
  private:
-  double width_, height_, cosine_, sine_;
+  BlockOutline block_;
+  double cosine_, sine_;
 };
 
 /// Collects the tables and layers of the sketch.
@@ -89,9 +92,10 @@ class Sketch {
 constexpr double right_angle = 1.5707963267948966;
 
 /// Draws the ground, the base motion and the forces at the edge.
-void draw_base(Sketch& sketch, double size, double width) {
-  const double left = -0.55 * size;
-  const double right = width + 0.45 * size;
+void draw_base(Sketch& sketch, double size, const BlockOutline& block) {
+  const double width = block.base;
+  const double left = block.left() - 0.55 * size;
+  const double right = block.right() + 0.45 * size;
   sketch.path("base", {{left, 0.0}, {right, 0.0}, {right, -0.06 * size}, {left, -0.06 * size}, {left, 0.0}},
               LayerKind::polygon, {.colour = "#d0d0d0", .hatch = 4});
   sketch.path("surface", {{left, 0.0}, {right, 0.0}}, LayerKind::line, {.marker = 0, .width = 2.0});
@@ -103,19 +107,67 @@ void draw_base(Sketch& sketch, double size, double width) {
   sketch.word("F", {-0.29 * size, 0.035 * size});
 }
 
-void draw_angles(Sketch& sketch, const TiltedBlock& block, double size, double shape_angle, double tilt) {
+/// Names beside an edge: of a rectangle `R` and `ψ`, otherwise with the side.
+struct EdgeNames {
+  std::string radius, angle;
+};
+
+/// The lines from an edge to the centre of mass and along the side above it, and the angle between them. `away`: from the
+/// direction of that side to the centre of mass, -1 of the left edge and 1 of the right one.
+void draw_edge(Sketch& sketch, const TiltedBlock& block, const Point& edge, double away, double shape_angle,
+               double tilt, double size, const EdgeNames& names) {
   const Point centre = block.centre();
-  sketch.path("half diagonal", {{0.0, 0.0}, centre}, LayerKind::line, {.colour = "#0072b2", .dash = 2, .marker = 0});
-  sketch.word("R", {0.82 * centre.x - 0.035 * size, 0.82 * centre.y});
-  const double side = right_angle + tilt;  // of the block's left side
-  sketch.arc("shape angle", {0.0, 0.0}, 0.26 * size, side - shape_angle, side);
-  const double half = side - 0.5 * shape_angle;
-  sketch.word("ψ", {0.3 * size * std::cos(half), 0.3 * size * std::sin(half)});
+  sketch.path("to the centre of mass, " + names.radius, {edge, centre}, LayerKind::line,
+              {.colour = "#0072b2", .dash = 2, .marker = 0});
+  sketch.word(names.radius,
+              {edge.x + 0.82 * (centre.x - edge.x) + 0.035 * away * size, edge.y + 0.82 * (centre.y - edge.y)});
+  const double side = right_angle + tilt;
+  sketch.arc("shape angle " + names.angle, edge, 0.26 * size, std::min(side, side + away * shape_angle),
+             std::max(side, side + away * shape_angle));
+  const double half = side + 0.5 * away * shape_angle;
+  sketch.word(names.angle, {edge.x + 0.3 * size * std::cos(half), edge.y + 0.3 * size * std::sin(half)});
+}
+
+void draw_angles(Sketch& sketch, const TiltedBlock& block, double size, const dynamics::Geometry& geometry,
+                 double tilt) {
+  const bool is_rectangle = geometry.is_rectangle();
+  draw_edge(sketch, block, {0.0, 0.0}, -1.0, geometry.edges[0].shape_angle, tilt, size,
+            is_rectangle ? EdgeNames{"R", "ψ"} : EdgeNames{"R_l", "ψ_l"});
+  if (!is_rectangle) {
+    draw_edge(sketch, block, block.right_edge(), 1.0, geometry.edges[1].shape_angle, tilt, size, {"R_r", "ψ_r"});
+  }
   sketch.arc("tilt", {0.0, 0.0}, 0.5 * size, 0.0, tilt);
   sketch.word("θ", {0.54 * size * std::cos(0.5 * tilt), 0.54 * size * std::sin(0.5 * tilt)});
 }
 
+/// The parts, the base between the edges where it is not the side of a rectangle, and the centre of mass.
+void draw_block(Sketch& sketch, const TiltedBlock& block) {
+  std::size_t number = 0;
+  for (const BlockOutline::Rectangle& part : block.block().rectangles) {
+    const std::string end = ++number == 1 ? "" : ' ' + std::to_string(number);
+    sketch.path("block" + end, block.outline_of(part), LayerKind::polygon, {.colour = "#dbe9f6"});
+    sketch.path("outline" + end, block.outline_of(part), LayerKind::line,
+                {.dash = block.block().is_given ? 1 : 2, .marker = 0, .width = 2.0});
+  }
+  if (!block.block().is_plain()) {
+    sketch.path("base of the block", {{0.0, 0.0}, block.right_edge()}, LayerKind::line, {.marker = 0, .width = 4.0});
+  }
+}
+
 std::string short_number(double number) { return significant(number, 3); }
+
+/// Whether its width and height are given.
+bool has_sides(const SceneBlock& block) {
+  return std::holds_alternative<UniformMass>(block.mass) || std::holds_alternative<GivenCentre>(block.mass);
+}
+
+std::string edges_in_words(const dynamics::Block& block, const dynamics::Geometry& geometry) {
+  const auto& [left, right, height, gyration] = *block.mass;
+  return "edges " + short_number(left) + " m left and " + short_number(right) +
+         " m right of the centre of mass, which is " + short_number(height) + " m high, radius of gyration " +
+         short_number(gyration) + " m, ψ_l = " + short_number(geometry.edges[0].shape_angle) +
+         " rad, ψ_r = " + short_number(geometry.edges[1].shape_angle) + " rad";
+}
 
 std::string in_metres(const Quantity& length) {
   return (is_drawn(length) ? quantity_in_words(length) : number_text(mean_of(length))) + " m";
@@ -126,9 +178,13 @@ std::string in_metres(const Quantity& length) {
 std::string scene_in_words(const Report& report, const ReportedCondition& condition) {
   const Scene& scene = condition.asked.scene;
   const dynamics::Geometry block = dynamics::geometry_of(mean_block(scene));
-  std::string text = "B = " + in_metres(scene.block.width) + ", H = " + in_metres(scene.block.height) +
-                     ", ψ = " + short_number(block.shape_angle) + " rad, R = " + short_number(block.half_diagonal) +
-                     " m, p = " + short_number(block.frequency_parameter) + " rad/s";
+  std::string text = has_sides(scene.block)
+                         ? "B = " + in_metres(scene.block.width) + ", H = " + in_metres(scene.block.height) + ", "
+                         : "";
+  text += block.is_rectangle() ? "ψ = " + short_number(block.shape_angle) + " rad"
+                               : edges_in_words(mean_of(scene.block), block);
+  text +=
+      ", R = " + short_number(block.half_diagonal) + " m, p = " + short_number(block.frequency_parameter) + " rad/s";
   if (condition.shaking) {
     for (const std::string_view key : {condition.shaking->given_amplitude, condition.shaking->given_frequency}) {
       text += ", " + with_greek(in_both_forms(*condition.shaking, key));
@@ -153,11 +209,13 @@ std::string scene_in_words(const Report& report, const ReportedCondition& condit
 }
 
 Figure scene_sketch(const Report& report) {
-  const dynamics::Block mean = mean_block(report.conditions.front().asked.scene);
-  const double width = mean.width;
-  const double height = mean.height;
+  const SceneBlock& asked = report.conditions.front().asked.scene.block;
+  const dynamics::Geometry geometry = dynamics::geometry_of(mean_of(asked));
+  const BlockOutline outline = outline_of(asked);
+  const double width = outline.right() - outline.left();
+  const double height = outline.top();
   const double size = std::max(width, height);
-  const double shape_angle = dynamics::geometry_of(mean).shape_angle;
+  const double shape_angle = geometry.edges[0].shape_angle;
   const double tilt = std::min(0.14, 0.5 * shape_angle);
   Figure figure;
   figure.name = "scene";
@@ -165,26 +223,30 @@ Figure scene_sketch(const Report& report) {
   figure.subtitle = report.title();
   figure.panels.push_back({.title = "", .x = {}, .y = {}, .layers = {}, .to_scale = true});
   Panel& panel = figure.panels.front();
-  panel.x.low = -0.6 * size;
-  panel.x.high = width + 0.5 * size;
+  panel.x.low = outline.left() - 0.6 * size;
+  panel.x.high = outline.right() + 0.5 * size;
   panel.y.low = -0.26 * size;
   panel.y.high = 1.08 * height + width * std::sin(tilt);
-  const TiltedBlock block(width, height, tilt);
+  const TiltedBlock block(outline, tilt);
   Sketch sketch;
-  draw_base(sketch, size, width);
-  sketch.path("block", block.outline(), LayerKind::polygon, {.colour = "#dbe9f6"});
-  sketch.path("outline", block.outline(), LayerKind::line, {.marker = 0, .width = 2.0});
-  draw_angles(sketch, block, size, shape_angle, tilt);
+  draw_base(sketch, size, outline);
+  draw_block(sketch, block);
+  draw_angles(sketch, block, size, geometry, tilt);
   sketch.path("centre of mass", {block.centre()}, LayerKind::points, {.size = 1.0});
   sketch.arrow("weight", block.centre(), {0.0, -0.24 * size});
-  sketch.word("mg", {block.centre().x + 0.05 * size, block.centre().y - 0.16 * size});
-  sketch.word("B", block.at(0.5 * width, height + 0.045 * size));
-  sketch.word("H", block.at(width + 0.045 * size, 0.6 * height));
+  const Point beside = geometry.is_rectangle() ? Point{0.05 * size, -0.16 * size} : Point{0.0, -0.28 * size};
+  sketch.word("mg", {block.centre().x + beside.x, block.centre().y + beside.y});
+  if (has_sides(asked)) {
+    sketch.word("B", block.at(0.5 * width, height + 0.045 * size));
+    sketch.word("H", block.at(width + 0.045 * size, 0.6 * height));
+  }
   sketch.finish(figure);
   const bool is_first = report.conditions.size() > 1;
   figure.caption = (is_first ? "The first of " + std::to_string(report.conditions.size()) + " conditions: " : "") +
                    scene_in_words(report, report.conditions.front()) + ". The tilt θ is drawn at " +
-                   short_number(tilt / shape_angle) + " ψ. N and F act at the edge on which the block stands.";
+                   short_number(tilt / shape_angle) + (geometry.is_rectangle() ? " ψ" : " ψ_l") +
+                   ". N and F act at the edge on which the block stands." +
+                   (outline.is_given ? "" : " Its outline is not known: a rectangle between its edges.");
   return figure;
 }
 

@@ -22,10 +22,24 @@ int place_of(std::string_view contact) {
 }
 
 Json motion_json(const Animation& motion) {
-  Json json = {{"name", motion.name},     {"width", motion.width},    {"height", motion.height},
-               {"period", motion.period}, {"length", motion.length},  {"times", Json::array()},
-               {"tilts", Json::array()},  {"rates", Json::array()},   {"slips", Json::array()},
-               {"bases", Json::array()},  {"contacts", Json::array()}};
+  const BlockOutline& block = motion.block;
+  Json json = {{"name", motion.name},
+               {"base", block.base},
+               {"extent", {block.left(), block.right(), block.top()}},
+               {"rectangles", Json::array()},
+               {"centre", {block.centre_x, block.centre_height}},
+               {"shapes", motion.shape_angles},
+               {"unit", motion.half_diagonal},
+               {"period", motion.period},
+               {"length", motion.length},
+               {"times", Json::array()},
+               {"tilts", Json::array()},
+               {"rates", Json::array()},
+               {"slips", Json::array()},
+               {"bases", Json::array()},
+               {"contacts", Json::array()}};
+  for (const auto& [left, right, bottom, top] : block.rectangles)
+    json["rectangles"].push_back({left, right, bottom, top});
   for (const MotionSample& sample : motion.samples) {
     json["times"].push_back(rounded(sample.time, 1e4));
     json["tilts"].push_back(rounded(sample.tilt, 1e5));
@@ -84,6 +98,15 @@ std::string animations_html(const std::vector<Animation>& motions) {
                             escaped(motion.command));
   }
   const std::string data = json_for_script(all);
+  const auto has_sides = [](const Animation& motion) { return motion.shape_angles[0] != motion.shape_angles[1]; };
+  const auto is_guessed = [](const Animation& motion) { return !motion.block.is_given; };
+  const std::string of_block =
+      std::string(std::ranges::any_of(motions, has_sides) ? "&Theta; is the tilt over &psi; of the side on which the "
+                                                            "block is: at 1 it is in balance on either side. "
+                                                          : "") +
+      (std::ranges::any_of(motions, is_guessed) ? "The outline of the block is not known: a rectangle between its "
+                                                  "edges, twice as high as its centre of mass. "
+                                                : "");
   return fmt::format(
       "<div class=\"motions\" data-motions=\"motions\"></div>\n<script type=\"application/json\" "
       "id=\"data-motions\">{}</script>\n<div class=\"stills\">\n{}</div>\n<p class=\"small\">The block is drawn "
@@ -91,8 +114,8 @@ std::string animations_html(const std::vector<Animation>& motions) {
       "to the floor; the arrow below the floor is the acceleration of the floor. The motion of the floor is not "
       "drawn. Shaded: sliding (blue), rocking and sliding (yellow), at rest (grey). Tilt, slip and block have one "
       "scale unless a larger factor is chosen; the factor stands in the drawing. "
-      "The drawing takes {} samples, {} kB of this page. The numbers:</p>\n<ul class=\"small\">\n{}</ul>\n",
-      data, stills, samples, (data.size() + 999) / 1000, commands);
+      "{}The drawing takes {} samples, {} kB of this page. The numbers:</p>\n<ul class=\"small\">\n{}</ul>\n",
+      data, stills, of_block, samples, (data.size() + 999) / 1000, commands);
 }
 
 std::string animation_page_text(const std::string& title, const Animation& motion) {

@@ -7,13 +7,14 @@ var motions = (function () {
   var shades = ['#e3e3e3', '#bfe0f5', '', '#f8e0a8', '#bdbdbd'];
   var ink = '#1a1a1a', pale = '#8a929b', accent = '#d55e00', blue = '#0072b2';
 
+  // A tilt in radians: over psi of the edge about which the block turns, the left one if it is positive.
+  function angleOf(motion, tilt) { return tilt * motion.shapes[tilt < 0 ? 1 : 0]; }
+
   // A motion with what follows from its numbers: angles in radians, slips in metres.
   function read(motion) {
-    var shape = Math.atan2(motion.width, motion.height);
-    var half = 0.5 * Math.hypot(motion.width, motion.height);
-    var most = Math.max.apply(null, motion.tilts.map(Math.abs)) * shape;
-    var slips = motion.slips.map(function (slip) { return slip * half; });
-    return Object.assign(motion, { shape: shape, mostTilt: most, slips: slips, slipEnds: ends(slips),
+    var most = Math.max.apply(null, motion.tilts.map(function (tilt) { return Math.abs(angleOf(motion, tilt)); }));
+    var slips = motion.slips.map(function (slip) { return slip * motion.unit; });
+    return Object.assign(motion, { mostTilt: most, slips: slips, slipEnds: ends(slips),
       mostBase: Math.max.apply(null, motion.bases.map(Math.abs)) });
   }
 
@@ -220,37 +221,43 @@ var motions = (function () {
 
   Player.prototype.drawBlock = function (state) {
     var motion = this.motion, factor = Number(this.factor.value), sheet = cleared(this.block), pen = sheet.pen;
-    var limit = Math.PI / 2, angle = Math.max(-limit, Math.min(limit, factor * motion.shape * state.tilt));
-    var most = Math.min(limit, factor * motion.mostTilt), reach = motion.height * Math.sin(most);
+    var limit = Math.PI / 2, angle = Math.max(-limit, Math.min(limit, factor * angleOf(motion, state.tilt)));
+    var most = Math.min(limit, factor * motion.mostTilt), reach = motion.extent[2] * Math.sin(most);
     var slips = [factor * motion.slipEnds[0], factor * motion.slipEnds[1]];
-    var follows = slips[1] - slips[0] > 3 * motion.width;
-    var room = motion.width + 2 * reach + (follows ? 0 : slips[1] - slips[0]) + 0.6 * motion.width;
-    var tall = Math.hypot(motion.height, motion.width);
+    var wide = motion.extent[1] - motion.extent[0], half = 0.5 * (motion.extent[0] + motion.extent[1]);
+    var follows = slips[1] - slips[0] > 3 * wide;
+    var room = wide + 2 * reach + (follows ? 0 : slips[1] - slips[0]) + 0.6 * wide;
+    var tall = Math.hypot(motion.extent[2], wide);
     var scale = Math.min((sheet.width - 16) / room, (sheet.height - 78) / tall);
     var floor = sheet.height - 52, slip = factor * state.slip;
     var middle = follows ? slip : 0.5 * (slips[0] + slips[1]);
-    function x(metre) { return sheet.width / 2 + scale * (metre - middle - 0.5 * motion.width); }
+    function x(metre) { return sheet.width / 2 + scale * (metre - middle - half); }
     // The floor with marks, relative to which the block slips.
     line(pen, [[0, floor], [sheet.width, floor]], ink, 2);
-    var mark = round(0.35 * sheet.width / scale), left = middle + 0.5 * motion.width - 0.5 * sheet.width / scale;
+    var mark = round(0.35 * sheet.width / scale), left = middle + half - 0.5 * sheet.width / scale;
     for (var at = Math.ceil(left / mark * 4) * mark / 4; x(at) < sheet.width; at += mark / 4) {
       line(pen, [[x(at), floor], [x(at) - 5, floor + 7]], pale, 1);
     }
     // The block turns about its left edge if the tilt is positive, otherwise about its right edge.
-    var pivot = slip + (angle < 0 ? motion.width : 0), own = angle < 0 ? -motion.width : 0;
+    var pivot = slip + (angle < 0 ? motion.base : 0), own = angle < 0 ? -motion.base : 0;
     var cosine = Math.cos(angle), sine = Math.sin(angle);
     function point(along, up) {
       return [x(pivot + (own + along) * cosine - up * sine), floor - scale * ((own + along) * sine + up * cosine)];
     }
-    var outline = [[0, 0], [1, 0], [1, 1], [0, 1], [0, 0]].map(function (corner) {
-      return point(corner[0] * motion.width, corner[1] * motion.height);
+    motion.rectangles.forEach(function (part) {
+      var outline = [[0, 2], [1, 2], [1, 3], [0, 3], [0, 2]].map(function (corner) {
+        return point(part[corner[0]], part[corner[1]]);
+      });
+      pen.beginPath();
+      outline.forEach(function (corner) { pen.lineTo(corner[0], corner[1]); });
+      pen.fillStyle = '#dbe9f6';
+      pen.fill();
+      line(pen, outline, ink, 2);
     });
-    pen.beginPath();
-    outline.forEach(function (corner) { pen.lineTo(corner[0], corner[1]); });
-    pen.fillStyle = '#dbe9f6';
-    pen.fill();
-    line(pen, outline, ink, 2);
-    var centre = point(0.5 * motion.width, 0.5 * motion.height);
+    // The base between the edges, where it is not the lower side of a single rectangle.
+    var plain = motion.rectangles.length === 1 && motion.extent[0] === 0 && motion.extent[1] === motion.base;
+    if (!plain) line(pen, [point(0, 0), point(motion.base, 0)], ink, 4);
+    var centre = point(motion.centre[0], motion.centre[1]);
     pen.beginPath();
     pen.arc(centre[0], centre[1], 3, 0, 2 * Math.PI);
     pen.fillStyle = ink;
@@ -357,13 +364,13 @@ var motions = (function () {
     line(pen, motion.tilts.map(function (tilt, i) { return [x(tilt), y(motion.rates[i])]; }), blue, 1);
     pen.fillText('tilt rate \u0398\u2032 = d\u0398/d\u03c4', 6, 14);
     pen.textAlign = 'center';
-    pen.fillText('tilt \u0398 = \u03b8/\u03c8', 0.5 * sheet.width, sheet.height - 6);
+    pen.fillText('tilt \u0398 = \u03b8/\u03c8' + (motion.shapes[0] === motion.shapes[1] ? '' : ' of its side'), 0.5 * sheet.width, sheet.height - 6);
     pen.textAlign = 'left';
     return kept(sheet, this.portrait, { x: x, y: y });
   };
 
   Player.prototype.tell = function (state) {
-    var degrees = 180 / Math.PI * this.motion.shape * state.tilt, readout = this.readout, time = this.shown(state.time);
+    var degrees = 180 / Math.PI * angleOf(this.motion, state.tilt), readout = this.readout, time = this.shown(state.time);
     var seconds = state.time.toFixed(2) + ' s';
     var when = this.motion.period > 0 ? 'period ' + time.toFixed(2) + ' (' + seconds + ')' : seconds;
     readout.textContent = '';

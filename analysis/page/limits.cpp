@@ -19,7 +19,7 @@ constexpr Limit limits[] = {
      "&amp; Smyth 2012b). For a block whose two widths are similar, the result is a first estimate only."},
     {"One rigid block",
      "The block does not deform. A flexible body, moving parts or contents change uplift and overturning (Acikgoz "
-     "&amp; DeJong 2012)."},
+     "&amp; DeJong 2012). Its mass may be anywhere above its base, but must not move."},
     {"Sharp edges",
      "The block turns about ideal edges. Rounded or crushed edges move the pivot inwards, so that the block "
      "is less stable than its width suggests. Give the effective width."},

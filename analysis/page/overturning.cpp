@@ -140,21 +140,34 @@ std::string overturning_anywhere(const Report& report) {
                      count_at(condition, overturned));
 }
 
+/// How many realisations of all conditions overturned to each side, where the edges differ; empty if none did.
+std::string sides_in_brief(const Report& report) {
+  if (!has_unlike_edges(report)) return "";
+  std::uint64_t left = 0, right = 0;
+  for (const ReportedCondition& condition : report.conditions) {
+    if (const auto& side = condition.result.overturned_left) left += side->probability.counts.successes;
+    if (const auto& side = condition.result.overturned_right) right += side->probability.counts.successes;
+  }
+  if (left + right == 0) return "";
+  return fmt::format("<p>Of all conditions together, {} overturned to the left and {} to the right.</p>\n", left,
+                     right);
+}
+
 }  // namespace
 
 std::string overturning_in_brief(const Report& report) {
   std::uint64_t open = 0;
   for (const ReportedCondition& condition : report.conditions) open += condition.result.without_answer();
-  const std::string of_open =
-      open == 0 ? ""
-                : fmt::format(
-                      "<p class=\"warning\">Of {} whether they overturn is not known: they ended without an "
-                      "answer, by a budget of steps or by Painlev&eacute;&#39;s paradox. The intervals cover "
-                      "both.</p>\n",
-                      counted(open, "realisation"));
+  const std::string notes =
+      sides_in_brief(report) +
+      (open == 0 ? ""
+                 : fmt::format("<p class=\"warning\">Of {} whether they overturn is not known: they ended without an "
+                               "answer, by a budget of steps or by Painlev&eacute;&#39;s paradox. The intervals cover "
+                               "both.</p>\n",
+                               counted(open, "realisation")));
   const SweepView view = view_of(report);
-  if (has_few_slices(view)) return by_slice(report, view, overturning_along) + of_open;
-  return "<p>" + overturning_anywhere(report) + ".</p>\n" + of_open;
+  if (has_few_slices(view)) return by_slice(report, view, overturning_along) + notes;
+  return "<p>" + overturning_anywhere(report) + ".</p>\n" + notes;
 }
 
 }  // namespace rocking::analysis

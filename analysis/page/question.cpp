@@ -38,6 +38,15 @@ Spread of_blocks(const Report& report, double dynamics::Geometry::*number) {
   return spread_of(numbers);
 }
 
+/// Of an edge of each of them, 0 left and 1 right.
+Spread of_edges(const Report& report, std::size_t side, double dynamics::Edge::*number) {
+  std::vector<double> numbers;
+  for (const ReportedCondition& condition : report.conditions) {
+    numbers.push_back(dynamics::geometry_of(mean_block(condition.asked.scene)).edges[side].*number);
+  }
+  return spread_of(numbers);
+}
+
 bool is_swept(const Report& report, const std::string& pointer) {
   for (const std::string& swept : report.swept) {
     if (swept == pointer || pointer.starts_with(swept + '/')) return true;
@@ -92,7 +101,7 @@ std::string both_forms_html(const Report& report, std::string_view Shaking::*giv
 
 /// Whether each realisation has a block of its own size, so that one of the forms is that of the mean block.
 bool has_random_block(const Report& report) {
-  return is_random(report, "/block/width_m") || is_random(report, "/block/height_m");
+  return std::ranges::any_of(report.conditions, [](const auto& each) { return is_drawn(each.asked.scene.block); });
 }
 
 /// `0.5 to 2 m wide (swept)`: a side of the blocks of all conditions.
@@ -327,7 +336,20 @@ std::string question_in_full(const Report& report) {
     return spread_in_words(of_blocks(report, number), 4);
   };
   std::string rows;
-  rows += row("shape angle", fmt::format("&psi; = {} rad", in_words(&dynamics::Geometry::shape_angle)));
+  if (has_unlike_edges(report)) {
+    const auto of_edge = [&](std::size_t side, double dynamics::Edge::*number) {
+      return spread_in_words(of_edges(report, side, number), 4);
+    };
+    rows +=
+        row("shape angles",
+            fmt::format(
+                "&psi; = {} rad at the left edge, {} rad at the right edge; &Theta; is the tilt over that of its side",
+                of_edge(0, &dynamics::Edge::shape_angle), of_edge(1, &dynamics::Edge::shape_angle)));
+    rows += row("uplift", fmt::format("base above {} g to the right, or {} g to the left",
+                                      of_edge(0, &dynamics::Edge::tangent), of_edge(1, &dynamics::Edge::tangent)));
+  } else {
+    rows += row("shape angle", fmt::format("&psi; = {} rad", in_words(&dynamics::Geometry::shape_angle)));
+  }
   rows += row("half diagonal", fmt::format("<i>R</i> = {} m", in_words(&dynamics::Geometry::half_diagonal)));
   rows += row("frequency parameter",
               fmt::format("<i>p</i> = {} rad/s", in_words(&dynamics::Geometry::frequency_parameter)));

@@ -133,14 +133,16 @@ std::optional<analysis::Animation> animation_of(const Experiment& experiment, co
   const Trajectory trajectory = trajectory_of(condition, experiment.seed, key.realisation,
                                               TrajectoryExtent(extent.periods, samples, extent.stop));
   if (trajectory.history.size() < 2) return std::nullopt;
-  const double p = dynamics::geometry_of(trajectory.block).frequency_parameter;
+  const dynamics::Geometry geometry = dynamics::geometry_of(trajectory.block);
+  const double p = geometry.frequency_parameter;
   const double period = trajectory.history[1].tau * samples / p;
   analysis::Animation motion{
       .name = fmt::format("realisation {}", key.realisation),
       .command = fmt::format("rocking trajectory EXPERIMENT.json --condition {} --realisation {} --samples {}",
                              key.condition, key.realisation, samples),
-      .width = trajectory.block.width,
-      .height = trajectory.block.height,
+      .block = outline_of(trajectory.asked_block),
+      .shape_angles = {geometry.edges[0].shape_angle, geometry.edges[1].shape_angle},
+      .half_diagonal = geometry.half_diagonal,
       .period = periodic ? period : 0.0,
       .length = 0.0,
       .samples = samples_of(trajectory, p)};

@@ -169,6 +169,39 @@ dynamics::Block mean_of(const SceneBlock& block) {
   return mean;
 }
 
+double BlockOutline::left() const { return std::ranges::min(rectangles, {}, &Rectangle::left).left; }
+double BlockOutline::right() const { return std::ranges::max(rectangles, {}, &Rectangle::right).right; }
+double BlockOutline::top() const { return std::ranges::max(rectangles, {}, &Rectangle::top).top; }
+
+BlockOutline outline_of(const SceneBlock& block) {
+  const dynamics::Block mean = mean_of(block);
+  BlockOutline outline{.rectangles = {{.left = 0.0, .right = mean.width, .bottom = 0.0, .top = mean.height}},
+                       .base = mean.width,
+                       .centre_x = 0.5 * mean.width,
+                       .centre_height = 0.5 * mean.height,
+                       .is_given = !std::holds_alternative<GivenEdges>(block.mass)};
+  if (!mean.mass) return outline;
+  outline.base = mean.mass->left_edge + mean.mass->right_edge;
+  outline.centre_x = mean.mass->left_edge;
+  outline.centre_height = mean.mass->centre_height;
+  const auto* given = std::get_if<GivenParts>(&block.mass);
+  if (given == nullptr) return outline;
+  double mass = 0.0, moment = 0.0;
+  for (const BlockPart& part : given->parts) {
+    mass += mean_of(part.mass);
+    moment += mean_of(part.mass) * mean_of(part.x);
+  }
+  outline.rectangles.clear();
+  for (const BlockPart& part : given->parts) {
+    const double x = mean_of(part.x) - moment / mass + outline.centre_x, half = 0.5 * mean_of(part.width);
+    outline.rectangles.push_back({.left = x - half,
+                                  .right = x + half,
+                                  .bottom = mean_of(part.bottom),
+                                  .top = mean_of(part.bottom) + mean_of(part.height)});
+  }
+  return outline;
+}
+
 ShapeRange shapes_of(const SceneBlock& block) {
   if (std::holds_alternative<UniformMass>(block.mass)) {
     const Reach width = reach_of_number(block.width, true);

@@ -90,6 +90,27 @@ struct SizeRange {
 /// between them with the centre of mass at half its height, of parts their extent.
 [[nodiscard]] dynamics::Block mean_of(const SceneBlock& block);
 
+/// A block to draw, in metres from the left end of its base.
+struct BlockOutline {
+  struct Rectangle {
+    double left, right, bottom, top;
+  };
+  std::vector<Rectangle> rectangles;  ///< one, or the parts
+  double base = 0.0;                  ///< distance of the edges
+  double centre_x = 0.0;              ///< of the centre of mass
+  double centre_height = 0.0;         ///< likewise, above the base
+  bool is_given = true;               ///< otherwise it is only known where the edges and the centre of mass are
+
+  [[nodiscard]] double left() const;
+  [[nodiscard]] double right() const;
+  [[nodiscard]] double top() const;
+  /// A rectangle on its whole base.
+  [[nodiscard]] bool is_plain() const { return rectangles.size() == 1 && left() == 0.0 && right() == base; }
+};
+
+/// Of the block with the mean of each number; of given edges a rectangle between them, twice as high as the centre of mass.
+[[nodiscard]] BlockOutline outline_of(const SceneBlock& block);
+
 /// Over the corners of the box in which the drawn numbers lie.
 [[nodiscard]] ShapeRange shapes_of(const SceneBlock& block);
 [[nodiscard]] SizeRange sizes_of(const SceneBlock& block);

@@ -369,7 +369,10 @@ TEST(Page, TellsAboutItsLimitsWhatTheDocumentsTell) {
 }
 
 Animation made_up_motion() {
-  Animation motion{.name = "(1,1): <script>", .command = "rocking trajectory a.json", .width = 1.0, .height = 4.0};
+  Animation motion{.name = "(1,1): <script>",
+                   .command = "rocking trajectory a.json",
+                   .block = {.rectangles = {{0.0, 1.0, 0.0, 3.0}}, .base = 1.0, .centre_x = 0.25, .is_given = false},
+                   .shape_angles = {0.2, 0.5}};
   for (int i = 0; i <= 4; ++i) {
     motion.samples.push_back({.time = 0.1 * i, .tilt = 0.01 * i, .slip = 1e-7, .contact = i < 2 ? "rock" : "slide"});
   }
@@ -388,6 +391,10 @@ TEST(Page, AnimatesMotionsUnderTheSamePolicy) {
   EXPECT_EQ(motion["contacts"], Json({2, 2, 1, 1, 1}));
   EXPECT_EQ(motion["tilts"][3], 0.03);
   EXPECT_EQ(motion["slips"][0], 0.0);
+  EXPECT_EQ(motion["rectangles"], Json({{0.0, 1.0, 0.0, 3.0}}));
+  EXPECT_EQ(motion["centre"][0], 0.25);
+  EXPECT_EQ(motion["shapes"], Json({0.2, 0.5}));
+  EXPECT_THAT(page, AllOf(HasSubstr("tilt over &psi; of the side"), HasSubstr("outline of the block is not known")));
   for (const std::string& each : {page, animation_page_text("t", made_up_motion())}) expect_hashes_of_all(each);
 }
 

@@ -1,7 +1,11 @@
 // Pages, figures and tables of a run show the shaking in the units of the file and in the other form, and each
 // condition with its own numbers.
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -116,6 +120,46 @@ TEST(TheSketch, IsThatOfTheFirstConditionWithItsOwnShaking) {
   EXPECT_THAT(caption, StartsWith("The first of 3 conditions: B = 0.5 m"));
   EXPECT_THAT(caption, HasSubstr("1.1 g = A_h 8.85, 3 Hz = Ω_h "));
   EXPECT_THAT(scene_sketch(report_of(normalised)).caption, HasSubstr("A_h 4.5 = 1.1 g, Ω_h 10 = 3.01 Hz"));
+}
+
+/// The least experiment with this block.
+Report of_block(const char* block) {
+  Json document = support::least_experiment();
+  document["block"] = Json::parse(block);
+  return report_in(report_json(document));
+}
+
+/// The points of a table of a figure.
+std::vector<std::array<double, 2>> points_of(const Figure& figure, const std::string& name) {
+  const auto found = std::ranges::find(figure.tables, name, &Table::name);
+  std::vector<std::array<double, 2>> points;
+  if (found == figure.tables.end()) return points;
+  for (const auto& row : found->rows) points.push_back({std::get<double>(row[0]), std::get<double>(row[1])});
+  return points;
+}
+
+TEST(TheSketch, DrawsEveryPartAndTheCentreOfMassAboveItsEdges) {
+  const Figure figure = scene_sketch(of_block(R"({"parts": [
+      {"width_m": 0.6, "height_m": 0.2, "mass_kg": 30, "x_m": 0.0, "bottom_m": 0},
+      {"width_m": 0.8, "height_m": 1.0, "mass_kg": 10, "x_m": 0.2, "bottom_m": 0.2}], "base_m": [-0.2, 0.3]})"));
+  // At rest the centre of mass is 0.25 m right of the left edge and 0.25 m high; the block is drawn with a tilt.
+  const double tilt = 0.14;
+  const auto centre = points_of(figure, "centre of mass").at(0);
+  EXPECT_NEAR(centre[0], 0.25 * std::cos(tilt) - 0.25 * std::sin(tilt), 2e-6);
+  EXPECT_NEAR(centre[1], 0.25 * std::sin(tilt) + 0.25 * std::cos(tilt), 2e-6);
+  EXPECT_EQ(points_of(figure, "block").size(), 5U);
+  EXPECT_EQ(points_of(figure, "block 2").size(), 5U);
+  EXPECT_NEAR(points_of(figure, "base of the block").at(1)[0], 0.5 * std::cos(tilt), 2e-6);
+  EXPECT_THAT(figure.caption,
+              HasSubstr("edges 0.25 m left and 0.25 m right of the centre of mass, which is 0.25 m high"));
+  EXPECT_THAT(figure.caption, HasSubstr("ψ_l = 0.785 rad, ψ_r = 0.785 rad"));
+}
+
+TEST(TheQuestion, HasBothSidesOfABlockWithUnlikeEdges) {
+  const std::string text =
+      question_in_full(of_block(R"({"edges_m": [0.25, 0.9], "centre_height_m": 1.0, "radius_of_gyration_m": 0.7})"));
+  EXPECT_THAT(text, HasSubstr("&psi; = 0.245 rad at the left edge, 0.7328 rad at the right edge"));
+  EXPECT_THAT(text, HasSubstr("base above 0.25 g to the right, or 0.9 g to the left"));
 }
 
 TEST(TheSketch, SaysWhatFluctuates) {

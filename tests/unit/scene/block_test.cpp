@@ -70,6 +70,42 @@ TEST(SceneBlock, StandsOnThePartsOnTheFloor) {
   EXPECT_NEAR(block.mass->left_edge, 0.2, 1e-15);
 }
 
+BlockOutline outline_in(const std::string& block) {
+  return outline_of(with_block(block).conditions.front().scene.block);
+}
+
+TEST(BlockOutline, HasThePartsFromTheLeftEndOfTheBase) {
+  const BlockOutline outline = outline_in(R"({"parts": [
+      {"width_m": 0.6, "height_m": 0.1, "mass_kg": 10, "x_m": 0.1, "bottom_m": 0},
+      {"width_m": 1.0, "height_m": 1.0, "mass_kg": 30, "x_m": 0.2, "bottom_m": 0.1}], "base_m": [-0.1, 0.4]})");
+  ASSERT_EQ(outline.rectangles.size(), 2U);
+  EXPECT_NEAR(outline.rectangles[0].left, -0.1, 1e-15);
+  EXPECT_NEAR(outline.rectangles[0].right, 0.5, 1e-15);
+  EXPECT_NEAR(outline.rectangles[1].left, -0.2, 1e-15);
+  EXPECT_NEAR(outline.left(), -0.2, 1e-15);
+  EXPECT_NEAR(outline.right(), 0.8, 1e-15);
+  EXPECT_NEAR(outline.top(), 1.1, 1e-15);
+  EXPECT_NEAR(outline.base, 0.5, 1e-15);
+  EXPECT_NEAR(outline.centre_x, 0.275, 1e-15);
+  EXPECT_NEAR(outline.centre_height, (10 * 0.05 + 30 * 0.6) / 40, 1e-15);
+  EXPECT_FALSE(outline.is_plain());
+}
+
+TEST(BlockOutline, OfOneRectangleHasItsCentreOfMassWhereItIs) {
+  const BlockOutline off =
+      outline_in(R"({"width_m": 0.6, "height_m": 2.0, "centre_offset_m": 0.1, "centre_height_m": 0.7})");
+  EXPECT_TRUE(off.is_plain() && off.is_given);
+  EXPECT_NEAR(off.centre_x, 0.4, 1e-15);
+  EXPECT_EQ(off.centre_height, 0.7);
+  EXPECT_EQ(off.top(), 2.0);
+  const BlockOutline edges =
+      outline_in(R"({"edges_m": [0.3, 0.2], "centre_height_m": 1.0, "radius_of_gyration_m": 0.6})");
+  EXPECT_TRUE(edges.is_plain());
+  EXPECT_FALSE(edges.is_given);
+  EXPECT_EQ(edges.centre_x, 0.3);
+  EXPECT_EQ(edges.top(), 2.0);
+}
+
 TEST(SceneBlock, MovesTheEdgesWithTheOffsetOfItsCentre) {
   const dynamics::Block block =
       block_in(R"({"width_m": 0.6, "height_m": 2.0, "centre_offset_m": 0.1, "centre_height_m": 0.7})");

@@ -55,45 +55,73 @@ std::string values_of(const std::vector<Parameter>& parameters) {
 /// The block from the front, in millimetres on the paper.
 class Drawing {
  public:
-  Drawing(double width_m, double height_m) : width_m_(width_m), height_m_(height_m) {
+  explicit Drawing(const BlockOutline& block) : block_(block), wide_(block.right() - block.left()), high_(block.top()) {
     constexpr std::array scales{1.0, 2.0, 5.0, 10.0, 20.0, 25.0, 50.0, 100.0, 200.0, 500.0, 1000.0};
-    const auto fits = [&](double scale) { return width_m <= 0.034 * scale && height_m <= 0.044 * scale; };
+    const auto fits = [&](double scale) { return wide_ <= 0.034 * scale && high_ <= 0.044 * scale; };
     const auto found = std::ranges::find_if(scales, fits);
-    scale_ = found == scales.end() ? std::ceil(std::max(width_m / 0.034, height_m / 0.044)) : *found;
+    scale_ = found == scales.end() ? std::ceil(std::max(wide_ / 0.034, high_ / 0.044)) : *found;
   }
 
   [[nodiscard]] std::string svg() const {
-    const double b = 1000.0 * width_m_ / scale_, h = 1000.0 * height_m_ / scale_;
-    const double left = 31.0 - 0.5 * b, floor = 47.0, top = floor - h;
+    std::string parts;
+    for (const auto& [left, right, bottom, top] : block_.rectangles) {
+      parts += fmt::format(
+          "<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" fill=\"#dddddd\" "
+          "stroke=\"#000\" stroke-width=\".35\"{}/>\n",
+          x(left), y(top), x(right) - x(left), y(bottom) - y(top),
+          block_.is_given ? "" : " stroke-dasharray=\"1.5 .7\"");
+    }
+    if (!block_.is_plain()) {
+      parts += fmt::format("<path d=\"M{:.2f} {} H{:.2f}\" stroke=\"#000\" stroke-width=\"1.2\"/>\n", x(0.0), floor,
+                           x(block_.base));
+    }
     return fmt::format(
         "<svg width=\"62mm\" height=\"53mm\" viewBox=\"0 3 62 53\" role=\"img\" aria-label=\"The block, {0} m wide and "
-        "{1} m high, to the scale 1 : {2}\">\n<rect x=\"{3:.2f}\" y=\"{4:.2f}\" width=\"{5:.2f}\" height=\"{6:.2f}\" "
-        "fill=\"#dddddd\" stroke=\"#000\" stroke-width=\".35\"/>\n<path d=\"M4 {7} H58\" stroke=\"#000\" "
-        "stroke-width=\".5\"/>\n<path d=\"M{8:.2f} {7} L31 {9:.2f}\" stroke=\"#000\" stroke-width=\".2\" "
-        "stroke-dasharray=\"1 .7\"/>\n<circle cx=\"31\" cy=\"{9:.2f}\" r=\".7\"/>\n{10}\n</svg>",
-        significant(width_m_, 4), significant(height_m_, 4), significant(scale_, 4), left, top, b, h, floor, left + b,
-        floor - 0.5 * h, labels(left, top, b, h, floor));
+        "{1} m high, to the scale 1 : {2}\">\n{3}<path d=\"M4 {4} H58\" stroke=\"#000\" "
+        "stroke-width=\".5\"/>\n<path d=\"M{5:.2f} {4} L{6:.2f} {7:.2f}{8}\" fill=\"none\" stroke=\"#000\" "
+        "stroke-width=\".2\" "
+        "stroke-dasharray=\"1 .7\"/>\n<circle cx=\"{6:.2f}\" cy=\"{7:.2f}\" r=\".7\"/>\n{9}\n</svg>",
+        significant(wide_, 4), significant(high_, 4), significant(scale_, 4), parts, floor, x(block_.base),
+        x(block_.centre_x), y(block_.centre_height), is_even() ? "" : fmt::format(" L{:.2f} {}", x(0.0), floor),
+        labels());
   }
 
  private:
-  [[nodiscard]] std::string labels(double left, double top, double b, double h, double floor) const {
+  static constexpr double floor = 47.0;
+
+  [[nodiscard]] double x(double metres) const {
+    return 31.0 + 1000.0 * (metres - 0.5 * (block_.left() + block_.right())) / scale_;
+  }
+  [[nodiscard]] double y(double metres) const { return floor - 1000.0 * metres / scale_; }
+  /// Whether both edges are as far from the centre of mass.
+  [[nodiscard]] bool is_even() const { return block_.centre_x == 0.5 * block_.base; }
+
+  /// The distance of the edges, or that of each from the centre of mass, and the height: that of the centre of mass where no
+  /// other is known.
+  [[nodiscard]] std::string labels() const {
+    const double left = x(0.0), right = x(block_.base), side = x(block_.left());
+    const double high = block_.is_given ? high_ : block_.centre_height;
+    const std::string middle = is_even() ? "" : fmt::format(" M{:.2f} 49 V50.4", x(block_.centre_x));
+    const std::string width =
+        is_even() ? significant(block_.base, 4)
+                  : significant(block_.centre_x, 3) + " + " + significant(block_.base - block_.centre_x, 3);
     return fmt::format(
-        "<path d=\"M{0:.2f} 49 V50.4 M{1:.2f} 49 V50.4 M{0:.2f} 49.7 H{1:.2f} M{2:.2f} {3:.2f} H{4:.2f} M{2:.2f} {5} "
-        "H{4:.2f} M{6:.2f} {3:.2f} V{5}\" fill=\"none\" stroke=\"#000\" stroke-width=\".2\"/>\n<text x=\"31\" y=\"53\" "
+        "<path d=\"M{0:.2f} 49 V50.4 M{1:.2f} 49 V50.4{12} M{0:.2f} 49.7 H{1:.2f} M{2:.2f} {3:.2f} H{4:.2f} M{2:.2f} "
+        "{5} "
+        "H{4:.2f} M{6:.2f} {3:.2f} V{5}\" fill=\"none\" stroke=\"#000\" stroke-width=\".2\"/>\n<text x=\"{13:.2f}\" "
+        "y=\"53\" "
         "font-size=\"2.8\" text-anchor=\"middle\">{7} m</text>\n<text x=\"{8:.2f}\" y=\"{9:.2f}\" font-size=\"2.8\" "
         "text-anchor=\"end\">{10} m</text>\n<text x=\"58\" y=\"55.5\" font-size=\"2.6\" text-anchor=\"end\">scale 1 : "
         "{11}</text>",
-        left, left + b, left - 3.0, top, left - 1.6, floor, left - 2.3, significant(width_m_, 4), left - 3.6,
-        floor - 0.5 * h + 1.0, significant(height_m_, 4), significant(scale_, 4));
+        left, right, side - 3.0, y(high), side - 1.6, floor, side - 2.3, width, side - 3.6,
+        0.5 * (floor + y(high)) + 1.0, significant(high, 4), significant(scale_, 4), middle, 0.5 * (left + right));
   }
 
-  double width_m_, height_m_, scale_;
+  BlockOutline block_;
+  double wide_, high_, scale_ = 1.0;
 };
 
-std::string drawing(const Report& run) {
-  const dynamics::Block block = mean_block(run.conditions.front().asked.scene);
-  return Drawing(block.width, block.height).svg();
-}
+std::string drawing(const Report& run) { return Drawing(outline_of(run.conditions.front().asked.scene.block)).svg(); }
 
 std::string answer(const SheetContent& sheet) {
   const ReportedSuite& object = sheet.suites.front();

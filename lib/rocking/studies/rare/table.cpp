@@ -11,7 +11,7 @@ using look::number;
 
 std::string event_words(const RareQuestion& question) {
   if (!question.event.peak_tilt) return "the block overturns within the horizon";
-  return "the largest abs(Theta), tilt over psi of its side, exceeds within the horizon " +
+  return "within the horizon the largest abs(Theta), tilt over psi of its side, exceeds " +
          significant(*question.event.peak_tilt, 6);
 }
 

@@ -149,11 +149,18 @@ Condition condition_of_general_block(const json& inputs) {
     scene.friction =
         Friction{.static_coefficient = number("static_friction"), .kinetic_coefficient = number("kinetic_friction")};
   }
-  const dynamics::Geometry block = dynamics::geometry_of(mean_block(scene));
-  const double tilt = inputs["initial"]["tilt_rad"];
-  scene.initial = {.tilt = tilt / block.tilt_unit(tilt, 0.0),
-                   .slip_rate = inputs["initial"]["slip_rate_m_s"].get<double>() /
-                                (block.half_diagonal * block.frequency_parameter)};
+  const json& vertical = inputs["vertical_base_acceleration"];
+  if (vertical["amplitude_m_s2"] != 0.0) {
+    support::harmonic(scene).vertical = VerticalHarmonic{
+        .phase = vertical["phase_rad"].get<double>(),
+        .physical_amplitude = PhysicalAmplitude{vertical["amplitude_m_s2"].get<double>(), AccelerationUnit::m_s2},
+        .physical_frequency = PhysicalFrequency{vertical["frequency_hz"].get<double>(), FrequencyUnit::hertz}};
+  }
+  const json& initial = inputs["initial"];
+  scene.initial = {.tilt = initial["tilt_rad"].get<double>(),
+                   .tilt_rate = initial["tilt_rate_rad_s"].get<double>(),
+                   .slip_rate = initial["slip_rate_m_s"].get<double>(),
+                   .units = {.tilt = StateUnit::si, .tilt_rate = StateUnit::si, .slip_rate = StateUnit::si}};
   return condition;
 }
 

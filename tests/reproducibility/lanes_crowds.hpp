@@ -108,6 +108,30 @@ inline std::vector<Condition> pulse_crowd() {
   return conditions;
 }
 
+/// Vertical motion beside the horizontal one, with every kind of contact; other motions in the lanes beside.
+inline std::vector<Condition> vertical_crowd() {
+  std::vector<Condition> conditions;
+  const Friction rough{.static_coefficient = 0.40, .kinetic_coefficient = 0.35};
+  const Friction smooth{.static_coefficient = 0.25, .kinetic_coefficient = 0.22};
+  for (const double frequency : {20.0, 10.0, 5.0, 23.7}) {
+    for (const auto& friction : {std::optional<Friction>{}, std::optional(rough), std::optional(smooth)}) {
+      for (const double amplitude : {1.0, 4.5, 7.0}) {
+        Condition condition = from_random_tilt(amplitude, friction);
+        support::harmonic(condition.scene).vertical =
+            VerticalHarmonic{.amplitude = Uniform{.low = 0.0, .high = 5.0}, .frequency_ratio = frequency, .phase = 1.1};
+        conditions.push_back(condition);
+        if (!friction) continue;
+        condition.scene.fluctuation.kinetic_friction = 0.05;
+        condition.scene.fluctuation.refreshes_per_period = amplitude == 7.0 ? 70 : 200;
+        conditions.push_back(condition);
+      }
+    }
+  }
+  conditions.push_back(from_random_tilt(4.5));
+  conditions.push_back(from_random_tilt(7.0, rough));
+  return conditions;
+}
+
 /// All cases that occur in lanes: rocking with and without friction, slip, coarse and fine grids, amplitudes that jump,
 /// chatter and rest, overturning, a slip that ends the model, other blocks and tolerances.
 inline std::vector<Condition> crowd() {

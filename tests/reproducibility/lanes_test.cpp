@@ -205,6 +205,11 @@ TEST(Lanes, GiveEachRealisationUnderAGroundMotionTheBitsThatItGetsAlone) {
   EXPECT_EQ(expect_the_bits_alone(recorded_crowd()), 0U);
 }
 
+TEST(Lanes, GiveEachRealisationUnderVerticalMotionTheBitsThatItGetsAlone) {
+  expect_the_bits_alone(vertical_crowd());
+  expect_the_bits_alone(off_middle(vertical_crowd(), 71));
+}
+
 TEST(Lanes, GiveEachRealisationUnderAPulseTheBitsThatItGetsAlone) { expect_the_bits_alone(pulse_crowd()); }
 
 TEST(Lanes, OfEveryWidthGiveTheSameRun) {

@@ -7,6 +7,7 @@
 
 #include "rocking/base/build_info.hpp"
 #include "rocking/ensemble/extension.hpp"
+#include "rocking/scene/check_condition.hpp"
 #include "rocking/store/store_identity.hpp"
 #include "rocking/text/files.hpp"
 #include "rocking/text/locate.hpp"
@@ -143,6 +144,7 @@ Store extended_store(RunFolder& folder, const Experiment& experiment, const Expe
 void say_nothing(const std::string& /*notice*/) {}
 
 FolderRun begin_run(const fs::path& path, const Experiment& experiment, const NewRun& asked, const FolderMeans& means) {
+  check_strobe(experiment);
   const Plan plan = plan_of(experiment, {.threads = means.threads, .shard = asked.shard, .page = means.page});
   expect_memory(plan, means);
   if (asked.shard) expect_fixed_numbers(experiment);

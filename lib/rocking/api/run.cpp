@@ -131,6 +131,7 @@ void check_shard(const Experiment& experiment, const Shard& shard) {
 
 RunResult run(const Experiment& experiment, const Execution& execution) {
   check_experiment(experiment);
+  check_strobe(experiment);
   if (execution.shard) check_shard(experiment, *execution.shard);
   std::optional<RunFolder> folder;
   if (!execution.folder.empty()) folder.emplace(execution.folder).claim();
@@ -189,6 +190,7 @@ std::string digest_of(const RunResult& run) { return base::to_hex(complete_resul
 
 Plan plan(const Experiment& experiment, const std::function<double()>& elapsed_seconds, const Execution& execution) {
   check_experiment(experiment);
+  check_strobe(experiment);
   if (execution.shard) check_shard(experiment, *execution.shard);
   const OptionsOfExecution asked(execution);
   const Means means{.threads = asked.options().threads, .shard = execution.shard};

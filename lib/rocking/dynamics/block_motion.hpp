@@ -155,8 +155,9 @@ class BlockMotion {
   /// After move_to_last_strobe: continues for `more` strobe points under other circumstances. The state stays as it is,
   /// including the contact state where that can stay; `clock` says at which instant of which period the base motion
   /// continues.
-  void go_on_under(const Setting& setting, const Clock& clock, const Coefficients& coefficients, std::int64_t more) {
-    dynamics::go_on_under(course_, setting, clock, coefficients, more);
+  void go_on_under(const Setting& setting, const Clock& clock, const Coefficients& coefficients,
+                   const Excitation& excitation, std::int64_t more) {
+    dynamics::go_on_under(course_, setting, clock, coefficients, excitation, more);
   }
 
   /// Displaces the state, within its contact state, by `wanted`; returns the displacement made.

@@ -79,10 +79,11 @@ class MotionContext {
   }
 
   /// Goes on under other circumstances.
-  void replace(const Setting& of_block, const Clock& now, const Coefficients& source) {
+  void replace(const Setting& of_block, const Clock& now, const Coefficients& source, const Excitation& shaking) {
     setting = of_block;
     clock = now;
     coefficients = source;
+    excitation = shaking;
     known = {};
     accelerated_at_.reset();
   }

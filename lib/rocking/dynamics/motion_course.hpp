@@ -61,8 +61,8 @@ inline void pass_breakpoints(MotionCourse<Coefficients>& course, Contact contact
 /// Continues for `more` strobe points under other circumstances, in the same state.
 template <CoefficientSource Coefficients>
 inline void go_on_under(MotionCourse<Coefficients>& course, const Setting& setting, const Clock& clock,
-                        const Coefficients& coefficients, std::int64_t more) {
-  course.context.replace(setting, clock, coefficients);
+                        const Coefficients& coefficients, const Excitation& excitation, std::int64_t more) {
+  course.context.replace(setting, clock, coefficients, excitation);
   course.context.find_cell();
   course.progress.strobes.extend(more);
   course.context.go_on();

@@ -81,20 +81,27 @@ class StepSeries {
     const SlipParameters<double> slip{.drag = side * state.slip_direction * start.kinetic_friction,
                                       .first_rate_gate = start.slip_starts_flat ? 0.0 : 1.0};
     const auto length = [this, largest](const auto& row) { return steps_(row[order - 1], row[order], order, largest); };
+    // Guards contain the weight itself. Between the samples of a ground motion it is linear.
+    const auto within_weight = [&](double own) {
+      if constexpr (vertical && !Kind::has_knots) return std::min(own, length(rows_.weight));
+      return own;
+    };
     rows_.slip_rate[0] = side * state.slip_rate;
     rows_.slip[0] = side * state.slip;
     switch (state.contact) {
-      case ContactState::rest: return length(rows_.base);
-      case ContactState::slide: expand_slide<order, vertical>(rows_, constants, slip); return length(rows_.slip_rate);
+      case ContactState::rest: return within_weight(length(rows_.base));
+      case ContactState::slide:
+        expand_slide<order, vertical>(rows_, constants, slip);
+        return within_weight(length(rows_.slip_rate));
       case ContactState::rock:
         begin_rocking(state, constants);
         expand_rock<order, vertical>(rows_, constants, start.lift_starts_flat ? 0.0 : 1.0);
         expand_normal<order, vertical>(rows_, constants);
-        return length(rows_.tilt_rate);
+        return within_weight(length(rows_.tilt_rate));
       case ContactState::rock_slide:
         begin_rocking(state, constants);
         expand_rock_slide<order, vertical>(rows_, constants, slip);
-        return std::min(length(rows_.tilt_rate), length(rows_.slip_rate));
+        return within_weight(std::min(length(rows_.tilt_rate), length(rows_.slip_rate)));
       case ContactState::overturned: break;
     }
     return 0.0;

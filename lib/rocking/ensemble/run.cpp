@@ -109,6 +109,7 @@ class PairPicker {
 
 RunEnd run(const Experiment& experiment, Store& store, const RunOptions& options) {
   check_experiment(experiment);
+  check_strobe(experiment);
   WorkList work = work_left(experiment, store);
   Journal journal(experiment, store, options);
   if (options.on_progress && !work.is_complete()) options.on_progress(work.done(), work.all());

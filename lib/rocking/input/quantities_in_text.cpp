@@ -39,9 +39,13 @@ std::vector<DrawnPlace> collected_places() {
   for (const AccelerationUnit unit : {AccelerationUnit::gravity, AccelerationUnit::m_s2}) {
     scene.excitation = Pulse{.physical_amplitude = PhysicalAmplitude{.unit = unit}};
     add_places(scene, places);
+    scene.excitation = Harmonic{.vertical = VerticalHarmonic{.physical_amplitude = PhysicalAmplitude{.unit = unit}}};
+    add_places(scene, places);
   }
   for (const FrequencyUnit unit : {FrequencyUnit::hertz, FrequencyUnit::period_s}) {
     scene.excitation = Pulse{.physical_frequency = PhysicalFrequency{.unit = unit}};
+    add_places(scene, places);
+    scene.excitation = Harmonic{.vertical = VerticalHarmonic{.physical_frequency = PhysicalFrequency{.unit = unit}}};
     add_places(scene, places);
   }
   scene.excitation = Recorded{};

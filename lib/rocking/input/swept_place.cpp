@@ -21,6 +21,8 @@ const std::vector<std::vector<std::string>>& alternatives() {
         {"/excitation/amplitude", "/excitation/amplitude_g", "/excitation/amplitude_m_s2"},
         std::move(strengths),
         {"/excitation/frequency_ratio", "/excitation/frequency_hz", "/excitation/period_s"},
+        {"/excitation/vertical/amplitude", "/excitation/vertical/amplitude_g", "/excitation/vertical/amplitude_m_s2"},
+        {"/excitation/vertical/frequency_ratio", "/excitation/vertical/frequency_hz", "/excitation/vertical/period_s"},
         {"/initial/tilt", "/initial/tilt_rad"},
         {"/initial/tilt_rate", "/initial/tilt_rate_rad_s"},
         {"/initial/slip", "/initial/slip_m"},

@@ -43,7 +43,7 @@ void advance(LaneState& state) {
 
 template <int registers, dynamics::BlockForm form, class Shaking, class Real, bool with_tangents, std::size_t... kind>
 constexpr std::array<Kernel, kind_count> by_kind(std::index_sequence<kind...>) {
-  if constexpr (with_tangents && !Shaking::is_periodic) return {};
+  if constexpr (with_tangents && (!Shaking::is_periodic || Shaking::has_vertical)) return {};
   return {advance<registers, StepForm<static_cast<Kind>(kind), form, Shaking, Real, with_tangents>>...};
 }
 

@@ -51,7 +51,8 @@ struct Kernels {
   /// By family_of, then by Kind.
   using ByKind = std::array<std::array<Kernel, kind_count>, families>;
   ByKind advance;
-  /// The same with tangent vectors (LaneState::tangents); null for a base motion that is not periodic.
+  /// The same with tangent vectors (LaneState::tangents); null for a base motion that is not periodic, or
+  /// vertical too: there each motion computes its steps.
   ByKind advance_with_tangents;
 };
 

@@ -29,7 +29,8 @@ class MotionAdapter {
   /// Whether a lane can compute the coming step.
   [[nodiscard]] bool has_ordinary_step() const {
     if constexpr (HasTangents<Motion>) {
-      if (!motion_.excitation().is_periodic() || motion_.restarts()) return false;
+      const dynamics::Excitation& shaking = motion_.excitation();
+      if (!shaking.is_periodic() || shaking.has_vertical() || motion_.restarts()) return false;
     }
     return !motion_.ended() && motion_.armed_guards().is_ordinary();
   }

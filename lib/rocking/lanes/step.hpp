@@ -63,16 +63,23 @@ template <class Form, class Real = typename Form::Real>
   const auto length_of = [largest = lanes.load(state.largest)](const auto& row) {
     return integrate::step_length(row[order - 1], row[order], order, largest);
   };
+  const auto within_weight = [&](const Real& own) {
+    if constexpr (Form::Shaking::has_vertical && !Form::Shaking::has_knots) {
+      return smaller(length_of(step.m.weight), own);
+    } else {
+      return own;
+    }
+  };
   if constexpr (Form::slips) {
     step.m.slip_rate[0] = lanes.load(state.slip_rate);
     step.m.slip[0] = lanes.load(state.slip);
     dynamics::expand_rock_slide<order, Form::Shaking::has_vertical>(
         step.m, lanes.template constants<Form>(),
         {.drag = lanes.load(state.slip_sign) * kinetic_friction<Form>(lanes), .first_rate_gate = Real(1.0)});
-    return smaller(length_of(step.m.slip_rate), length_of(step.m.tilt_rate));
+    return within_weight(smaller(length_of(step.m.slip_rate), length_of(step.m.tilt_rate)));
   } else {
     dynamics::expand_rock<order, Form::Shaking::has_vertical>(step.m, lanes.template constants<Form>(), Real(1.0));
-    return length_of(step.m.tilt_rate);
+    return within_weight(length_of(step.m.tilt_rate));
   }
 }
 

@@ -113,11 +113,27 @@ std::string common_shaking(const std::vector<std::string>& swept, Shakings shaki
             in_unit(key, significant(number_of(*shakings.front(), key), is_other ? 3 : 6));
     follows_amplitude = is_amplitude(key);
   }
-  return text;
+  const auto& vertical = shakings.front() ? shakings.front()->vertical : std::nullopt;
+  const bool is_common = vertical && std::ranges::all_of(shakings, [&](const std::optional<Shaking>& shaking) {
+                           return shaking && shaking->vertical == vertical;
+                         });
+  if (!is_common) return text;
+  return text + (text.empty() ? "" : ", ") + "vertically " + significant(vertical->amplitude_g, 3) + " g, " +
+         significant(vertical->frequency_hz, 3) + " Hz, phase " + significant(vertical->phase_rad, 3) + " rad";
 }
 
 std::string column_cell(const std::optional<Shaking>& shaking, std::string_view key) {
   return shaking ? significant(number_of(*shaking, key), digits_of_a_cell) : ".";
+}
+
+const StructType& fields_of(const VerticalShaking*) {
+  static const StructType fields{
+      "VerticalShaking",
+      field<&VerticalShaking::amplitude_g>("amplitude_g", "peak acceleration over gravity", rule::not_negative),
+      field<&VerticalShaking::frequency_hz>("frequency_hz", "[Hz]", rule::not_negative),
+      field<&VerticalShaking::phase_rad>("phase_rad", "at the start of the run"),
+  };
+  return fields;
 }
 
 const StructType& fields_of(const Shaking*) {
@@ -130,6 +146,8 @@ const StructType& fields_of(const Shaking*) {
       field<&Shaking::frequency_ratio>("frequency_ratio", "Omega_h", rule::not_negative),
       field<&Shaking::frequency_hz>("frequency_hz", "[Hz]", rule::not_negative),
       field<&Shaking::period_s>("period_s", "[s]", rule::not_negative),
+      field<&Shaking::vertical>("vertical", "vertical sine beside it; omitted without one", rule::none,
+                                WithoutValue::omitted),
   };
   return fields;
 }

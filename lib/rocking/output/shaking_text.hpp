@@ -45,6 +45,7 @@ using Shakings = std::span<const std::optional<Shaking>>;
 
 /// How a shaking stands in documents: the keys that the experiment gives, and the numbers in every unit.
 [[nodiscard]] const StructType& fields_of(const Shaking*);
+[[nodiscard]] const StructType& fields_of(const VerticalShaking*);
 
 struct Report;
 /// What impacts leave of the tilt rate, in a sentence (RateRatios).

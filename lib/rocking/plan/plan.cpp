@@ -32,6 +32,7 @@ bool is_any_drawn(const Quantities&... quantities) {
 }
 
 bool has_vertical_motion(const Excitation& excitation) {
+  if (vertical_of(excitation) != nullptr) return true;
   const auto* recorded = std::get_if<Recorded>(&excitation);
   return recorded != nullptr && recorded->ground_motion && recorded->ground_motion->has_vertical;
 }

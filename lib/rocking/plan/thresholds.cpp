@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "rocking/dynamics/block.hpp"
+#include "rocking/scene/check_condition.hpp"
 #include "rocking/scene/restitution.hpp"
 
 namespace rocking {
@@ -43,6 +44,27 @@ std::string friction_text(const Thresholds& found) {
   return text + ".\n";
 }
 
+/// What a vertical harmonic motion changes; empty without one.
+std::string vertical_text(const Experiment& experiment) {
+  NumberRange amplitude;
+  const Condition* without_strobe = nullptr;
+  for (const Condition& condition : experiment.conditions) {
+    if (vertical_of(condition.scene.excitation) == nullptr) continue;
+    const dynamics::Geometry block = dynamics::geometry_of(mean_block(condition.scene));
+    const auto& harmonic = std::get<Harmonic>(condition.scene.excitation);
+    amplitude.add(harmonic.vertical_sine(block, condition.scene.block.gravity).amplitude);
+    if (relations::vertical_without_strobe(condition)) without_strobe = &condition;
+  }
+  if (!(amplitude.least <= amplitude.largest)) return "";
+  std::string text = "The base also moves vertically, by up to " + amplitude.text() +
+                     " g: these accelerations are to be multiplied by 1 + a_v/g at each instant.\n";
+  if (without_strobe != nullptr) {
+    const Refusal refusal = *relations::vertical_without_strobe(*without_strobe);
+    text += "Only for `rocking trajectory`, since the vertical frequency " + refusal.reason + ".\n";
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string thresholds_text(const Experiment& experiment) {
@@ -66,7 +88,8 @@ std::string thresholds_text(const Experiment& experiment) {
   const std::string uplift =
       found.has_sides ? found.to_right.text() + " g to the right or " + found.to_left.text() + " g to the left"
                       : found.uplift.text() + " g";
-  return "A block at rest lifts if the base exceeds " + uplift + ". " + friction_text(found);
+  return "A block at rest lifts if the base exceeds " + uplift + ". " + friction_text(found) +
+         vertical_text(experiment);
 }
 
 std::optional<double> least_uplift_scale(const std::vector<dynamics::GroundMotionSample>& samples,

@@ -40,11 +40,14 @@ enum class Source : std::uint8_t {
   base_right = 27,
   mean_right_restitution = 28,
   slip = 29,
+  vertical_size = 30,
+  vertical_frequency = 31,
+  vertical_phase = 32,
   first_block_part = 64,  ///< and 159 after it: five numbers of each part
 };
 
 /// Names of the sources, in the order of their numbers, of which the first is 1.
-inline constexpr std::array<std::string_view, 29> source_names{"static_friction",
+inline constexpr std::array<std::string_view, 32> source_names{"static_friction",
                                                                "kinetic_friction",
                                                                "restitution",
                                                                "amplitude",
@@ -72,7 +75,10 @@ inline constexpr std::array<std::string_view, 29> source_names{"static_friction"
                                                                "base_left",
                                                                "base_right",
                                                                "mean_right_restitution",
-                                                               "slip"};
+                                                               "slip",
+                                                               "vertical_size",
+                                                               "vertical_frequency",
+                                                               "vertical_phase"};
 
 /// Empty of a number that no source has.
 [[nodiscard]] constexpr std::string_view to_string(Source source) {

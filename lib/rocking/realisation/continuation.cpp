@@ -26,7 +26,8 @@ RealisationResult Continuation::run(const Condition& of_sweep) {
     if (!motion_) return motion_of(condition.scene, beginning, observer);
     motion_->observe_with(observer);
     motion_->go_on_under(beginning.setting, in_step_with(motion_->clock(), beginning.clock),
-                         motion_->coefficients().under(beginning.coefficients), strobes);
+                         motion_->coefficients().under(beginning.coefficients),
+                         excitation_of(condition.scene, beginning), strobes);
     return *motion_;
   });
   RealisationResult result = run_alone(run, stop_);

@@ -63,9 +63,14 @@ class SectionObserver final : public dynamics::Observer {
   ContactSequence sequence_;
 };
 
-/// The scene with its clock at 0 at the start.
+/// The scene with its clock at 0 at the start. The vertical motion is where it is at such an instant.
 Scene from_section(Scene scene) {
-  std::get<Harmonic>(scene.excitation).phase = 0.0;
+  auto& harmonic = std::get<Harmonic>(scene.excitation);
+  if (harmonic.vertical) {
+    const auto sine = harmonic.vertical_sine(dynamics::geometry_of(mean_block(scene)), scene.block.gravity);
+    harmonic.vertical->phase = sine.phase - sine.cycles / sine.periods * mean_of(harmonic.phase);
+  }
+  harmonic.phase = 0.0;
   return scene;
 }
 

@@ -41,7 +41,8 @@ void limit_drawn(Scene& scene, Source source, Quantity& drawn, Clamps& clamps) {
     case Source::radius_of_gyration: return limit(drawn, least_length, largest_length, clamps.length_at_bound);
     case Source::mean_static_friction: return limit(drawn, 0.0, infinity, clamps.static_at_zero);
     case Source::mean_kinetic_friction: return limit(drawn, 0.0, infinity, clamps.kinetic_at_zero);
-    case Source::excitation_size: return limit(drawn, 0.0, infinity, clamps.amplitude_at_zero);
+    case Source::excitation_size:
+    case Source::vertical_size: return limit(drawn, 0.0, infinity, clamps.amplitude_at_zero);
     case Source::mean_restitution:
     case Source::mean_right_restitution: {
       const Reach bounds = bounds_of(scene, source, dynamics::geometry_of(mean_of(scene.block)));
@@ -64,6 +65,23 @@ Scene scene_of(const Scene& asked, const random::BranchedDraws& draws, std::uint
   return scene;
 }
 
+/// The equivalent angle in [0, 2 pi) [rad].
+double wrapped(double angle) {
+  constexpr double two_pi = 0x1.921fb54442d18p+2;
+  const double turns = std::floor(angle / two_pi);
+  const double rest = std::fma(-turns, two_pi, angle);
+  return rest < two_pi && rest >= 0.0 ? rest : 0.0;
+}
+
+DrawnShaking shaking_of_start(const Start& start) {
+  DrawnShaking drawn{.size = size_of(start.scene.excitation)};
+  if (const auto* harmonic = std::get_if<Harmonic>(&start.scene.excitation)) {
+    drawn.vertical = harmonic->vertical_sine(start.geometry, start.scene.block.gravity);
+    drawn.vertical.phase = wrapped(drawn.vertical.phase);
+  }
+  return drawn;
+}
+
 /// Of numbers without laws.
 dynamics::State state_of(const InitialState& initial, const dynamics::Geometry& block) {
   const double tilt = mean_of(initial.tilt), tilt_rate = mean_of(initial.tilt_rate);
@@ -75,14 +93,6 @@ dynamics::State state_of(const InitialState& initial, const dynamics::Geometry& 
           .tilt_rate = units.tilt_rate == StateUnit::si ? tilt_rate / p : psi * tilt_rate,
           .slip = units.slip == StateUnit::si ? slip / radius : slip,
           .slip_rate = units.slip_rate == StateUnit::si ? slip_rate / (p * radius) : slip_rate};
-}
-
-/// The equivalent angle in [0, 2 pi) [rad].
-double wrapped(double angle) {
-  constexpr double two_pi = 0x1.921fb54442d18p+2;
-  const double turns = std::floor(angle / two_pi);
-  const double rest = std::fma(-turns, two_pi, angle);
-  return rest < two_pi && rest >= 0.0 ? rest : 0.0;
 }
 
 }  // namespace
@@ -109,7 +119,7 @@ Beginning begin_realisation(const Condition& condition, const random::BranchedDr
           .clock = clock,
           .coefficients = SceneCoefficients(start.scene, draws, start.geometry),
           .state = start.state,
-          .excitation_size = size_of(start.scene.excitation),
+          .shaking = shaking_of_start(start),
           .schedule = {.first_strobe = {.period = 1, .time = first}, .strobes = periods},
           .draws = start.draws,
           .clamps = start.clamps};
@@ -118,7 +128,7 @@ Beginning begin_realisation(const Condition& condition, const random::BranchedDr
 dynamics::Excitation excitation_of(const Scene& scene, const Beginning& beginning) {
   return std::visit(
       [&](const auto& kind) -> dynamics::Excitation {
-        return kind.motion(beginning.setting.block, beginning.clock, beginning.excitation_size);
+        return kind.motion(beginning.setting.block, beginning.clock, beginning.shaking);
       },
       scene.excitation);
 }

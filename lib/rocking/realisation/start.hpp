@@ -47,7 +47,7 @@ struct Beginning {
   dynamics::Clock clock;
   SceneCoefficients coefficients;
   dynamics::State state;
-  double excitation_size;  ///< that was drawn: the scale of a ground motion
+  DrawnShaking shaking;
   dynamics::Schedule schedule;
   std::uint64_t draws;  ///< of the start
   Clamps clamps;        ///< of the start
@@ -78,14 +78,15 @@ class SharedExcitation {
     const double p = beginning.setting.block.frequency_parameter;
     const double frequency = beginning.clock.frequency();
     const double start = beginning.clock.start();
-    const double size = beginning.excitation_size;
+    const DrawnShaking& drawn = beginning.shaking;
     const bool is_known = last_ && last_->asked == scene.excitation && last_->frequency_parameter == p &&
-                          last_->frequency == frequency && last_->start == start;
+                          last_->frequency == frequency && last_->start == start &&
+                          last_->drawn.vertical == drawn.vertical;
     if (!is_known) {
-      last_ = Last{scene.excitation, p, frequency, start, size, excitation_of(scene, beginning)};
-    } else if (last_->size != size) {
-      last_->size = size;
-      last_->excitation = with_size(last_->excitation, size);
+      last_ = Last{scene.excitation, p, frequency, start, drawn, excitation_of(scene, beginning)};
+    } else if (last_->drawn.size != drawn.size) {
+      last_->drawn.size = drawn.size;
+      last_->excitation = with_size(last_->excitation, drawn.size);
     }
     return last_->excitation;
   }
@@ -96,7 +97,7 @@ class SharedExcitation {
     double frequency_parameter;  ///< p
     double frequency;            ///< of the clock [-]
     double start;                ///< of the clock, tau
-    double size;                 ///< that was drawn
+    DrawnShaking drawn;
     dynamics::Excitation excitation;
   };
 

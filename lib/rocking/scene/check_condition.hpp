@@ -26,6 +26,10 @@ void check_has_conditions(const Experiment& experiment);
 /// there are several, at most twenty problems are told, and a ground motion that conditions share is looked through once.
 void check_experiment(const Experiment& experiment);
 
+/// Throws base::InputError unless strobe points can tell the response of each condition: a base motion with a period must
+/// repeat after a number of them. Demanded where responses are classified, and not of a trajectory.
+void check_strobe(const Experiment& experiment);
+
 /// Ground motions that were found to be sound, with the gravity that they are over.
 using SoundGroundMotions = std::set<std::pair<const GroundMotion*, double>>;
 
@@ -56,6 +60,8 @@ void check_relations(const Condition& condition, Problems& problems);
 namespace relations {
 [[nodiscard]] Refusal no_friction_to_fluctuate();
 [[nodiscard]] Refusal no_period_to_fluctuate();
+/// Of a vertical frequency, where strobe points are to tell the response.
+[[nodiscard]] std::optional<Refusal> vertical_without_strobe(const Condition& condition);
 [[nodiscard]] std::optional<Refusal> one_half_width(const Condition& condition);
 [[nodiscard]] std::optional<Refusal> relative_half_width_of_every_mode(const Condition& condition);
 }  // namespace relations

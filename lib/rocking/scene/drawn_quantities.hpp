@@ -89,6 +89,17 @@ namespace quantities {
   return physical->unit == FrequencyUnit::hertz ? "/excitation/frequency_hz" : "/excitation/period_s";
 }
 
+[[nodiscard]] inline std::string_view place_of_vertical(const std::optional<PhysicalAmplitude>& physical) {
+  if (!physical) return "/excitation/vertical/amplitude";
+  return physical->unit == AccelerationUnit::gravity ? "/excitation/vertical/amplitude_g"
+                                                     : "/excitation/vertical/amplitude_m_s2";
+}
+
+[[nodiscard]] inline std::string_view place_of_vertical(const std::optional<PhysicalFrequency>& physical) {
+  if (!physical) return "/excitation/vertical/frequency_ratio";
+  return physical->unit == FrequencyUnit::hertz ? "/excitation/vertical/frequency_hz" : "/excitation/vertical/period_s";
+}
+
 [[nodiscard]] inline std::string_view place_of_tilt(const InitialUnits& units) {
   return units.tilt == StateUnit::si ? "/initial/tilt_rad" : "/initial/tilt";
 }
@@ -117,6 +128,15 @@ void visit_excitation(Kind& kind, const Visit& visit) {
     visit({Source::excitation_size, "strength of the ground motion", "/excitation/scale"}, kind.scale);
   }
   if constexpr (requires { kind.phase; }) visit({Source::phase, "phase", "/excitation/phase_rad"}, kind.phase);
+  if constexpr (requires { kind.vertical; }) {
+    if (!kind.vertical) return;
+    auto& [amplitude, frequency, phase, physical_amplitude, physical_frequency] = *kind.vertical;
+    visit({Source::vertical_size, "vertical amplitude", place_of_vertical(physical_amplitude)},
+          physical_amplitude ? physical_amplitude->value : amplitude);
+    visit({Source::vertical_frequency, "vertical frequency", place_of_vertical(physical_frequency)},
+          physical_frequency ? physical_frequency->value : frequency);
+    visit({Source::vertical_phase, "vertical phase", "/excitation/vertical/phase_rad"}, phase);
+  }
 }
 
 }  // namespace quantities

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <memory>
 #include <numbers>
 #include <utility>
@@ -32,6 +33,16 @@ constexpr std::array<UnitKey, 3> frequency_units{
     {{{"frequency_ratio", "Omega_h = omega/p; a strobe period is 2 pi/omega"}, rules::frequency_ratio},
      {{"frequency_hz", "omega/(2 pi) [Hz]"}, rules::frequency_hz},
      {{"period_s", "2 pi/omega [s]"}, rules::period_s}}};
+constexpr std::array<UnitKey, 3> vertical_amplitude_units{
+    {{{"amplitude", "A_v: the peak vertical acceleration over psi g"}, rules::amplitude},
+     {{"amplitude_g", "the peak vertical acceleration over gravity_m_s2"}, rules::amplitude_g},
+     {{"amplitude_m_s2", "the peak vertical acceleration [m/s^2]"}, rules::amplitude_m_s2}}};
+constexpr std::array<UnitKey, 3> vertical_frequency_units{
+    {{{"frequency_ratio",
+       "Omega_v over p; where strobe points are asked for a whole multiple of Omega_h, or Omega_h over a whole number"},
+      rules::frequency_ratio},
+     {{"frequency_hz", "Omega_v p/(2 pi) [Hz]; likewise"}, rules::frequency_hz},
+     {{"period_s", "2 pi/(Omega_v p) [s]; likewise"}, rules::period_s}}};
 /// Of a ground motion.
 constexpr std::array<UnitKey, all_strengths.size()> strength_units{
     {{{"scale", "factor on the recorded accelerations"}, rules::scale},
@@ -68,18 +79,26 @@ void set(const QuantityInUnit& number, Quantity& normalised, std::optional<Physi
 
 /// Of a kind that has both.
 template <class Kind>
-void keys_of_amplitude_and_frequency(FieldVisitor& in, Kind& kind) {
+void keys_of_amplitude_and_frequency(FieldVisitor& in, Kind& kind, const std::array<UnitKey, 3>& amplitudes,
+                                     const std::array<UnitKey, 3>& frequencies) {
   QuantityInUnit amplitude = number_of(kind.amplitude, kind.physical_amplitude);
-  if (one_of(in, amplitude_units, amplitude, Absent::error)) set(amplitude, kind.amplitude, kind.physical_amplitude);
+  if (one_of(in, amplitudes, amplitude, Absent::error)) set(amplitude, kind.amplitude, kind.physical_amplitude);
   QuantityInUnit frequency = number_of(kind.frequency_ratio, kind.physical_frequency);
-  if (one_of(in, frequency_units, frequency, Absent::error)) {
+  if (one_of(in, frequencies, frequency, Absent::error)) {
     set(frequency, kind.frequency_ratio, kind.physical_frequency);
   }
 }
 
 void keys_of(FieldVisitor& in, Harmonic& harmonic, const dynamics::Block&, RecordFields&) {
-  keys_of_amplitude_and_frequency(in, harmonic);
+  keys_of_amplitude_and_frequency(in, harmonic, amplitude_units, frequency_units);
   in.value({"phase_rad", "Phi [rad]"}, harmonic.phase, rules::phase, Absent::standard);
+  in.optional("vertical", harmonic.vertical, [&in](VerticalHarmonic& vertical) {
+    in.object({"vertical", "vertical motion: a_v/g = A_v psi times the sine of Omega_v tau + Phi_v, > 0 upwards"},
+              Absent::omitted, [&vertical](FieldVisitor& keys) {
+                keys_of_amplitude_and_frequency(keys, vertical, vertical_amplitude_units, vertical_frequency_units);
+                keys.value({"phase_rad", "Phi_v at the start [rad]"}, vertical.phase, rules::phase, Absent::standard);
+              });
+  });
 }
 
 void refuse_keys_of_others(FieldVisitor& in, const Recorded&) {
@@ -87,6 +106,8 @@ void refuse_keys_of_others(FieldVisitor& in, const Recorded&) {
     in.refuse(unit.key.name, "is for harmonic excitation and pulses; a ground motion has a scale",
               "write \"scale\" instead");
   }
+  in.refuse("vertical", "is for harmonic excitation; a ground motion has a vertical component",
+            "give \"vertical_file\", or a column \"vertical\"");
   in.refuse("frequency_hz", "is for harmonic excitation and pulses; a ground motion has no frequency",
             "omit it: a strobe period is one second, unless \"frequency_ratio\" is given");
   in.refuse("phase_rad", "is for harmonic excitation; a ground motion has no phase",
@@ -232,11 +253,29 @@ void keys_of(FieldVisitor& in, Recorded& recorded, const dynamics::Block& block,
   records.ground_motion(in, how, wanted, recorded);
 }
 
+/// Omega_v/Omega_h. One that is a whole number n, or 1/n, up to the rounding of units counts as that number: its cycles
+/// are counted without loss then.
+void set_ratio(double ratio, dynamics::VerticalSine& sine) {
+  constexpr double rounding = 0x1p-48;
+  const auto whole = [](double number) {
+    const double nearest = std::round(number);
+    return nearest >= 1.0 && std::abs(number - nearest) <= rounding * nearest ? nearest : 0.0;
+  };
+  if (const double cycles = whole(ratio); cycles > 0.0) {
+    sine.cycles = cycles;
+  } else if (const double periods = whole(1.0 / ratio); periods > 0.0) {
+    sine.periods = periods;
+  } else {
+    sine.cycles = ratio;
+  }
+}
+
 void keys_of(FieldVisitor& in, Pulse& pulse, const dynamics::Block&, RecordFields&) {
   for (const std::string_view key : {"file", "suite", "sha256", "time_step_s"}) {
     in.refuse(key, "is for a ground motion; a pulse is given by its shape", "write \"kind\": \"recorded\", or omit it");
   }
   in.refuse("scale", "is for a ground motion; a pulse has an amplitude", "write \"amplitude\" instead");
+  in.refuse("vertical", "is for harmonic excitation", "omit it, or write \"kind\": \"harmonic\"");
   in.refuse("phase_rad", "is for harmonic excitation; a pulse begins with the run and has no phase",
             "omit it, or choose another \"shape\"");
   in.choice(
@@ -244,24 +283,40 @@ void keys_of(FieldVisitor& in, Pulse& pulse, const dynamics::Block&, RecordField
        "f: one cycle of a sine or of a cosine; or a Ricker wavelet (second derivative of a Gaussian), cut where it "
        "is below 1e-6 of its peak"},
       pulse.shape, pulse_shapes, Absent::error);
-  keys_of_amplitude_and_frequency(in, pulse);
+  keys_of_amplitude_and_frequency(in, pulse, amplitude_units, frequency_units);
 }
 
 }  // namespace
 
-dynamics::Excitation Harmonic::motion(const dynamics::Geometry&, const dynamics::Clock&, double) const {
-  return dynamics::HarmonicExcitation{};
+dynamics::VerticalSine Harmonic::vertical_sine(const dynamics::Geometry& own, double gravity) const {
+  if (!vertical) return {};
+  const auto& [amplitude_v, ratio_v, phase_v, physical_amplitude_v, physical_frequency_v] = *vertical;
+  dynamics::VerticalSine sine{.amplitude = mean_of(amplitude_v) * own.shape_angle, .phase = mean_of(phase_v)};
+  if (physical_amplitude_v) {
+    const bool in_g = physical_amplitude_v->unit == AccelerationUnit::gravity;
+    sine.amplitude = mean_of(physical_amplitude_v->value) / (in_g ? 1.0 : gravity);
+  }
+  const double frequency =
+      physical_frequency_v ? rocking::frequency_ratio(*physical_frequency_v, own) : mean_of(ratio_v);
+  set_ratio(frequency / frequency_ratio_for(own, own), sine);
+  return sine;
+}
+
+dynamics::Excitation Harmonic::motion(const dynamics::Geometry&, const dynamics::Clock& clock,
+                                      const DrawnShaking& drawn) const {
+  if (vertical) return dynamics::HarmonicExcitation<true>(drawn.vertical, clock);
+  return dynamics::HarmonicExcitation<false>();
 }
 
 dynamics::Excitation Recorded::motion(const dynamics::Geometry& block, const dynamics::Clock& clock,
-                                      double its_size) const {
+                                      const DrawnShaking& drawn) const {
   const auto knots = std::make_shared<const dynamics::NormalisedGroundMotion>(ground_motion->samples,
                                                                               block.frequency_parameter, clock);
-  if (ground_motion->has_vertical) return dynamics::RecordedExcitation<true>(knots, its_size);
-  return dynamics::RecordedExcitation<false>(knots, its_size);
+  if (ground_motion->has_vertical) return dynamics::RecordedExcitation<true>(knots, drawn.size);
+  return dynamics::RecordedExcitation<false>(knots, drawn.size);
 }
 
-dynamics::Excitation Pulse::motion(const dynamics::Geometry&, const dynamics::Clock& clock, double) const {
+dynamics::Excitation Pulse::motion(const dynamics::Geometry&, const dynamics::Clock& clock, const DrawnShaking&) const {
   return dynamics::PulseExcitation(shape, clock);
 }
 

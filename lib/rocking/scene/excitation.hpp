@@ -77,6 +77,24 @@ struct PhysicalFrequency {
                                                : two_pi / (value * block.frequency_parameter);
 }
 
+/// What a realisation has drawn of its base motion.
+struct DrawnShaking {
+  double size = 0.0;  ///< amplitude, or scale of a ground motion, as it is given
+  dynamics::VerticalSine vertical = {};
+  friend bool operator==(const DrawnShaking&, const DrawnShaking&) = default;
+};
+
+/// Vertical part of a harmonic excitation: a_v/g = A_v psi sin(Omega_v tau + Phi_v), > 0 upwards.
+struct VerticalHarmonic {
+  Quantity amplitude = 0.0;        ///< A_v [-]; not used with a physical amplitude
+  Quantity frequency_ratio = 1.0;  ///< Omega_v over p [-]; not used with a physical frequency
+  Quantity phase = 0.0;            ///< Phi_v [rad]
+  std::optional<PhysicalAmplitude> physical_amplitude = std::nullopt;  ///< in place of A_v
+  std::optional<PhysicalFrequency> physical_frequency = std::nullopt;  ///< in place of Omega_v
+
+  friend bool operator==(const VerticalHarmonic&, const VerticalHarmonic&) = default;
+};
+
 /// Harmonic excitation as asked for: a_h/g = A_h psi sin(Omega_h tau + Phi).
 struct Harmonic {
   static constexpr std::string_view name = "harmonic";
@@ -89,6 +107,7 @@ struct Harmonic {
   Quantity phase = 0.0;            ///< Phi [rad]
   std::optional<PhysicalAmplitude> physical_amplitude = std::nullopt;  ///< in place of A_h
   std::optional<PhysicalFrequency> physical_frequency = std::nullopt;  ///< in place of Omega_h
+  std::optional<VerticalHarmonic> vertical = std::nullopt;             ///< absent: the base moves horizontally only
 
   friend bool operator==(const Harmonic&, const Harmonic&) = default;
 
@@ -106,9 +125,14 @@ struct Harmonic {
   [[nodiscard]] static double end_of_shaking(const dynamics::Geometry&) {
     return std::numeric_limits<double>::infinity();
   }
-  [[nodiscard]] std::vector<std::string_view> effects() const { return {}; }
+  [[nodiscard]] std::vector<std::string_view> effects() const {
+    if (vertical) return {"vertical harmonic motion of the base"};
+    return {};
+  }
+  /// Of a block; of quantities without laws.
+  [[nodiscard]] dynamics::VerticalSine vertical_sine(const dynamics::Geometry& own, double gravity) const;
   [[nodiscard]] dynamics::Excitation motion(const dynamics::Geometry& block, const dynamics::Clock& clock,
-                                            double its_size) const;
+                                            const DrawnShaking& drawn) const;
 };
 
 /// Keys that give how strong a ground motion is made; all but the first are measures of its intensity.
@@ -154,7 +178,7 @@ struct Recorded {
     return names;
   }
   [[nodiscard]] dynamics::Excitation motion(const dynamics::Geometry& block, const dynamics::Clock& clock,
-                                            double its_size) const;
+                                            const DrawnShaking& drawn) const;
 };
 
 /// A pulse as asked for: one pulse of a given shape, from tau = 0 on.
@@ -194,7 +218,7 @@ struct Pulse {
   }
   [[nodiscard]] static std::vector<std::string_view> effects() { return {"one pulse of the base"}; }
   [[nodiscard]] dynamics::Excitation motion(const dynamics::Geometry& block, const dynamics::Clock& clock,
-                                            double its_size) const;
+                                            const DrawnShaking& drawn) const;
 };
 
 /// The requested base motion. Every kind has: `name` as in files; `in_words`, what the base does; `is_periodic`;
@@ -202,7 +226,7 @@ struct Pulse {
 /// size(), the mean of a drawn or fluctuating amplitude as it is given, and size_unit(), by which it is divided for a block, so
 /// that the quotient is A_h or the scale [-]; frequency_ratio_for(own, mean), Omega_h of the clock and the strobe for a
 /// realisation's own block, where the mean block is that of the scene [-]; start_phase() [rad]; end_of_shaking(block),
-/// a normalised time; effects() as described to users; and motion(block, clock, size), how the base moves in a
+/// a normalised time; effects() as described to users; and motion(block, clock, drawn), how the base moves in a
 /// realisation. Its keys and its motion: excitation.cpp.
 using Excitation = std::variant<Harmonic, Recorded, Pulse>;
 
@@ -221,6 +245,11 @@ using Excitation = std::variant<Harmonic, Recorded, Pulse>;
 }
 [[nodiscard]] inline double size_of(const Excitation& excitation) {
   return std::visit([](const auto& kind) { return kind.size(); }, excitation);
+}
+/// Of a harmonic excitation with a vertical part; else null.
+[[nodiscard]] inline const VerticalHarmonic* vertical_of(const Excitation& excitation) {
+  const auto* harmonic = std::get_if<Harmonic>(&excitation);
+  return harmonic != nullptr && harmonic->vertical ? &*harmonic->vertical : nullptr;
 }
 [[nodiscard]] inline Quantity start_phase(const Excitation& excitation) {
   return std::visit([](const auto& kind) -> Quantity { return kind.start_phase(); }, excitation);

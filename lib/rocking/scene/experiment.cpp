@@ -1,6 +1,7 @@
 #include "rocking/scene/experiment.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "rocking/scene/drawn_quantities.hpp"
 
@@ -44,8 +45,36 @@ double frequency_ratio_for(const Scene& scene, const dynamics::Geometry& block) 
   return std::visit([&](const auto& kind) { return kind.frequency_ratio_for(block, mean); }, scene.excitation);
 }
 
+namespace {
+
+/// Of a harmonic excitation with a vertical part: absent where Omega_v/Omega_h differs between realisations.
+std::optional<dynamics::VerticalSine> common_vertical_sine(const Scene& scene) {
+  const auto& harmonic = std::get<Harmonic>(scene.excitation);
+  const VerticalHarmonic& vertical = *harmonic.vertical;
+  const auto drawn = [](const auto& kind) {
+    return is_drawn(kind.physical_frequency ? kind.physical_frequency->value : kind.frequency_ratio);
+  };
+  const bool follows_block = harmonic.physical_frequency.has_value() != vertical.physical_frequency.has_value();
+  if (drawn(harmonic) || drawn(vertical) || (follows_block && is_drawn(scene.block))) return std::nullopt;
+  return harmonic.vertical_sine(dynamics::geometry_of(mean_block(scene)), scene.block.gravity);
+}
+
+}  // namespace
+
+std::optional<std::int64_t> periods_of_base(const Scene& scene) {
+  if (!is_periodic(scene.excitation)) return std::nullopt;
+  if (vertical_of(scene.excitation) == nullptr) return 1;
+  const auto sine = common_vertical_sine(scene);
+  if (!sine || sine->cycles != std::floor(sine->cycles)) return std::nullopt;
+  return static_cast<std::int64_t>(sine->periods);
+}
+
 bool has_mirror_symmetry(const Scene& scene) {
-  return dynamics::geometry_of(mean_block(scene)).has_mirror_symmetry() && is_alike_at_both_edges(scene.restitution);
+  if (!dynamics::geometry_of(mean_block(scene)).has_mirror_symmetry()) return false;
+  if (!is_alike_at_both_edges(scene.restitution)) return false;
+  if (vertical_of(scene.excitation) == nullptr) return true;
+  const auto sine = common_vertical_sine(scene);
+  return sine && sine->periods == 1.0 && std::fmod(sine->cycles, 2.0) == 0.0;
 }
 
 bool is_random(const Scene& scene) {

@@ -322,7 +322,12 @@ struct Experiment {
 /// ground motion's ratio is given in units of p of the mean block, and a physical frequency in Hz or by its period.
 [[nodiscard]] double frequency_ratio_for(const Scene& scene, const dynamics::Geometry& block);
 
-/// Whether the mirror image of a motion is a motion half a period later: both edges are alike.
+/// After so many excitation periods the base motion repeats, in every realisation; absent: never, or not in all. 1 for a
+/// harmonic motion without a vertical part or with one of a whole multiple of its frequency.
+[[nodiscard]] std::optional<std::int64_t> periods_of_base(const Scene& scene);
+
+/// Whether the mirror image of a motion is a motion half a period later: both edges are alike, and the base moves vertically
+/// then as before.
 [[nodiscard]] bool has_mirror_symmetry(const Scene& scene);
 
 /// Whether any quantity of the scene is random. If not, all realisations are equal and one suffices.

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "rocking/base/error.hpp"
 #include "rocking/base/number_text.hpp"
 #include "rocking/dynamics/impact.hpp"
 #include "rocking/scene/check_condition.hpp"
@@ -139,27 +140,33 @@ std::optional<Refusal> lognormal_amplitude(const Condition& condition) {
   return lognormal_without_mean(f.laws.amplitude, f.amplitude, size_of(condition.scene.excitation));
 }
 
-/// The physical amplitude of an excitation that is given in this unit.
-std::optional<Quantity> amplitude_in(AccelerationUnit unit, const Scene& scene) {
-  return std::visit(
-      [unit]<class Kind>(const Kind& kind) -> std::optional<Quantity> {
-        if constexpr (requires { kind.physical_amplitude; }) {
-          if (kind.physical_amplitude && kind.physical_amplitude->unit == unit) return kind.physical_amplitude->value;
-        }
-        return std::nullopt;
-      },
-      scene.excitation);
+/// Calls use(part) with the horizontal or the vertical part of an excitation that has an amplitude and a frequency.
+template <bool vertical, class Use>
+auto with_part(const Scene& scene, const Use& use) -> decltype(use(VerticalHarmonic{})) {
+  if constexpr (vertical) {
+    if (const VerticalHarmonic* part = vertical_of(scene.excitation)) return use(*part);
+  } else {
+    if (const auto* harmonic = std::get_if<Harmonic>(&scene.excitation)) return use(*harmonic);
+    if (const auto* pulse = std::get_if<Pulse>(&scene.excitation)) return use(*pulse);
+  }
+  return std::nullopt;
 }
 
+/// Of a part whose amplitude is given in this unit.
+template <bool vertical>
+std::optional<Quantity> amplitude_in(AccelerationUnit unit, const Scene& scene) {
+  return with_part<vertical>(scene, [unit](const auto& part) -> std::optional<Quantity> {
+    const auto& given = part.physical_amplitude;
+    return given && given->unit == unit ? std::optional(given->value) : std::nullopt;
+  });
+}
+
+template <bool vertical>
 std::optional<Quantity> frequency_in(FrequencyUnit unit, const Scene& scene) {
-  return std::visit(
-      [unit]<class Kind>(const Kind& kind) -> std::optional<Quantity> {
-        if constexpr (requires { kind.physical_frequency; }) {
-          if (kind.physical_frequency && kind.physical_frequency->unit == unit) return kind.physical_frequency->value;
-        }
-        return std::nullopt;
-      },
-      scene.excitation);
+  return with_part<vertical>(scene, [unit](const auto& part) -> std::optional<Quantity> {
+    const auto& given = part.physical_frequency;
+    return given && given->unit == unit ? std::optional(given->value) : std::nullopt;
+  });
 }
 
 /// The amplitude that is the largest A_h of the most slender block, in the unit in which it is given.
@@ -167,14 +174,18 @@ double largest_amplitude(const Scene& scene) {
   return rules::largest_amplitude * amplitude_unit(scene, shapes_of(scene.block).most_slender);
 }
 
-template <AccelerationUnit unit>
+template <AccelerationUnit unit, bool vertical>
 std::optional<Refusal> amplitude_beyond_bounds(const Condition& condition) {
-  const auto asked = amplitude_in(unit, condition.scene);
+  const Scene& scene = condition.scene;
+  const auto asked = amplitude_in<vertical>(unit, scene);
   if (!asked) return std::nullopt;
   const double amplitude = reach_of(*asked).largest;
-  const double largest = largest_amplitude(condition.scene);
+  const PhysicalAmplitude in_unit{.value = amplitude, .unit = unit};
+  const double largest =
+      rules::largest_amplitude * amplitude_unit(in_unit, shapes_of(scene.block).most_slender, scene.block.gravity);
   if (amplitude <= largest) return std::nullopt;
-  return Refusal{"makes A_h = " + shown(amplitude / largest * rules::largest_amplitude) + " for this block, above 1e6",
+  return Refusal{std::string("makes ") + (vertical ? "A_v" : "A_h") + " = " +
+                     shown(amplitude / largest * rules::largest_amplitude) + " for this block, above 1e6",
                  "give at most " + shown(largest)};
 }
 
@@ -185,24 +196,60 @@ std::optional<Refusal> amplitude_sigma_beyond_bounds(const Condition& condition)
                  "give a standard deviation of at most " + shown(largest)};
 }
 
-template <FrequencyUnit unit>
+template <FrequencyUnit unit, bool vertical>
 std::optional<Refusal> frequency_beyond_bounds(const Condition& condition) {
-  const auto value = frequency_in(unit, condition.scene);
+  const auto value = frequency_in<vertical>(unit, condition.scene);
   if (!value) return std::nullopt;
   constexpr double two_pi = 2.0 * std::numbers::pi;
   const auto [smallest, largest] = sizes_of(condition.scene.block);
   const auto [slow, fast] = reach_of(*value);
   if (slow <= 0.0) return Refusal{"may be zero or negative", "add \"between\" to the law, or write a lognormal one"};
-  const bool rises = unit == FrequencyUnit::hertz;  // Omega_h with the number
+  const bool rises = unit == FrequencyUnit::hertz;  // Omega with the number
   const double low = frequency_ratio({.value = rises ? slow : fast, .unit = unit}, largest);
   const double high = frequency_ratio({.value = rises ? fast : slow, .unit = unit}, smallest);
   if (rules::frequency_ratio.allows(low) && rules::frequency_ratio.allows(high)) return std::nullopt;
   const double least = rules::least_frequency_ratio * smallest.frequency_parameter / two_pi;
   const double most = rules::largest_frequency_ratio * largest.frequency_parameter / two_pi;
   const bool in_hertz = unit == FrequencyUnit::hertz;
-  return Refusal{"makes Omega_h = " + shown(rules::frequency_ratio.allows(low) ? high : low) +
+  return Refusal{std::string("makes ") + (vertical ? "Omega_v" : "Omega_h") + " = " +
+                     shown(rules::frequency_ratio.allows(low) ? high : low) +
                      " for this block, which must lie from 0.001 to 1e6",
                  "give from " + shown(in_hertz ? least : 1.0 / most) + " to " + shown(in_hertz ? most : 1.0 / least)};
+}
+
+/// Reach of Omega over all blocks.
+template <class Part>
+Reach frequencies_of(const Part& part, const Scene& scene) {
+  if (!part.physical_frequency) return reach_of(part.frequency_ratio);
+  const auto [smallest, largest] = sizes_of(scene.block);
+  const auto [least, most] = reach_of(part.physical_frequency->value);
+  const FrequencyUnit unit = part.physical_frequency->unit;
+  const auto at = [unit](double value, const dynamics::Geometry& block) {
+    return frequency_ratio({.value = value, .unit = unit}, block);
+  };
+  return unit == FrequencyUnit::hertz ? Reach{at(least, largest), at(most, smallest)}
+                                      : Reach{at(most, largest), at(least, smallest)};
+}
+
+std::optional<Refusal> vertical_too_fast(const Condition& condition) {
+  const VerticalHarmonic* vertical = vertical_of(condition.scene.excitation);
+  if (vertical == nullptr) return std::nullopt;
+  const auto& harmonic = std::get<Harmonic>(condition.scene.excitation);
+  const double slowest = frequencies_of(harmonic, condition.scene).least;
+  const double fastest = frequencies_of(*vertical, condition.scene).largest;
+  constexpr double most = 1e4;
+  if (fastest <= most * slowest) return std::nullopt;
+  return Refusal{"is more than 1e4 times the horizontal frequency, so that too many steps fall in an excitation period",
+                 "give at most 1e4 times the horizontal frequency"};
+}
+
+std::string_view place_of_vertical_frequency(const Condition& condition) {
+  return quantities::place_of_vertical(vertical_of(condition.scene.excitation)->physical_frequency);
+}
+
+std::string vertical_frequency_text(const Condition& condition) {
+  const VerticalHarmonic& vertical = *vertical_of(condition.scene.excitation);
+  return text_of(vertical.physical_frequency ? vertical.physical_frequency->value : vertical.frequency_ratio);
 }
 
 template <std::size_t number>
@@ -256,8 +303,30 @@ constexpr Relation rate_ratio_of_block{
     [](const Condition& c) { return text_of(*numbers_of(c.scene.restitution)[number].value); },
     [](const Condition& c) { return numbers_of(c.scene.restitution)[number].place; }};
 
+template <AccelerationUnit unit, bool vertical>
+constexpr Relation amplitude_of_block{
+    "/excitation",
+    {"/block", "/excitation"},
+    amplitude_beyond_bounds<unit, vertical>,
+    [](const Condition& c) { return base::shortest(mean_of(*amplitude_in<vertical>(unit, c.scene))); },
+    [](const Condition&) {
+      const std::optional given = PhysicalAmplitude{.unit = unit};
+      return vertical ? quantities::place_of_vertical(given) : quantities::place_of(given);
+    }};
+
+template <FrequencyUnit unit, bool vertical>
+constexpr Relation frequency_of_block{
+    "/excitation",
+    {"/block", "/excitation"},
+    frequency_beyond_bounds<unit, vertical>,
+    [](const Condition& c) { return text_of(*frequency_in<vertical>(unit, c.scene)); },
+    [](const Condition&) {
+      const std::optional given = PhysicalFrequency{.unit = unit};
+      return vertical ? quantities::place_of_vertical(given) : quantities::place_of(given);
+    }};
+
 /// In the order in which the problems of a file are reported.
-constexpr std::array<Relation, 29> all_relations{{
+constexpr std::array<Relation, 34> all_relations{{
     {"/block", {"/block"}, impossible_body, no_value},
     {"/restitution", {"/block", "/restitution", "/formulation"}, jy25_of_no_rectangle, no_value},
     {"/slide_inertia", {"/block", "/slide_inertia", "/formulation"}, slide_inertia_of_no_rectangle, no_value},
@@ -316,22 +385,19 @@ constexpr std::array<Relation, 29> all_relations{{
      slip_without_friction<&InitialState::slip_rate>,
      [](const Condition& c) { return text_of(c.scene.initial.slip_rate); },
      [](const Condition& c) { return quantities::place_of_slip_rate(c.scene.initial.units); }},
-    {"/excitation/amplitude_g",
+    amplitude_of_block<AccelerationUnit::gravity, false>,
+    amplitude_of_block<AccelerationUnit::m_s2, false>,
+    frequency_of_block<FrequencyUnit::hertz, false>,
+    frequency_of_block<FrequencyUnit::period_s, false>,
+    amplitude_of_block<AccelerationUnit::gravity, true>,
+    amplitude_of_block<AccelerationUnit::m_s2, true>,
+    frequency_of_block<FrequencyUnit::hertz, true>,
+    frequency_of_block<FrequencyUnit::period_s, true>,
+    {"/excitation/vertical",
      {"/block", "/excitation"},
-     amplitude_beyond_bounds<AccelerationUnit::gravity>,
-     [](const Condition& c) { return base::shortest(size_of(c.scene.excitation)); }},
-    {"/excitation/amplitude_m_s2",
-     {"/block", "/excitation"},
-     amplitude_beyond_bounds<AccelerationUnit::m_s2>,
-     [](const Condition& c) { return base::shortest(size_of(c.scene.excitation)); }},
-    {"/excitation/frequency_hz",
-     {"/block", "/excitation"},
-     frequency_beyond_bounds<FrequencyUnit::hertz>,
-     [](const Condition& c) { return text_of(*frequency_in(FrequencyUnit::hertz, c.scene)); }},
-    {"/excitation/period_s",
-     {"/block", "/excitation"},
-     frequency_beyond_bounds<FrequencyUnit::period_s>,
-     [](const Condition& c) { return text_of(*frequency_in(FrequencyUnit::period_s, c.scene)); }},
+     vertical_too_fast,
+     vertical_frequency_text,
+     place_of_vertical_frequency},
     {"/fluctuation/amplitude",
      {"/block", "/excitation", "/fluctuation/amplitude"},
      amplitude_sigma_beyond_bounds,
@@ -365,6 +431,17 @@ void check_relations(const Condition& condition, Problems& problems) {
   }
 }
 
+void check_strobe(const Experiment& experiment) {
+  for (const Condition& condition : experiment.conditions) {
+    auto refusal = relations::vertical_without_strobe(condition);
+    if (!refusal) continue;
+    throw base::InputError({.place = std::string(place_of_vertical_frequency(condition)),
+                            .value = vertical_frequency_text(condition),
+                            .reason = std::move(refusal->reason),
+                            .remedy = std::move(refusal->remedy)});
+  }
+}
+
 Refusal relations::no_friction_to_fluctuate() {
   return {"the file has no friction that could fluctuate", "add \"friction\": {\"static\": 0.35, \"kinetic\": 0.30}"};
 }
@@ -372,6 +449,16 @@ Refusal relations::no_friction_to_fluctuate() {
 Refusal relations::no_period_to_fluctuate() {
   return {"is redrawn at each period of the excitation, and a ground motion has no periods",
           "sweep \"/excitation/scale\" to vary the size of the motion"};
+}
+
+std::optional<Refusal> relations::vertical_without_strobe(const Condition& condition) {
+  if (vertical_of(condition.scene.excitation) == nullptr || periods_of_base(condition.scene)) return std::nullopt;
+  return Refusal{
+      "is neither a whole multiple of the horizontal frequency nor that frequency over a whole number, in every "
+      "realisation: a strobe point once an excitation period would find the vertical motion at another phase "
+      "each time, so that no response would repeat",
+      "give such a frequency, in the same unit as the horizontal one, or look at the motion with `rocking "
+      "trajectory`"};
 }
 
 std::optional<Refusal> relations::one_half_width(const Condition& condition) {

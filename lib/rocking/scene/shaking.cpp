@@ -45,6 +45,14 @@ std::optional<Shaking> shaking_of(const Scene& scene) {
         if constexpr (requires { kind.physical_amplitude; }) {
           add_amplitudes(kind.physical_amplitude, scene.block, mean.shape_angle, shaking);
           add_frequencies(kind.physical_frequency, mean.frequency_parameter, shaking);
+          if constexpr (requires { kind.vertical; }) {
+            if (kind.vertical) {
+              const dynamics::VerticalSine sine = kind.vertical_sine(mean, scene.block.gravity);
+              shaking.vertical = VerticalShaking{.amplitude_g = sine.amplitude,
+                                                 .frequency_hz = sine.cycles / sine.periods * shaking.frequency_hz,
+                                                 .phase_rad = sine.phase};
+            }
+          }
           return shaking;
         } else {
           return std::nullopt;

@@ -8,6 +8,14 @@
 
 namespace rocking {
 
+/// Mean vertical sine of a base motion, for the mean block of a scene.
+struct VerticalShaking {
+  double amplitude_g = 0.0;   ///< peak acceleration over the gravity of the scene [-]
+  double frequency_hz = 1.0;  ///< [Hz]
+  double phase_rad = 0.0;     ///< at the start of the run
+  friend bool operator==(const VerticalShaking&, const VerticalShaking&) = default;
+};
+
 /// Amplitude and frequency of the base motion in every unit, for the mean block of a scene. Numbers that the scene
 /// gives are exactly those; the others follow from them.
 struct Shaking {
@@ -21,6 +29,7 @@ struct Shaking {
   /// `period_s`.
   std::string_view given_amplitude = "amplitude";
   std::string_view given_frequency = "frequency_ratio";
+  std::optional<VerticalShaking> vertical = std::nullopt;  ///< beside a harmonic excitation
 };
 
 /// A number of a Shaking with the key that it has in files.

@@ -11,6 +11,7 @@
 
 #include "rocking/dynamics/impact.hpp"
 #include "rocking/input/read_experiment.hpp"
+#include "rocking/scene/check_condition.hpp"
 #include "rocking/scene/restitution.hpp"
 #include "rocking/text/json.hpp"
 #include "support/excitation.hpp"
@@ -211,6 +212,31 @@ TEST(AnInitialStateInFiles, IsGivenInSiUnitsOrNormalised) {
   EXPECT_EQ(scene_of(experiment_of(document), 1).initial.units, expected.units);
 }
 
+TEST(AVerticalMotionInFiles, TakesTheKeysOfTheHorizontalOne) {
+  Json document = shaken_by(R"({"amplitude_g": 0.4, "frequency_hz": 1.8,
+      "vertical": {"amplitude_m_s2": {"uniform": [1, 2]}, "period_s": 0.2777777777777778, "phase_rad": 0.5}})");
+  EXPECT_EQ(support::objections("experiment", document.dump()), "");
+  const auto experiment = experiment_of(document);
+  const VerticalHarmonic expected{.phase = 0.5,
+                                  .physical_amplitude = PhysicalAmplitude{Uniform{1.0, 2.0}, AccelerationUnit::m_s2},
+                                  .physical_frequency = PhysicalFrequency{0.2777777777777778, FrequencyUnit::period_s}};
+  EXPECT_EQ(std::get<Harmonic>(scene_of(experiment).excitation).vertical, expected);
+  EXPECT_EQ(periods_of_base(scene_of(experiment)), 1) << "twice as fast, up to the rounding of the period";
+  EXPECT_EQ(experiment_in(experiment.canonical_text).canonical_text, experiment.canonical_text);
+  EXPECT_NO_THROW(check_strobe(experiment));
+  document["sweep"] = parse_json(R"([{"parameter": "/excitation/vertical/period_s", "values": [0.4, 1.1]}])");
+  const auto swept = experiment_of(document);
+  EXPECT_EQ(periods_of_base(scene_of(swept, 0)), std::nullopt);
+  EXPECT_EQ(std::get<Harmonic>(scene_of(swept, 1).excitation).vertical->physical_frequency->value, Quantity(1.1));
+  try {
+    check_strobe(swept);
+    FAIL() << "has strobe points";
+  } catch (const base::InputError& error) {
+    EXPECT_EQ(error.problems().at(0).place, "/excitation/vertical/period_s");
+    EXPECT_THAT(error.problems()[0].reason, HasSubstr("another phase"));
+  }
+}
+
 struct BadUnit {
   const char* place;  ///< of the edit
   std::string value;
@@ -277,6 +303,19 @@ INSTANTIATE_TEST_SUITE_P(
                 "needs a restitution e = 4.66667", "0.823529", false},
         BadUnit{"", sliding_with(R"({"rate_ratio": [0.9, 0.5]})"), "/restitution/rate_ratio/1",
                 "needs a restitution e = 4.66667 at the right edge", "omit \"friction\"", false},
+        BadUnit{"/excitation/vertical", R"({"frequency_hz": 3})", "/excitation/vertical/amplitude", "is missing",
+                "\"amplitude_g\": 0.4"},
+        BadUnit{"/excitation/vertical", R"({"amplitude_g": 0.3, "frequency_hz": 3, "period_s": 1})",
+                "/excitation/vertical/period_s", "excludes \"frequency_hz\"", "keep one"},
+        BadUnit{"/excitation/vertical", R"({"amplitude_g": 0.3, "frequency_hz": 4e5})",
+                "/excitation/vertical/frequency_hz", "makes Omega_v", "give from", false},
+        BadUnit{"/excitation/vertical", R"({"amplitude_g": 0.3, "frequency_ratio": 2e5})",
+                "/excitation/vertical/frequency_ratio", "1e4 times", "at most", false},
+        BadUnit{"/excitation/vertical", R"({"amplitude_g": 3e5, "frequency_ratio": 20})",
+                "/excitation/vertical/amplitude_g", "makes A_v", "give at most", false},
+        BadUnit{"/excitation", R"({"kind": "pulse", "shape": "sine", "amplitude": 3, "frequency_ratio": 3,
+                "vertical": {}})",
+                "/excitation/vertical", "is for harmonic", "harmonic"},
         BadUnit{"/restitution", R"({"rate_ratio": [1.0, 0.9]})", "/restitution/rate_ratio/0", "below 1", "0.93"},
         BadUnit{"/restitution", R"({"rate_ratio": [0.9]})", "/restitution/rate_ratio", "list of two", "[0.3, 0.2]"},
         BadUnit{"/initial", R"({"tilt": 0.1, "tilt_rad": 0.1})", "/initial/tilt_rad", "excludes \"tilt\"", "keep one",

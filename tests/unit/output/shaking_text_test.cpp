@@ -134,6 +134,18 @@ TEST(ModeTableOfShaking, HasTheOtherFormBesideTheSweptOne) {
             "shaking: Omega_h 10 = 3.01 Hz\n");
 }
 
+TEST(Shaking, StatesTheVerticalSineThatAllConditionsHave) {
+  const auto experiment = shaken_by(
+      R"({"amplitude_g": 0.4, "frequency_hz": 1.8, "vertical": {"amplitude_m_s2": 1.962, "period_s": 0.5, "phase_rad": 1}})");
+  std::vector<std::optional<Shaking>> shakings{shaking_of(experiment.conditions[0].scene)};
+  EXPECT_EQ(common_shaking({}, shakings).substr(0, 5), "0.4 g");
+  EXPECT_THAT(common_shaking({}, shakings),
+              ::testing::EndsWith("Hz = Omega_h 5.99, vertically 0.2 g, 2 Hz, phase 1 rad"));
+  shakings.push_back(shakings.front());
+  shakings.back()->vertical->phase_rad = 2.0;
+  EXPECT_THAT(common_shaking({}, shakings), ::testing::EndsWith("Omega_h 5.99"));
+}
+
 TEST(ShortValue, NamesARateRatio) {
   EXPECT_EQ(short_value({.pointer = "/restitution", .value = WrittenPart{R"({"rate_ratio":0.93})"}}),
             "rate ratio 0.93");

@@ -46,7 +46,10 @@ TEST(Source, KeepsItsNumber) {
                                                 {27, "base_right"},
                                                 {28, "mean_right_restitution"},
                                                 {29, "slip"},
-                                                {30, ""}};
+                                                {30, "vertical_size"},
+                                                {31, "vertical_frequency"},
+                                                {32, "vertical_phase"},
+                                                {33, ""}};
   for (const auto& [number, name] : numbers) EXPECT_EQ(to_string(static_cast<Source>(number)), name);
 }
 

@@ -38,6 +38,7 @@ Scene scene_with_laws() {
 
 TEST(DrawnOnce, HasASourceOfItsOwnForEachNumber) {
   Scene scene = scene_with_laws();
+  support::harmonic(scene).vertical = VerticalHarmonic{};
   std::set<Source> sources;
   std::set<std::string_view> places;
   for_each_quantity(scene, [&](const QuantityPlace& what, Quantity& quantity) {
@@ -46,9 +47,9 @@ TEST(DrawnOnce, HasASourceOfItsOwnForEachNumber) {
     EXPECT_FALSE(is_drawn_along_the_way(what.source));
     quantity = Uniform{0.1, 0.2};
   });
-  EXPECT_EQ(sources.size(), 12U)
-      << "two lengths, restitution, three of the shaking, two of friction, four of the start";
-  EXPECT_EQ(start_of(scene, draws_once).draws, 12U);
+  EXPECT_EQ(sources.size(), 15U)
+      << "two lengths, restitution, three of the shaking and of its vertical part, two of friction, four of the start";
+  EXPECT_EQ(start_of(scene, draws_once).draws, 15U);
 }
 
 TEST(DrawnOnce, IsInForceForTheWholeRealisation) {
@@ -130,6 +131,27 @@ TEST(DrawnOnce, KeepsAMeasuredRatioWithinPossibleRestitutions) {
   EXPECT_GT(limited, 20U);
   EXPECT_NEAR(least, least_restitution, 1e-12);
   EXPECT_NEAR(largest, largest_restitution, 1e-12);
+}
+
+// In the units of each block; a law without bounds gives no negative amplitude.
+TEST(DrawnOnce, GivesTheVerticalMotionOfEachBlock) {
+  Condition condition;
+  condition.scene = scene_with_laws();
+  condition.scene.block.width = Uniform{0.9, 1.1};
+  support::harmonic(condition.scene).vertical =
+      VerticalHarmonic{.amplitude = Normal{1.0, 0.8}, .frequency_ratio = 20.0, .phase = Uniform{-9.0, 9.0}};
+  for (std::uint64_t realisation = 0; realisation < 50; ++realisation) {
+    const random::Draws own(1, realisation);
+    const Start start = start_of(condition.scene, own);
+    const dynamics::VerticalSine sine = begin_realisation(condition, own, start, Strobe::poincare, 1).shaking.vertical;
+    const double amplitude = std::max(0.0, 1.0 + 0.8 * own.standard_normal(Source::vertical_size, 0));
+    EXPECT_EQ(sine.amplitude, amplitude * start.geometry.shape_angle);
+    const double phase = -9.0 + 18.0 * own.uniform(Source::vertical_phase, 0);
+    EXPECT_NEAR(std::sin(sine.phase), std::sin(phase), 1e-14);
+    EXPECT_TRUE(0.0 <= sine.phase && sine.phase < 6.2832);
+    EXPECT_NEAR(sine.cycles / sine.periods, 20.0 / mean_of(std::get<Harmonic>(start.scene.excitation).frequency_ratio),
+                1e-14);
+  }
 }
 
 TEST(DrawnOnce, GivesEachEdgeItsRatioFromItsOwnSource) {

@@ -19,7 +19,8 @@ namespace rocking::dynamics {
 /// How the base of one realisation moves: one of the kinds. Offers what each of them does (see BaseExcitation).
 class Excitation {
  public:
-  using Kinds = std::variant<HarmonicExcitation, RecordedExcitation<false>, RecordedExcitation<true>, PulseExcitation>;
+  using Kinds = std::variant<HarmonicExcitation<false>, RecordedExcitation<false>, RecordedExcitation<true>,
+                             PulseExcitation, HarmonicExcitation<true>>;
 
   Excitation() = default;
   template <BaseExcitation Kind>

@@ -23,4 +23,13 @@ struct GroundMotionSample {
   double vertical;    ///< over g
 };
 
+/// alpha_v = amplitude sin(Omega_v tau + phase), with Omega_v = (cycles/periods) Omega_h.
+struct VerticalSine {
+  double amplitude = 0.0;  ///< over g
+  double cycles = 1.0;     ///< in `periods` periods of the horizontal motion; any number where periods = 1
+  double periods = 1.0;    ///< a whole number
+  double phase = 0.0;      ///< at tau = 0 [rad]
+  friend bool operator==(const VerticalSine&, const VerticalSine&) = default;
+};
+
 }  // namespace rocking::dynamics

@@ -78,6 +78,7 @@ void check_diagrams(const Experiment& experiment) {
 
 std::vector<Diagram> diagrams_of(const Experiment& experiment) {
   check_diagrams(experiment);
+  check_strobe(experiment);
   const std::size_t stride = experiment.conditions.size() / experiment.sweep_sizes.front();
   std::vector<Diagram> diagrams(stride);
   for (std::size_t i = 0; i < experiment.conditions.size(); ++i) diagrams[i % stride].conditions.push_back(i);

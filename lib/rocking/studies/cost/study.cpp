@@ -50,6 +50,7 @@ void check_request(const Experiment& experiment, const CostRequest& request) {
     throw std::invalid_argument("a measurement of cost needs both clocks: elapsed_seconds and processor_seconds");
   }
   check_has_conditions(experiment);
+  check_strobe(experiment);
   check_fields(request);
   if (cost_tolerances(experiment, request.tolerances).size() < 3) {
     refuse("tolerances", "",

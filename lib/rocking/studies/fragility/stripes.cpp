@@ -26,6 +26,20 @@ bool starts_at_rest(const InitialState& initial) {
   return is_zero(initial.tilt) && is_zero(initial.tilt_rate) && is_zero(initial.slip_rate);
 }
 
+/// Least 1 + alpha_v of any realisation under a vertical sine; 1 without one.
+double least_weight(const Scene& scene) {
+  const VerticalHarmonic* vertical = vertical_of(scene.excitation);
+  if (vertical == nullptr) return 1.0;
+  const auto& [amplitude, ratio, phase, physical, frequency] = *vertical;
+  if (!physical) {
+    const dynamics::Geometry squat = shapes_of(scene.block).squattest;
+    const double psi = std::max(squat.edges[0].shape_angle, squat.edges[1].shape_angle);
+    return 1.0 - reach_of(amplitude).largest * psi;
+  }
+  const bool in_g = physical->unit == AccelerationUnit::gravity;
+  return 1.0 - reach_of(physical->value).largest / (in_g ? 1.0 : scene.block.gravity);
+}
+
 }  // namespace
 
 std::optional<double> least_uplift(const Scene& scene, double intensity) {
@@ -33,9 +47,11 @@ std::optional<double> least_uplift(const Scene& scene, double intensity) {
   const ShapeRange shapes = shapes_of(scene.block);
   const auto* recorded = std::get_if<Recorded>(&scene.excitation);
   if (recorded == nullptr) {
-    // The largest abs(alpha) of the other kinds is A_h psi.
+    // The largest abs(alpha) of the other kinds is A_h psi; the least 1 + alpha_v is 1 without vertical motion.
     const dynamics::Geometry& block = shapes.most_slender;
-    return block.tangent / block.shape_angle * amplitude_unit(scene, block);
+    const double lightest = least_weight(scene);
+    if (!(lightest > 0.0)) return std::nullopt;
+    return lightest * (block.tangent / block.shape_angle * amplitude_unit(scene, block));
   }
   if (!recorded->ground_motion || is_drawn(recorded->scale)) return std::nullopt;
   const auto scale = least_uplift_scale(recorded->ground_motion->samples, shapes.least_tangents);

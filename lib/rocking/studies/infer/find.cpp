@@ -94,6 +94,7 @@ CountedTests counted_tests(const Experiment& experiment, const std::filesystem::
 
 void check_infer(const Experiment& experiment) {
   check_has_conditions(experiment);
+  check_strobe(experiment);
   if (experiment.canonical_text.empty()) {
     throw base::InputError({"/unknown", "", "is a place in a text, and this experiment was made in C++ without one",
                             "read the experiment from a file, or parse its text"});

@@ -161,6 +161,12 @@ void check_orbits(const Experiment& experiment) {
       throw base::InputError({"/excitation/kind", '"' + std::string(name_of(condition.scene.excitation)) + '"',
                               "does not repeat: it has no periodic orbits", "give a harmonic excitation"});
     }
+    if (vertical_of(condition.scene.excitation) != nullptr && periods_of_base(condition.scene) != 1) {
+      throw base::InputError({"/excitation/vertical", "",
+                              "does not repeat once an excitation period: the map from one strobe point to the next "
+                              "would be another one each time",
+                              "give a whole multiple of the horizontal frequency"});
+    }
     if (const auto place = place_of_randomness(condition.scene)) {
       throw base::InputError({*place, "", "is random: only a motion in which nothing is random has periodic orbits",
                               "give a number, or leave out `fluctuation`"});

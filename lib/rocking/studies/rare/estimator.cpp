@@ -200,7 +200,7 @@ class TwistedEstimator final : public Estimator {
   [[nodiscard]] static bool fits(double wanted, double reach) { return wanted <= reach && wanted >= 0.7 * reach; }
 
   void make_guide(const SectionPoint& reach, bool is_fine) {
-    const bool is_periodic = rocking::is_periodic(paths_->condition->scene.excitation);
+    const bool is_periodic = periods_of_base(paths_->condition->scene) == 1;
     const SectionGrid grid = grid_of(reach, is_periodic && is_fine);
     const std::size_t samples = is_periodic && redraws_amplitude(paths_->condition->scene) ? 17 : 8;
     std::vector<Transitions> transitions;

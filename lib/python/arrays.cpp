@@ -1,7 +1,10 @@
+#include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <memory>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include <pybind11/numpy.h>
@@ -33,6 +36,58 @@ std::string facts_of(const Trajectory& trajectory, std::uint64_t condition, std:
   return trajectory_text({.condition = condition, .realisation = realisation}, facts, TrajectoryUnits::normalised);
 }
 
+/// Calls use(member) for each member of a trajectory; one that is not named here does not compile.
+template <class Kept, class Use>
+void for_each_member(Kept& trajectory, Use&& use) {
+  auto& [block, period, strobe, events, history, samples, losses, first_loss, before_fall, peaks, sides, contradictions,
+         energy, termination] = trajectory;
+  const auto each = [&use](auto&... members) { (use(members), ...); };
+  each(block, period, strobe, events, history, samples, losses, first_loss, before_fall, peaks, sides, contradictions,
+       energy, termination);
+}
+
+template <class Value>
+constexpr bool is_list = false;
+template <class Row>
+constexpr bool is_list<std::vector<Row>> = true;
+
+/// What pickle keeps: the version, and the bytes of each member.
+py::tuple state_of(const Trajectory& trajectory) {
+  py::list state;
+  state.append(version());
+  for_each_member(trajectory, [&state]<class Member>(const Member& member) {
+    if constexpr (is_list<Member>) {
+      state.append(
+          py::bytes(reinterpret_cast<const char*>(member.data()), member.size() * sizeof(typename Member::value_type)));
+    } else {
+      static_assert(std::is_trivially_copyable_v<Member>);
+      state.append(py::bytes(reinterpret_cast<const char*>(&member), sizeof(Member)));
+    }
+  });
+  return py::tuple(state);
+}
+
+std::shared_ptr<Trajectory> trajectory_of_state(const py::tuple& state) {
+  auto trajectory = std::make_shared<Trajectory>();
+  std::size_t next = 0;
+  const auto refuse = [] { throw py::value_error("the trajectory was pickled by another version of rocking"); };
+  if (state.empty() || state[next++].cast<std::string>() != version()) refuse();
+  for_each_member(*trajectory, [&]<class Member>(Member& member) {
+    if (next == state.size()) refuse();
+    const auto bytes = state[next++].cast<std::string>();
+    if constexpr (is_list<Member>) {
+      constexpr std::size_t size = sizeof(typename Member::value_type);
+      if (bytes.size() % size != 0) refuse();
+      member.resize(bytes.size() / size);
+      if (!bytes.empty()) std::memcpy(member.data(), bytes.data(), bytes.size());
+    } else {
+      if (bytes.size() != sizeof(Member)) refuse();
+      std::memcpy(&member, bytes.data(), sizeof(Member));
+    }
+  });
+  return trajectory;
+}
+
 }  // namespace
 
 void add_arrays(py::module_& module) {
@@ -47,7 +102,8 @@ void add_arrays(py::module_& module) {
       .def_property_readonly("history",
                              [](const py::object& self) { return rows(self.cast<const Trajectory&>().history, self); })
       .def_readonly("period_length", &Trajectory::period_length)
-      .def("facts", &facts_of);
+      .def("facts", &facts_of)
+      .def(py::pickle(&state_of, &trajectory_of_state));
   module.def("trajectory", [](const Experiment& experiment, std::uint64_t condition, std::uint64_t realisation,
                               std::optional<std::int64_t> periods, int samples) {
     return watch(1, py::none(), [&](const Execution& execution) {

@@ -169,6 +169,7 @@ void add_runs(py::module_& module) {
       .def("intervals", &intervals_of)
       .def("rows", &rows_of)
       .def("digest", &digest_of)
+      .def("bytes", [](const RunResult& run) { return py::bytes(bytes_of(run)); })
       .def("table", [](const RunResult& run, const Experiment& experiment,
                        std::size_t width) { return table(experiment, run, width); })
       .def("report", [](const RunResult& run, const Experiment& experiment, std::string machine, std::string start,
@@ -179,6 +180,13 @@ void add_runs(py::module_& module) {
             {.machine = std::move(machine), .start = std::move(start), .duration_s = duration, .threads = threads});
       });
   module.def("run", &run_watched);
+  module.def("run_of", [](const Experiment& experiment, const std::string& bytes,
+                          const std::optional<std::string>& damaged_file) {
+    const py::gil_scoped_release release;
+    RunResult run = run_of(experiment, bytes);
+    if (damaged_file) run.damaged_file = *damaged_file;
+    return run;
+  });
   module.def("plan", &plan_watched);
   module.def("open_run", [](const std::string& folder) {
     StoredRun stored = [&] {

@@ -1,9 +1,11 @@
+#include <cstddef>
 #include <ctime>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
 #include "module.hpp"
@@ -34,8 +36,27 @@ std::string answer_of(const std::string& study, const std::string& question, con
   });
 }
 
+/// (measure, intensities, annual rates, years, statistic, site, points left out).
+py::tuple hazard_of(const std::string& file, std::optional<double> years, std::optional<std::string> imt,
+                    const std::vector<double>& site, std::optional<std::string> statistic) {
+  const HazardCurve curve = hazard_curve(
+      file, {.years = years, .measure = std::move(imt), .site = hazard_site(site), .statistic = std::move(statistic)});
+  const auto column = [&curve](double HazardPoint::*number) {
+    py::array_t<double> values(static_cast<py::ssize_t>(curve.points.size()));
+    for (std::size_t i = 0; i < curve.points.size(); ++i) values.mutable_data()[i] = curve.points[i].*number;
+    return values;
+  };
+  py::object where = py::none();
+  if (curve.site) where = py::make_tuple(curve.site->longitude, curve.site->latitude);
+  return py::make_tuple(curve.intensity, column(&HazardPoint::intensity), column(&HazardPoint::rate), curve.years,
+                        curve.statistic, where, curve.certain);
+}
+
 }  // namespace
 
-void add_studies(py::module_& module) { module.def("answer", &answer_of); }
+void add_studies(py::module_& module) {
+  module.def("answer", &answer_of);
+  module.def("hazard", &hazard_of);
+}
 
 }  // namespace rocking::python

@@ -1,6 +1,7 @@
 """Tests of the Python module: pages, errors, what objects look like, examples of the documentation."""
 
 import ast
+import copy
 import doctest
 import graphlib
 import importlib
@@ -16,7 +17,11 @@ import unittest
 import numpy as np
 
 import rocking
-from slab import PROGRAM, SLAB, SOURCE, changed, write
+from slab import PROGRAM, SLAB, SOURCE, changed, suite_in, write
+
+
+def copies_of(made):
+    return pickle.loads(pickle.dumps(made)), copy.deepcopy(made)
 
 
 @unittest.skipUnless(hasattr(rocking._core, "write_page"), "built without fmt (Debian: libfmt-dev)")
@@ -133,11 +138,17 @@ class Errors(unittest.TestCase):
             rocking.validate(changed(blok={}))
         self.assertEqual(caught.exception.pointer, "/blok")
 
-    def test_survives_pickling(self):
+    def test_survives_pickling_and_copying(self):
         with self.assertRaises(rocking.InputError) as caught:
             rocking.validate(changed(restitution=7))
-        again = pickle.loads(pickle.dumps(caught.exception))
-        self.assertEqual(again.problems, caught.exception.problems)
+        for again in copies_of(caught.exception):
+            self.assertEqual(again.problems, caught.exception.problems)
+        for error in (rocking.DifferentBits("other bits"), rocking.StoreError("a damaged store")):
+            for again in copies_of(error):
+                self.assertEqual((type(again), str(again)), (type(error), str(error)))
+        interrupted = rocking.Interrupted(rocking.run(SLAB))
+        for again in copies_of(interrupted):
+            self.assertEqual((str(again), again.result.digest), (str(interrupted), interrupted.result.digest))
 
     def test_missing_files_are_oserrors(self):
         with self.assertRaises(FileNotFoundError):
@@ -305,6 +316,97 @@ class Arrays(unittest.TestCase):
         self.assertEqual(len(table), result.counts.size)
         self.assertEqual(table["count"].sum(), 60)
         self.assertEqual(rocking.trajectory(SLAB, condition=1).to_pandas("events")["kind"][0], "lift")
+
+
+class Copies(unittest.TestCase):
+    def expect_equal(self, again, result):
+        self.assertEqual((again.modes, again.digest, again.folder), (result.modes, result.digest, result.folder))
+        np.testing.assert_array_equal(again.counts, result.counts)
+        np.testing.assert_array_equal(again.intervals, result.intervals)
+        np.testing.assert_array_equal(again.realisations(), result.realisations())
+        self.assertEqual(again.report().text, result.report().text)
+        self.assertEqual(again.experiment.to_dict(), result.experiment.to_dict())
+        self.assertTrue(rocking.verify(again, sample=3).is_verified)
+
+    def test_of_results_have_the_same_bits(self):
+        with tempfile.TemporaryDirectory() as folder:
+            stored = os.path.join(folder, "stored")
+            suite = rocking.run(suite_in(folder))
+            for result in (rocking.run(SLAB), rocking.run(SLAB, folder=stored), rocking.open_run(stored), suite):
+                for again in copies_of(result):
+                    self.expect_equal(again, result)
+
+    def test_of_parts_have_their_counts(self):
+        part = rocking.run(SLAB, shard=(1, 2))
+        for again in copies_of(part):
+            self.assertEqual((again.done, again.all, again.is_complete), (part.done, part.all, False))
+            np.testing.assert_array_equal(again.counts, part.counts)
+
+    def test_of_trajectories_are_the_same(self):
+        general = changed(block={"edges_m": [0.5, 0.4], "centre_height_m": 2.0, "radius_of_gyration_m": 1.0})
+        for source in (SLAB, general):
+            trajectory = rocking.trajectory(source, condition=1, realisation=2, samples_per_period=4)
+            for again in copies_of(trajectory):
+                for rows in ("strobe", "events", "history"):
+                    np.testing.assert_array_equal(getattr(again, rows), getattr(trajectory, rows))
+                for units in ("normalised", "si"):
+                    self.assertEqual(again.text(units=units), trajectory.text(units=units))
+        kind = type(trajectory._core)
+        with self.assertRaisesRegex(ValueError, "another version"):
+            kind.__new__(kind).__setstate__(("0.0", b""))
+
+    def test_of_bytes_of_another_run_are_refused(self):
+        result = rocking.run(SLAB)
+        with self.assertRaises(rocking.InputError):
+            rocking._core.run_of(rocking.experiment(changed(restitution=0.8))._core, result._core.bytes(), None)
+        with self.assertRaises(rocking.StoreError):
+            rocking._core.run_of(result.experiment._core, b"no store", None)
+
+    def test_of_small_objects_are_the_same(self):
+        for made in (rocking.experiment(SLAB), rocking.plan(SLAB), rocking.verify(rocking.run(SLAB), sample=3)):
+            for again in copies_of(made):
+                self.assertEqual(repr(again), repr(made))
+
+
+class Labelled(unittest.TestCase):
+    """Arrays with the names of their dimensions."""
+
+    def setUp(self):
+        try:
+            import xarray  # noqa: F401
+        except ImportError:
+            self.skipTest("xarray was not found (Debian: python3-xarray)")
+
+    def test_results_have_the_dimensions_of_the_sweep(self):
+        swept = changed(sweep=[{"parameter": "/excitation/amplitude", "values": [1.0, 4.0, 12.0]},
+                               {"parameter": "/restitution", "values": [0.8, 0.9]}], realisations=5)
+        result = rocking.run(swept)
+        found = result.to_xarray()
+        self.assertEqual(dict(found.sizes), {"amplitude": 3, "restitution": 2, "mode": len(result.modes)})
+        for i in range(len(result.experiment)):
+            here = {pointer.split("/")[-1]: value for pointer, value in result.experiment.parameters(i).items()}
+            np.testing.assert_array_equal(found["count"].sel(here), result.counts[i])
+            np.testing.assert_array_equal(found["low"].sel(here), result.intervals[i, :, 0])
+            self.assertEqual(found["realisations"].sel(here), 5)
+        single = {key: value for key, value in SLAB.items() if key != "sweep"}
+        self.assertEqual(rocking.run(single).to_xarray()["count"].dims, ("mode",))
+
+    def test_trajectories_have_their_times(self):
+        trajectory = rocking.trajectory(SLAB, condition=1, samples_per_period=4)
+        for rows, place in (("strobe", "period"), ("events", "tau"), ("history", "tau")):
+            found = trajectory.to_xarray(rows)
+            self.assertEqual(found["tilt"].dims, (place,))
+            np.testing.assert_array_equal(found["tilt"], getattr(trajectory, rows)["tilt"])
+        self.assertEqual(str(trajectory.to_xarray("events")["kind"].values[0]), "lift")
+
+    def test_documents_have_their_lists(self):
+        with tempfile.TemporaryDirectory() as folder:
+            suite_in(folder)
+            motions = rocking.motion(os.path.join(folder, "r0.txt"), units="m/s2").motions
+        series = motions[0].series.to_xarray()
+        self.assertEqual(series["velocity_m_s"].dims, ("time_s",))
+        np.testing.assert_array_equal(series["acceleration_g"], motions[0].series.acceleration_g)
+        self.assertEqual(motions[0].spectrum.to_xarray()["sa_g"].dims, ("row",))
 
 
 class Memory(unittest.TestCase):

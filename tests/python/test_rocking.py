@@ -1,8 +1,10 @@
 """Tests of the Python module: the same bits as the program."""
 
+import copy
 import json
 import math
 import os
+import pickle
 import re
 import subprocess
 import tempfile
@@ -159,6 +161,59 @@ class AgainstTheProgram(unittest.TestCase):
         for wrong in ({"block": (1, 2, 3)}, {"time_step": 0.0}, {"block": ()}, {"periods": ["a"]}, {"gravity": "g"}):
             with self.assertRaises(ValueError, msg=wrong):
                 rocking.motion(**{"files": path, **wrong})
+
+    def test_motion_gives_the_samples_as_arrays(self):
+        path = os.path.join(self.folder.name, "three.txt")
+        with open(path, "w") as file:
+            file.write("".join(f"{0.01 * i:.2f} {0.4 * np.sin(0.3 * i)} {0.1 * np.cos(0.3 * i)}\n" for i in range(200)))
+        columns = ["time", "horizontal", "vertical"]
+        series = rocking.motion(path, units="g", columns=columns).motions[0].series
+        np.testing.assert_allclose(series.time_s, 0.01 * np.arange(200), rtol=1e-15)
+        np.testing.assert_allclose(series.acceleration_g, 0.4 * np.sin(0.3 * np.arange(200)), rtol=1e-15)
+        np.testing.assert_allclose(series.vertical_g, 0.1 * np.cos(0.3 * np.arange(200)), rtol=1e-15)
+        self.assertIsNone(rocking.motion(path, units="g", columns=columns, series=False).motions[0].series)
+
+    def test_hazard_gives_the_curve_of_every_format(self):
+        levels, probabilities = np.array([0.1, 0.2, 0.4]), np.array([0.3, 0.1, 0.02])
+
+        def read(text, **asked):
+            path = os.path.join(self.folder.name, "hazard.csv")
+            with open(path, "w") as file:
+                file.write(text)
+            return rocking.hazard(path, **asked)
+
+        words = ",".join(f"poe-{level}" for level in levels)
+        two_sites = (f'#,,,,"generated_by=\'OpenQuake engine 3.16.2\', start_date=\'2023-02-03T10:00:00\', '
+                     f"checksum=1, kind='mean', investigation_time=50.0, imt='PGA'\"\n"
+                     f"lon,lat,depth,{words}\n10.0,45.0,0.0,0.3,0.1,0.02\n11.0,45.0,0.0,0.5,0.2,0.1\n")
+        for curve in (read("pga_g, poe\n0.1, 0.3\n0.2, 0.1\n0.4, 0.02\n", years=50), read(two_sites, site=(10, 45))):
+            self.assertEqual((curve.measure, curve.years, len(curve.intensity)), ("pga_g", 50.0, 3))
+            np.testing.assert_array_equal(curve.intensity, levels)
+            np.testing.assert_allclose(curve.annual_rate, -np.log1p(-probabilities) / 50.0, rtol=1e-14)
+        self.assertEqual((curve.statistic, curve.site), ("mean", (10.0, 45.0)))
+        self.assertEqual(read("0.1 1e-2\n0.4 5e-4\n", imt="SA(0.5)").measure, "sa_g[0.5]")
+        for again in (pickle.loads(pickle.dumps(curve)), copy.deepcopy(curve)):
+            self.assertEqual(repr(again), repr(curve))
+            np.testing.assert_array_equal(again.annual_rate, curve.annual_rate)
+        try:
+            self.assertEqual(curve.to_xarray()["annual_rate"].dims, ("pga_g",))
+            self.assertEqual(len(curve.to_pandas()), 3)
+        except ImportError:
+            self.skipTest("xarray was not found (Debian: python3-xarray)")
+
+    def test_hazard_refuses_what_it_cannot_read(self):
+        path = os.path.join(self.folder.name, "hazard.csv")
+        with open(path, "w") as file:
+            file.write("pga_g, annual_rate\n0.4, 1e-2\n0.1, 5e-4\n")
+        with self.assertRaisesRegex(rocking.InputError, "hazard.csv, line 3"):
+            rocking.hazard(path)
+        with self.assertRaises(FileNotFoundError):
+            rocking.hazard(path + ".none")
+        with self.assertRaises(rocking.InputError):
+            rocking.hazard(path, site=(1.0,))
+        for wrong in ({"file": 3}, {"years": "a"}, {"site": "here"}, {"imt": 3}):
+            with self.assertRaises((TypeError, ValueError), msg=wrong):
+                rocking.hazard(**{"file": path, **wrong})
 
     def test_fragility_is_that_of_the_program(self):
         self.program("run", self.path, "-o", self.out, "--no-page", "-q")

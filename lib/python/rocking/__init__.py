@@ -24,6 +24,7 @@ from .checks import RunCheck, doctor, replay, verify
 from .errors import DifferentBits, InputError, Interrupted, Problem, StoreError
 from .experiments import Experiment, ExperimentLike, experiment, validate
 from .fields import Document, Fields, Rows
+from .hazards import Hazard, hazard
 from .intervals import clopper_pearson, colour, wilson
 from .pages import Written, draw, write_figures, write_page, write_sheet, write_tables, write_trajectory_page
 from .results import Result
@@ -41,6 +42,7 @@ __all__ = [
     "Experiment",
     "ExperimentLike",
     "Fields",
+    "Hazard",
     "InputError",
     "Interrupted",
     "Plan",
@@ -58,6 +60,7 @@ __all__ = [
     "documents",
     "draw",
     "experiment",
+    "hazard",
     "merge",
     "open_run",
     "plan",

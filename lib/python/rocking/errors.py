@@ -71,3 +71,6 @@ class Interrupted(KeyboardInterrupt):
         self.result = result
         kept = f"; {result.folder} keeps them, and the same call goes on" if result.folder else ""
         super().__init__(f"stopped after {result.done} of {result.all} realisations{kept}")
+
+    def __reduce__(self) -> Tuple[Any, ...]:
+        return type(self), (self.result,)

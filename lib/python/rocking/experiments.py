@@ -61,8 +61,18 @@ class Experiment:
         found: Dict[str, Any] = json.loads(self._core.text)
         return found
 
+    def __reduce__(self) -> Tuple[Any, ...]:
+        return _of_text, (self._core.text, self._files)
+
+    def __deepcopy__(self, memo: Dict[int, Any]) -> Experiment:
+        return self  # nothing of it can change
+
     def __repr__(self) -> str:
         return f"<rocking.Experiment {self.title!r}, {len(self)} condition{'s' if len(self) != 1 else ''}>"
+
+
+def _of_text(text: str, files: str) -> Experiment:
+    return Experiment(_core.parse(text, "experiment", files, None, None, False), files)
 
 
 def experiment(

@@ -16,6 +16,7 @@ from . import _core
 if TYPE_CHECKING:
     import numpy.typing as npt
     import pandas
+    import xarray
 
 __all__ = ["Document", "Fields", "Rows"]
 
@@ -47,6 +48,15 @@ class Fields:
 
     def __eq__(self, other: object) -> bool:
         return type(self) is type(other) and isinstance(other, Fields) and self.data == other.data
+
+    def to_xarray(self) -> "xarray.Dataset":
+        """The lists of numbers: those of one length share a dimension, named after the first. The rest as ``attrs``."""
+        arrays = {name: getattr(self, name) for name, _ in self._shown()}
+        arrays = {name: value for name, value in arrays.items() if isinstance(value, np.ndarray) and value.ndim == 1}
+        first = {len(value): name for name, value in reversed(list(arrays.items()))}
+        facts = {name: value for name, value in self._shown() if isinstance(value, (str, int, float))}
+        coordinates = {name: arrays.pop(name) for name in first.values()}
+        return dataset({name: ((first[len(value)],), value) for name, value in arrays.items()}, coordinates, facts)
 
     def __repr__(self) -> str:
         words = ", ".join(f"{name}={_brief(value)}" for name, value in self._shown())
@@ -80,6 +90,11 @@ class Rows(List[_Row]):
         import pandas
 
         return pandas.json_normalize([row.data for row in self if isinstance(row, Fields)])
+
+    def to_xarray(self) -> "xarray.Dataset":
+        """The same along the dimension ``row``."""
+        table = self.to_pandas().rename_axis("row")
+        return table.to_xarray()
 
     def __repr__(self) -> str:
         return f"<rocking.Rows: {len(self)} of {', '.join(sorted({type(row).__name__ for row in self}))}>"
@@ -117,6 +132,16 @@ def pictures(function: str, *source: Any) -> str:
         drawn = [Path(file) for file in files if file.endswith(".svg")][:3]
         images = [base64.b64encode(file.read_bytes()).decode() for file in drawn]
     return "".join(f'<img src="data:image/svg+xml;base64,{image}"/>' for image in images)
+
+
+def dataset(
+    variables: Mapping[str, Tuple[Tuple[str, ...], Any]], coordinates: Mapping[str, Any], facts: Mapping[str, Any]
+) -> "xarray.Dataset":
+    """Variables with the names of their dimensions, the values along these, and what holds for all of them."""
+    import xarray
+
+    known = {name: value for name, value in facts.items() if value is not None}
+    return xarray.Dataset(dict(variables), dict(coordinates), known)
 
 
 def name_of(key: str) -> str:

@@ -4,17 +4,18 @@ from __future__ import annotations
 
 import functools
 import html
-from typing import TYPE_CHECKING, Any, Optional, Tuple
+from typing import TYPE_CHECKING, Any, Dict, Optional, Tuple
 
 import numpy as np
 
 from . import _core, documents
 from .experiments import Experiment
-from .fields import pictures
+from .fields import dataset, pictures
 
 if TYPE_CHECKING:
     import numpy.typing as npt
     import pandas
+    import xarray
 
 __all__ = ["Result"]
 
@@ -164,6 +165,36 @@ class Result:
                 )
         return pandas.DataFrame(rows)
 
+    def to_xarray(self) -> "xarray.Dataset":
+        """``count``, ``probability``, ``low`` and ``high`` by the swept parameters and ``mode``, and ``realisations``.
+
+        A dimension has the name of its entry of the sweep, the last part of the pointer, or the pointer where two agree.
+        """
+        self._expect_complete()
+        swept = self.experiment.parameters(0)
+        ends = [pointer.rsplit("/", 1)[-1] for pointer in swept]
+        names = [end if ends.count(end) == 1 and end != "mode" else pointer for end, pointer in zip(ends, swept)]
+        shape = self.experiment.shape
+        coordinates: Dict[str, Any] = {"mode": list(self.modes)}
+        places = np.arange(len(self.experiment)).reshape(shape)
+        for axis, (name, pointer) in enumerate(zip(names, swept)):
+            along = np.moveaxis(places, axis, 0).reshape(shape[axis], -1)[:, 0]
+            values = [self.experiment.parameters(int(i))[pointer] for i in along]
+            coordinates[name] = [str(value) if isinstance(value, (dict, list)) else value for value in values]
+        place = (*names, "mode")
+        low, high = self.intervals[..., 0], self.intervals[..., 1]
+        tables = {"count": self.counts, "probability": self.probabilities, "low": low, "high": high}
+        variables: Dict[str, Any] = {name: (place, table.reshape(*shape, -1)) for name, table in tables.items()}
+        variables["realisations"] = (tuple(names), self.trials.reshape(shape))
+        return dataset(variables, coordinates, {"title": self.experiment.title, "digest": self.digest})
+
+    def __reduce__(self) -> Tuple[Any, ...]:
+        kept = (self._core.bytes(), self._core.damaged_file)
+        return _of_bytes, (self.experiment, *kept, self._provenance, self.folder)
+
+    def __deepcopy__(self, memo: Dict[int, Any]) -> Result:
+        return Result(self.experiment, self._core, self._provenance, self.folder)
+
     def _expect_complete(self) -> None:
         if self.is_complete:
             return
@@ -179,3 +210,10 @@ class Result:
     def __repr__(self) -> str:
         state = "" if self.is_complete else f", {self.done} done"
         return f"<rocking.Result of {self.all} realisations of {len(self.experiment)} condition(s){state}>"
+
+
+def _of_bytes(
+    experiment: Experiment, store: bytes, damaged_file: Optional[str], provenance: Provenance, folder: Optional[str]
+) -> Result:
+    """A result that was pickled."""
+    return Result(experiment, _core.run_of(experiment._core, store, damaged_file), provenance, folder)

@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 import functools
-from typing import TYPE_CHECKING, Any, Optional, Union, cast
+from typing import TYPE_CHECKING, Any, Optional, Tuple, Union, cast
 
 import numpy as np
 
 from . import _core, documents
 from .experiments import ExperimentLike, experiment
+from .fields import dataset
 
 if TYPE_CHECKING:
     import numpy.typing as npt
     import pandas
+    import xarray
 
 __all__ = ["CONTACTS", "EVENTS", "TERMINATIONS", "Trajectory", "trajectory"]
 
@@ -96,6 +98,18 @@ class Trajectory:
             if column in table:
                 table[column] = pandas.Categorical.from_codes(table[column], names)
         return table
+
+    def to_xarray(self, rows: str = "strobe") -> "xarray.Dataset":
+        """The same along ``period`` or ``tau``, with names of contacts and events."""
+        table = self.to_pandas(rows)
+        place = "period" if rows == "strobe" else "tau"
+        names = {name: np.asarray(table[name], dtype=str) for name in ("contact", "kind") if name in table}
+        variables = {name: ((place,), names.get(name, table[name].to_numpy())) for name in table if name != place}
+        facts = {"condition": self.condition, "realisation": self.realisation, "termination": self.termination}
+        return dataset(variables, {place: table[place].to_numpy()}, {**facts, "period_length": self.period_length})
+
+    def __reduce__(self) -> Tuple[Any, ...]:
+        return type(self), (self._core, self.condition, self.realisation)
 
 
 def trajectory(

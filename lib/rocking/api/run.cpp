@@ -146,6 +146,17 @@ RunResult run(const Experiment& experiment, const Execution& execution) {
   return found;
 }
 
+std::string bytes_of(const RunResult& run) { return store_of(run).bytes(); }
+
+RunResult run_of(const Experiment& experiment, const std::string& bytes) {
+  check_experiment(experiment);
+  Store store = Store::of_bytes(bytes);
+  if (store.identity().experiment != experiment.canonical_text) {
+    refuse("bytes", "", "are of a run of another experiment; give the experiment of that run");
+  }
+  return look_at(experiment, std::move(store));
+}
+
 StoredRun open_run(const fs::path& folder) { return stored_run(RunFolder(folder).open_valid_store()); }
 
 StoredRun stored_run(Store store) {

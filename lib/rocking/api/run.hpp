@@ -79,6 +79,11 @@ struct StoredRun {
 /// a report.json in the folder is of another experiment.
 [[nodiscard]] ROCKING_API StoredRun open_run(const std::filesystem::path& folder);
 
+/// The realisations of a run as bytes, and the run of this experiment with these realisations: to send it to another
+/// process. Throws base::InputError if the bytes are of another experiment, and base::UnusableFile if they are of none.
+[[nodiscard]] ROCKING_API std::string bytes_of(const RunResult& run);
+[[nodiscard]] ROCKING_API RunResult run_of(const Experiment& experiment, const std::string& bytes);
+
 /// Goes on with the run in a folder, after a damaged store was mended. `extension`: more realisations, or further levels of
 /// the sweep; such a run replaces a complete one, whose report it removes, when it is complete itself. Throws
 /// base::FolderError if there is no run, if it cannot be extended so, or if another run is at work in the folder; otherwise

@@ -1,6 +1,8 @@
 #include "rocking/store/sqlite.hpp"
 
+#include <algorithm>
 #include <cerrno>
+#include <memory>
 #include <system_error>
 
 #include <sqlite3.h>
@@ -147,6 +149,30 @@ Database::Database(const std::filesystem::path& path, Access access) : path_(pat
   sqlite3_extended_result_codes(database, 1);
   distrust(database);
   sqlite3_busy_timeout(database, 5000);  // ms: a reader waits while the writer moves its log into the database
+}
+
+Database Database::of_bytes(std::string_view bytes) {
+  Database database = in_memory();
+  const auto size = static_cast<sqlite3_int64>(bytes.size());
+  auto* copy = static_cast<unsigned char*>(sqlite3_malloc64(bytes.size()));
+  if (copy == nullptr) fail(database.path_, SQLITE_NOMEM, "not enough memory");
+  std::copy(bytes.begin(), bytes.end(), copy);
+  constexpr unsigned how = SQLITE_DESERIALIZE_FREEONCLOSE | SQLITE_DESERIALIZE_RESIZEABLE;
+  const int code = sqlite3_deserialize(database.handle_.get(), "main", copy, size, size, how);
+  if (code != SQLITE_OK) fail(database.path_, code, sqlite3_errmsg(database.handle_.get()));
+  return database;
+}
+
+std::string Database::bytes() const {
+  sqlite3_int64 size = 0;
+  const std::unique_ptr<unsigned char, decltype(&sqlite3_free)> copy(sqlite3_serialize(handle_.get(), "main", &size, 0),
+                                                                     &sqlite3_free);
+  if (copy == nullptr) fail(path_, SQLITE_NOMEM, "not enough memory");
+  std::string bytes(copy.get(), copy.get() + size);
+  // A database in memory has no write-ahead log, which these two bytes of a file's header would ask for.
+  constexpr std::size_t write_version = 18, read_version = 19;
+  if (bytes.size() > read_version) bytes[write_version] = bytes[read_version] = '\1';
+  return bytes;
 }
 
 void Database::execute(const std::string& sql) {

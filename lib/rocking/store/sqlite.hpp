@@ -73,6 +73,10 @@ class Database {
   Database(const std::filesystem::path& path, Access access);
   /// A database in memory with the lifetime of this object.
   [[nodiscard]] static Database in_memory() { return Database(":memory:", Access::create); }
+  /// A database in memory with the contents of bytes().
+  [[nodiscard]] static Database of_bytes(std::string_view bytes);
+  /// All of it, as the bytes of a file.
+  [[nodiscard]] std::string bytes() const;
 
   void execute(const std::string& sql);
   [[nodiscard]] Statement prepare(std::string_view sql) const { return {handle_.get(), sql, path_}; }

@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "rocking/store/sqlite.hpp"
 #include "rocking/store/store_identity.hpp"
@@ -40,6 +41,10 @@ class Store {
   [[nodiscard]] static Store open(const std::filesystem::path& path, sqlite::Access access);
   /// A store in memory with the lifetime of this object.
   [[nodiscard]] static Store in_memory(const Identity& identity);
+  /// A store in memory with the contents of bytes().
+  [[nodiscard]] static Store of_bytes(std::string_view bytes) { return read(sqlite::Database::of_bytes(bytes)); }
+  /// All of it, as the bytes of a file.
+  [[nodiscard]] std::string bytes() const { return database_.bytes(); }
 
   [[nodiscard]] const Identity& identity() const { return identity_; }
   /// The protection in use, for a store opened for writing.

@@ -82,6 +82,24 @@ TEST(Store, CountsResponseModesBelowANumber) {
   EXPECT_THAT(store.mode_counts(5, 7), IsEmpty());
 }
 
+TEST(Store, HasTheSameRowsWhenItIsMadeOfItsBytes) {
+  const support::TemporaryFolder folder;
+  Store in_file = Store::create(folder / "a.sqlite", identity);  // has a write-ahead log until it is closed up
+  Store in_memory = Store::in_memory(identity);
+  for (Store* store : {&in_file, &in_memory}) {
+    for (std::uint64_t number = 0; number < 500; ++number) store->add({number % 3, number}, filled(number));
+    store->commit();
+    Store again = Store::of_bytes(store->bytes());
+    EXPECT_EQ(again.identity().experiment, identity.experiment);
+    EXPECT_FALSE(again.damage().has_value());
+    EXPECT_THAT(differing_fields(again.find({1, 400}).value(), filled(400)), IsEmpty());
+    again.add({3, 0}, filled(1));
+    EXPECT_FALSE(store->find({3, 0}).has_value());
+  }
+  EXPECT_THROW(static_cast<void>(Store::of_bytes("no store")), sqlite::UnusableFile);
+  EXPECT_THROW(static_cast<void>(Store::of_bytes("")), sqlite::UnusableFile);
+}
+
 TEST(Store, KeepsItsIdentity) {
   const support::TemporaryFolder folder;
   Identity part = identity;

@@ -30,6 +30,8 @@ static const StructType& fields_of(const MotionSeries*) {
       field<&Series::acceleration_g>("acceleration_g", "of the base over gravity"),
       field<&Series::velocity_m_s>("velocity_m_s", "of the base, from rest [m/s]"),
       field<&Series::displacement_m>("displacement_m", "of the base, from rest [m]"),
+      field<&Series::vertical_g>("vertical_g", "vertical acceleration of the base over gravity, where there is one", {},
+                                 WithoutValue::omitted),
       field<&Series::spectrum>("spectrum", "response spectrum at 120 periods, for a figure"),
   };
   return fields;
@@ -109,6 +111,9 @@ static void check_lengths(const MotionReport& report, const ReadingPlace& place)
     const std::size_t samples = series.time_s.size();
     if (series.acceleration_g.size() != samples) at.at("acceleration_g").reject({}, "differs in length from time_s");
     if (series.velocity_m_s.size() != samples) at.at("velocity_m_s").reject({}, "differs in length from time_s");
+    if (series.vertical_g && series.vertical_g->size() != samples) {
+      at.at("vertical_g").reject({}, "differs in length from time_s");
+    }
     if (series.displacement_m.size() != samples) at.at("displacement_m").reject({}, "differs in length from time_s");
   }
 }
@@ -128,6 +133,10 @@ MotionSeries series_of(const GroundMotion& motion, const MotionQuestion& questio
     series.acceleration_g.push_back(point.acceleration / question.gravity);
     series.velocity_m_s.push_back(point.velocity);
     series.displacement_m.push_back(point.displacement);
+  }
+  if (motion.has_vertical) {
+    series.vertical_g.emplace();
+    for (const auto& sample : motion.samples) series.vertical_g->push_back(sample.vertical);
   }
   constexpr int periods_of_a_curve = 120;
   for (const double period : spaced_periods(0.02, 10.0, periods_of_a_curve)) {

@@ -107,8 +107,8 @@ const StructType& fields_of(const GroundMotionRequest*) {
       asked(field<&Type::question, &Question::damping>("damping", "Damping ratio of the response spectrum",
                                                        Rule{.least = 0.0, .below = 1.0}),
             {.names = "--damping", .letter = "RATIO"}),
-      asked(field<&Type::series>("series",
-                                 "Add to --json the motions sample by sample, and fine spectra, for `rocking figure`"),
+      asked(field<&Type::series>(
+                "series", "Add the motions sample by sample, and fine spectra: with --json, for `rocking figure`"),
             {.names = "--series", .kind = FlagKind::on}),
   };
   return fields;
@@ -116,10 +116,10 @@ const StructType& fields_of(const GroundMotionRequest*) {
 
 namespace {
 
-/// A request, and the size of a block.
+/// A request, and the size of a block. Callers in Python want the samples.
 struct FilesQuestion {
-  GroundMotionRequest request{.files = {},
-                              .question = {.periods = {0.1, 0.2, 0.3, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0, 5.0}}};
+  GroundMotionRequest request{
+      .files = {}, .series = true, .question = {.periods = {0.1, 0.2, 0.3, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0, 5.0}}};
   std::optional<std::vector<double>> block = {};  ///< width and height [m]
 };
 
@@ -209,7 +209,14 @@ std::vector<analysis::Figure> figures(const Json& document, std::span<const Json
   return analysis::motion_figures(motion_document().read(document));
 }
 
-constexpr StudyFunctions<FilesQuestion> functions{.check = check, .find = find, .figures = figures};
+FilesQuestion of_command() {
+  FilesQuestion question;
+  question.request.series = false;
+  return question;
+}
+
+constexpr StudyFunctions<FilesQuestion> functions{
+    .of_command = of_command, .check = check, .find = find, .figures = figures};
 
 }  // namespace
 
@@ -230,7 +237,9 @@ const Study& motion_study() {
 ...     _ = file.write("0 0\n0.5 4.905\n1 0\n")
 >>> record = rocking.motion(path, units="m/s2", block=(1.0, 4.0)).motions[0]
 >>> record.pga_g, record.uplift_scale
-(0.5, 0.5))",
+(0.5, 0.5)
+>>> record.series.acceleration_g
+array([0. , 0.5, 0. ]))",
       .subject = SubjectKind::files,
       .has_long_table = true,
       .draws = true,

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <vector>
 
 #include "rocking/dynamics/excitation/shape.hpp"
 #include "rocking/fields/document.hpp"
@@ -48,6 +50,7 @@ struct BasePoint {
 /// A motion of the base at its samples, and its response spectrum at many periods.
 struct MotionSeries {
   std::vector<double> time_s, acceleration_g, velocity_m_s, displacement_m;
+  std::optional<std::vector<double>> vertical_g = std::nullopt;  ///< absent: no vertical component
   std::vector<SpectralPoint> spectrum;
 };
 

@@ -113,6 +113,40 @@ TEST_F(SuiteRun, SaysHowItsFilesWereReadAndHowFarTheyWereScaled) {
   EXPECT_EQ(rocking("report out --format html").exit_code, 0) << "also from the report alone";
 }
 
+TEST_F(SuiteRun, HasTheRecordsAndFactorsThatATableGivesEachLevel) {
+  write("records/other.at2", peer_at2({0.0, 0.25, -0.3, 0.28, -0.3, 0.2, -0.1, 0.0}, ".2"));
+  write("records/selection.csv",
+        "level,file,factor\n0.3,push.at2,0.4\n0.3,shake.at2,0.5\n0.6,shake.at2,1\n0.6,other.at2,0.8\n0.6,push.at2,0.9\n"
+        "1.2,push.at2,2\n1.2,other.at2,2\n");
+  Json levels = experiment();
+  levels["excitation"]["suite"] = {{"levels", "records/selection.csv"}};
+  levels.erase("sweep");
+  write("l.json", levels.dump());
+  const auto ran = rocking("run l.json -o out");
+  ASSERT_EQ(ran.exit_code, 0) << ran.errors;
+  EXPECT_EQ(objections("report", read("out/report.json")), "");
+  const Json conditions = report("out")["result"]["conditions"];
+  ASSERT_EQ(conditions.size(), 7U);
+  EXPECT_EQ(conditions[6]["parameters"]["/excitation/file"], "records/other.at2, level 1.2");
+  EXPECT_EQ(conditions[6]["scale"], 2.0);
+  EXPECT_EQ(rocking("verify out").exit_code, 0);
+  const auto replayed = rocking("replay out --condition 5 --realisation 3");
+  EXPECT_EQ(replayed.output, rocking("trajectory l.json --condition 5 --realisation 3").output);
+  const auto curves = rocking("fragility out --json");
+  ASSERT_EQ(curves.exit_code, 0) << curves.errors;
+  EXPECT_EQ(objections("fragility", curves.output), "");
+  const Json curve = Json::parse(curves.output)["curves"][0];
+  EXPECT_EQ(curve["parameter"], "/excitation/level");
+  ASSERT_EQ(curve["levels"].size(), 3U);
+  EXPECT_EQ(curve["levels"][0]["records"], 2);
+  EXPECT_EQ(curve["levels"][1]["records"], 3);
+  EXPECT_EQ(curve["levels"][2]["intensity"], 1.2);
+  write("hazard.csv", "pga_g,annual_rate\n0.1,0.01\n0.5,0.001\n2,0.00001\n");
+  const auto rate = rocking("fragility out --hazard hazard.csv");
+  EXPECT_EQ(rate.exit_code, 0) << rate.errors;
+  EXPECT_THAT(rate.output + rate.errors, HasSubstr("levels: those of the table are taken to be in pga_g"));
+}
+
 TEST_F(SuiteRun, CanBeVerifiedReplayedAndExtended) {
   ASSERT_EQ(rocking("run e.json -q -o out").exit_code, 0);
   EXPECT_EQ(rocking("verify out").exit_code, 0);

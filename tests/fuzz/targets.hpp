@@ -72,7 +72,7 @@ inline void try_experiment(std::string_view text) {
 }
 
 /// A ground motion in any format is refused with its problems, or it is valid. The first byte selects whether a time
-/// step, and whether a format, a unit or columns are given.
+/// step, and whether a format, a unit, columns or a component are given.
 inline void try_record(std::string_view text) {
   if (text.empty()) return;
   GroundMotionReading how{.name = "record.txt", .time_step = {}, .gravity = 9.81};
@@ -82,12 +82,14 @@ inline void try_record(std::string_view text) {
   if (choice >= 128) {
     how.unit = static_cast<RecordUnit>(place % record_unit_names.size());
   } else if (place % 4 != 0) {
-    how.format = static_cast<RecordFormat>(place % 4 - 1);
+    how.format = static_cast<RecordFormat>(place / 4 % record_readers.size());
   }
   if (choice >= 'A' && choice <= 'Z') {
     how.columns = {how.time_step ? RecordColumn::other : RecordColumn::time, RecordColumn::horizontal,
                    RecordColumn::vertical};
   }
+  if (choice >= '0' && choice <= '4') how.component = "channel 1";
+  how.takes_vertical = choice >= '5' && choice <= '9';
   Problems problems;
   const auto motion = read_ground_motion(text.substr(1), how, problems);
   demand(motion.has_value() == problems.empty(), "a ground motion is read, or its problems are reported");

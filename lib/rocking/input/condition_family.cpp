@@ -188,7 +188,7 @@ ConditionReader::ConditionReader(const Json& experiment) : document_(without_sui
   if (document_.is_null()) return;
   document_.erase("sweep");
   if (!suite_axis(experiment)) return;
-  for (const Json& record : experiment["excitation"]["suite"]) records_[record.at("file")] = record;
+  for (const Json& record : experiment["excitation"]["suite"]) records_[name_of_record(record)] = record;
 }
 
 Condition ConditionReader::read(std::vector<Parameter> parameters, const std::string& place) {

@@ -15,6 +15,8 @@ namespace {
 Json path_schema() { return {{"type", "string"}, {"minLength", 1}}; }
 Json digest_schema() { return {{"type", "string"}, {"pattern", "^[0-9a-fA-F]{64}$"}}; }
 
+Json positive_schema() { return {{"type", "number"}, {"exclusiveMinimum", 0}}; }
+
 /// No files: their keys are described.
 class DescribedRecords final : public RecordFields {
  public:
@@ -26,13 +28,19 @@ class DescribedRecords final : public RecordFields {
   bool suite(FieldVisitor& in, const Key& key) override {
     const Json record = closed_object({{"file", path_schema()},
                                        {"sha256", digest_schema()},
+                                       {"component", {{"type", "string"}, {"minLength", 1}}},
                                        {"vertical_file", path_schema()},
-                                       {"vertical_sha256", digest_schema()}},
+                                       {"vertical_sha256", digest_schema()},
+                                       {"factor", positive_schema()},
+                                       {"level", positive_schema()},
+                                       {"magnitude", {{"type", "number"}, {"minimum", 0}, {"maximum", 10}}},
+                                       {"distance_km", positive_schema()}},
                                       Json::array({"file"}));
     const Json records = {
         {"type", "array"}, {"minItems", 1}, {"items", {{"oneOf", Json::array({path_schema(), record})}}}};
-    in.field(key, OpaqueType({{"oneOf", Json::array({path_schema(), records})}}, "pattern or list"), nullptr,
-             Absent::omitted);
+    const Json levels = closed_object({{"levels", path_schema()}}, Json::array({"levels"}));
+    in.field(key, OpaqueType({{"oneOf", Json::array({path_schema(), records, levels})}}, "pattern, list or table"),
+             nullptr, Absent::omitted);
     in.require_one_of({"file", key.name});
     in.field({"left_out", "records of the suite that could not be read, as `run --skip-unreadable` writes them"},
              OpaqueType({{"type", "array"}, {"items", path_schema()}}, "list of paths"), nullptr, Absent::omitted);

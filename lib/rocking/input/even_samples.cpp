@@ -8,6 +8,7 @@
 
 #include "rocking/base/number_text.hpp"
 #include "rocking/input/even_times.hpp"
+#include "rocking/input/fixed_fields.hpp"
 #include "rocking/scene/ground_motion_reading.hpp"
 #include "rocking/scene/rules.hpp"
 
@@ -94,6 +95,8 @@ class EvenSamplesReader {
 
   std::optional<GroundMotion> read(std::string_view text) {
     if (problems_.reject_decimal_comma(text)) return std::nullopt;
+    const std::string parted = header_.field_width > 0 ? parted_fields(text, header_.field_width) : std::string();
+    if (header_.field_width > 0) text = parted;
     const std::string_view whole = text;
     while (!text.empty() && !is_ended_ && !problems_.enough() && motion_.samples.size() <= rules::most_samples) {
       read_line(problems_.next_line(text));
@@ -101,8 +104,9 @@ class EvenSamplesReader {
     if (!problems_.any()) check_whole(whole);
     if (problems_.any()) return std::nullopt;
     if (header_.has_offset) remove_mean();
-    if (header_.peak_m_s2) compare_peak();
-    motion_.time_step = header_.time_step;
+    if (header_.peak) compare_peak();
+    if (header_.has_times) take_times();
+    if (!header_.has_times) motion_.time_step = header_.time_step;
     motion_.declared = header_.declared;
     motion_.unit = name_of(header_.unit);
     return std::move(motion_);
@@ -111,15 +115,21 @@ class EvenSamplesReader {
  private:
   void read_line(std::string_view line) {
     split_fields(line, fields_);
-    for (const std::string_view field : fields_) {
+    for (std::size_t i = 0; i < fields_.size(); ++i) {
+      const std::string_view field = fields_[i];
       if (ends_data(field)) {
         motion_.warnings.push_back("contains text after its samples: " + brief(Json(std::string(field))) + " in line " +
                                    std::to_string(problems_.line()) + "; nothing is read from there on");
         is_ended_ = true;
         return;
       }
-      if (!add(field)) return;
+      if (i % header_.columns == header_.column && !add(i)) return;
     }
+    if (fields_.size() % header_.columns == 0) return;
+    problems_.reject_line(line,
+                          "has " + std::to_string(fields_.size()) + " numbers, but " + std::to_string(header_.columns) +
+                              " belong to each sample",
+                          "restore the file");
   }
 
   /// Whether a field is text behind the declared number of samples.
@@ -134,22 +144,55 @@ class EvenSamplesReader {
     return problems_.number(is_number_field(spelled) ? std::string_view(spelled) : field);
   }
 
-  [[nodiscard]] bool add(std::string_view field) {
+  /// The sample whose acceleration is a field of the present line.
+  [[nodiscard]] bool add(std::size_t place) {
+    const std::string_view field = fields_[place];
     const auto value = number(field);
-    if (!value) return false;
-    const double time = header_.time_step * static_cast<double>(motion_.samples.size());
-    if (time > rules::latest_sample) {
-      problems_.reject_line(field, "is later than 1e7 s", "check the time step of the header");
-      return false;
-    }
+    const auto time = value ? time_of(place) : std::nullopt;
+    if (!time) return false;
     const double scaled = *value * header_.factor;
     if (const auto refusal = refuse_acceleration(scaled, in_m_s2(header_.unit, gravity_))) {
       problems_.reject_line(field, refusal->reason, "check the number and the unit of the file");
       return false;
     }
     motion_.samples.push_back(
-        {.time = time, .horizontal = over_gravity(scaled, header_.unit, gravity_), .vertical = 0.0});
+        {.time = *time, .horizontal = over_gravity(scaled, header_.unit, gravity_), .vertical = 0.0});
     return true;
+  }
+
+  /// Absent, and reported, if there is none.
+  [[nodiscard]] std::optional<double> time_of(std::size_t place) {
+    std::string_view written = fields_[place];
+    double time = header_.time_step * static_cast<double>(motion_.samples.size());
+    if (header_.has_times) {
+      written = fields_[place - 1];
+      const auto found = problems_.number(written);
+      if (!found) return std::nullopt;
+      time = *found;
+    }
+    std::optional<Refusal> refusal;
+    if (time > rules::latest_sample) refusal = Refusal{"is later than 1e7 s", "check the time step of the header"};
+    if (header_.has_times && !refusal) refusal = refuse_sample_time(time);
+    if (!motion_.samples.empty() && time < motion_.samples.back().time)
+      refusal = sample_falls_back(base::shortest(motion_.samples.back().time));
+    if (refusal) {
+      problems_.reject_line(written, refusal->reason, refusal->remedy);
+      return std::nullopt;
+    }
+    if (header_.has_times) {
+      digits_.add(written);
+      times_.push_back(time);
+    }
+    return time;
+  }
+
+  void take_times() {
+    const Evenness evenness = evenness_of(times_, digits_);
+    if (evenness.is_even()) {
+      motion_.time_step = evenness.step;
+    } else {
+      motion_.warnings.push_back(uneven_in_words(evenness, ""));
+    }
   }
 
   void remove_mean() {
@@ -162,17 +205,20 @@ class EvenSamplesReader {
   }
 
   void compare_peak() {
-    constexpr double tolerance = 0.01;  // headers give three or more digits
+    constexpr double tolerance = 0.01;
     double peak = 0.0;
     for (const auto& sample : motion_.samples) peak = std::max(peak, std::abs(sample.horizontal) * gravity_);
-    const double stated = std::abs(*header_.peak_m_s2);
-    if (std::abs(peak - stated) <= tolerance * stated) return;
+    const double stated = header_.peak->m_s2;
+    const bool is_equal = std::abs(peak - stated) <= tolerance * stated + header_.peak->rounding;
+    motion_.header_peak = {.m_s2 = stated, .is_that_of_samples = is_equal};
+    if (is_equal) return;
     motion_.warnings.push_back("has a peak of " + base::significant(peak, 4) + " m/s2, but its header states " +
                                base::significant(stated, 4));
   }
 
   void check_whole(std::string_view text) {
-    if (const auto step = step_of_times_among(text)) {
+    const auto step = header_.has_times ? std::nullopt : step_of_times_among(text);
+    if (step) {
       return problems_.reject_file(
           "has a column of times, which rise by " + base::shortest(*step) +
               ", below a header of evenly spaced accelerations: they would be taken for accelerations",
@@ -200,7 +246,9 @@ class EvenSamplesReader {
   LineProblems& problems_;
   GroundMotion motion_;
   std::vector<std::string_view> fields_;
-  bool is_ended_ = false;  ///< by text
+  std::vector<double> times_;  ///< of a file that has them
+  PrintedDigits digits_;       ///< likewise
+  bool is_ended_ = false;      ///< by text
 };
 
 }  // namespace
@@ -208,6 +256,20 @@ class EvenSamplesReader {
 std::optional<GroundMotion> read_even_samples(std::string_view text, const EvenHeader& header, double gravity,
                                               LineProblems& problems) {
   return EvenSamplesReader(header, gravity, problems).read(text);
+}
+
+std::optional<HeaderPeak> header_peak(std::string_view field, RecordUnit unit, double gravity) {
+  constexpr double absent = 1e30;
+  if (!is_number_field(field)) return std::nullopt;
+  double value = 0.0;
+  const std::string_view digits = field.substr(field.starts_with('+') ? 1 : 0);
+  std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  value = std::abs(value);
+  if (!(value > 0.0 && value < absent)) return std::nullopt;
+  PrintedDigits printed;
+  printed.add(field);
+  return HeaderPeak{.m_s2 = value * in_m_s2(unit, gravity),
+                    .rounding = 0.5 * printed.unit_of(value) * in_m_s2(unit, gravity)};
 }
 
 void expect_asked_unit(RecordUnit stated, std::optional<RecordUnit> asked, LineProblems& problems) {
@@ -227,11 +289,22 @@ std::optional<double> checked_time_step(std::string_view field, double units_per
     return std::nullopt;
   }
   if (asked && *asked != *step) {
-    problems.reject_line(field, "is the time step of the file, but \"time_step_s\" is " + base::shortest(*asked),
-                         "omit \"time_step_s\", or correct the file");
+    expect_asked_step(*step, asked, problems);
     return std::nullopt;
   }
   return step;
+}
+
+void expect_asked_step(double step, std::optional<double> asked, LineProblems& problems) {
+  if (!asked || *asked == step) return;
+  problems.reject_line(base::shortest(step),
+                       "is the time step of the file, but \"time_step_s\" is " + base::shortest(*asked),
+                       "omit \"time_step_s\", or correct the file");
+}
+
+void expect_no_step(std::optional<double> asked, LineProblems& problems) {
+  if (!asked) return;
+  problems.reject_file("has a time beside each acceleration, but \"time_step_s\" is given", "omit \"time_step_s\"");
 }
 
 std::optional<std::size_t> checked_count(std::string_view field, LineProblems& problems) {

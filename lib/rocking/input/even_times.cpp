@@ -128,15 +128,13 @@ Evenness evenness_of(std::span<const double> times, const PrintedDigits& digits)
   return found;
 }
 
-std::string uneven_in_words(const Evenness& times) {
+std::string uneven_in_words(const Evenness& times, const std::string& remedy) {
   std::string text = "has uneven times: steps from " + base::significant(times.shortest_step, 3) + " to " +
                      base::significant(times.longest_step, 3) + " s; the largest deviation from even steps of " +
                      base::shortest(times.step) + " s is " + base::significant(times.largest_deviation, 3) + " s";
   if (!times.is_progression) return text + "; they are used as they stand";
-  return text +
-         ", as if they were rounded; they are used as they stand, which changes the motion (for even steps call "
-         "this column \"other\" and give \"time_step_s\": " +
-         base::shortest(times.step) + ')';
+  text += ", as if they were rounded; they are used as they stand, which changes the motion";
+  return remedy.empty() ? text : text + " (for even steps " + remedy + ": " + base::shortest(times.step) + ')';
 }
 
 }  // namespace rocking

@@ -38,7 +38,8 @@ struct Evenness {
 /// Of at least two times. A printed time may be rounded or cut off at its last digit.
 [[nodiscard]] Evenness evenness_of(std::span<const double> times, const PrintedDigits& digits);
 
-/// What a user should know of times that are not even; `remedy`: what would make them even.
-[[nodiscard]] std::string uneven_in_words(const Evenness& times);
+/// What a user should know of times that are not even; `remedy`: what would make them even, before the step of times that are
+/// only rounded; empty: nothing.
+[[nodiscard]] std::string uneven_in_words(const Evenness& times, const std::string& remedy);
 
 }  // namespace rocking

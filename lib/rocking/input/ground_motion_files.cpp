@@ -65,14 +65,14 @@ std::shared_ptr<const GroundMotion> GroundMotionFiles::motion(const GroundMotion
 
 GroundMotionFiles::Reading GroundMotionFiles::read(const GroundMotionReading& how) {
   Reading reading;
-  auto motion = component(how.name, how, reading.problems);
+  auto motion = component(how.name, Role::horizontal, how, reading.problems);
   if (motion) {
     if (const auto why = why_vertical(*motion)) {
       motion->warnings.push_back("is a vertical component " + *why + ", and is used as the horizontal one");
     }
   }
   if (!how.vertical_name.empty()) {
-    const auto vertical = component(how.vertical_name, how, reading.problems);
+    const auto vertical = component(how.vertical_name, Role::vertical, how, reading.problems);
     if (!motion || !vertical || !add_vertical(*vertical, *motion, reading.problems)) return reading;
   }
   if (!motion) return reading;
@@ -87,8 +87,8 @@ GroundMotionFiles::Reading GroundMotionFiles::read(const GroundMotionReading& ho
   return reading;
 }
 
-std::optional<GroundMotion> GroundMotionFiles::component(const std::string& name, const GroundMotionReading& how,
-                                                         Problems& problems) {
+std::optional<GroundMotion> GroundMotionFiles::component(const std::string& name, Role role,
+                                                         const GroundMotionReading& how, Problems& problems) {
   const std::string& text = file(name).text;
   if (text.size() > most_ground_motion_bytes) {
     problems.push_back({name, "", "is longer than 64 MB", "give a shorter or coarser ground motion"});
@@ -96,6 +96,8 @@ std::optional<GroundMotion> GroundMotionFiles::component(const std::string& name
   }
   GroundMotionReading alone = how;
   alone.name = name;
+  alone.takes_vertical = role == Role::vertical;
+  if (alone.takes_vertical) alone.component.clear();
   return read_ground_motion(text, alone, problems);
 }
 

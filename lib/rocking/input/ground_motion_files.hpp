@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
@@ -29,6 +30,8 @@ class GroundMotionFiles {
   [[nodiscard]] double spectral_acceleration(const std::shared_ptr<const GroundMotion>& motion,
                                              const std::vector<double>& periods, OscillatorAcceleration which);
 
+  /// Throws as above.
+  [[nodiscard]] const std::string& text(const std::string& name) { return file(name).text; }
   /// SHA-256 of the file's bytes, in lower-case hexadecimal. Throws as above.
   [[nodiscard]] std::string digest(const std::string& name) { return file(name).digest; }
 
@@ -43,8 +46,9 @@ class GroundMotionFiles {
   };
   [[nodiscard]] const File& file(const std::string& name);
   [[nodiscard]] Reading read(const GroundMotionReading& how);
-  [[nodiscard]] std::optional<GroundMotion> component(const std::string& name, const GroundMotionReading& how,
-                                                      Problems& problems);
+  enum class Role : std::uint8_t { horizontal, vertical };
+  [[nodiscard]] std::optional<GroundMotion> component(const std::string& name, Role role,
+                                                      const GroundMotionReading& how, Problems& problems);
 
   FileSource source_;
   std::map<std::string, File> files_;

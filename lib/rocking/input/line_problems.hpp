@@ -13,8 +13,9 @@ namespace rocking {
 /// Collects the problems of a text file that is read line by line, each with file, line and value.
 class LineProblems {
  public:
-  /// `name`: of the file, as shown to users.
-  LineProblems(std::string name, Problems& problems) : name_(std::move(name)), problems_(&problems) {}
+  /// `name`: of the file, as shown to users; `line`: the present one.
+  LineProblems(std::string name, Problems& problems, std::size_t line = 0)
+      : name_(std::move(name)), problems_(&problems), line_(line) {}
 
   /// Takes the next line off the front of `text`, without its end, and counts it.
   [[nodiscard]] std::string_view next_line(std::string_view& text);
@@ -40,9 +41,12 @@ class LineProblems {
  private:
   std::string name_;
   Problems* problems_;
-  std::size_t line_ = 0;
+  std::size_t line_;
   std::size_t count_ = 0;
 };
+
+/// `text` without blanks around it.
+[[nodiscard]] std::string_view trimmed(std::string_view text);
 
 /// The fields of a line, between blanks or one comma or semicolon. Between two commas stands an empty field.
 void split_fields(std::string_view line, std::vector<std::string_view>& fields);

@@ -32,6 +32,20 @@ std::optional<RecordUnit> only_unit_in(std::string_view line, bool with_g) {
   return only;
 }
 
+/// What a line says that the numbers are instead of accelerations: `velocity (cm/s)`; empty: nothing.
+std::string_view motion_instead(std::string_view line) {
+  const std::string text = apart(line);
+  for (const std::string_view word : {"acceleration", "accelerations", "acc", "accel", "ah"}) {
+    if (word_place(text, word)) return {};
+  }
+  for (const StatedUnit& found : units_among_words(text)) {
+    if (found.unit.kind == UnitKind::acceleration) return {};
+    if (found.unit.kind == UnitKind::velocity) return "velocity";
+  }
+  if (word_place(text, "velocity") || word_place(text, "vel")) return "velocity";
+  return word_place(text, "displacement") || word_place(text, "disp") ? "displacement" : "";
+}
+
 /// The heads of columns, between the separators of the line.
 std::vector<std::string_view> heads_of(std::string_view line) {
   std::vector<std::string_view> heads;
@@ -68,6 +82,7 @@ std::optional<RecordColumn> called(std::string_view head) {
 void LinesAboveColumns::add(std::string_view line, std::string_view text) {
   if (text.find_first_not_of(" \t\r") != std::string_view::npos) {
     heads_ = text;
+    other_motion_ = motion_instead(text);
     stated_ = only_unit_in(text, true);
   } else if (const auto unit = only_unit_in(line.substr(std::min(line.find('#'), line.size())), false)) {
     remarked_ = unit;
@@ -80,6 +95,11 @@ void LinesAboveColumns::check(const std::vector<RecordColumn>& columns, std::opt
     problems.reject_file("states the unit " + std::string(name_of(*stated_)) +
                              " above its numbers, but \"units\" is \"" + std::string(name_of(*asked)) + '"',
                          "omit \"units\", or correct the file");
+  }
+  if (!other_motion_.empty()) {
+    problems.reject_file(
+        "says above its numbers that they are a " + std::string(other_motion_) + ": " + brief(Json(heads_)),
+        "give the file of accelerations");
   }
   if (!stated_ && !asked && remarked_ && *remarked_ != RecordUnit::m_s2) {
     problems.reject_file("has a comment that names the unit " + std::string(name_of(*remarked_)) +

@@ -20,13 +20,14 @@ class LinesAboveColumns {
   /// The unit of accelerations that the last line of text states: absent if it states none, or several.
   [[nodiscard]] std::optional<RecordUnit> stated_unit() const { return stated_; }
 
-  /// Reports a unit above the numbers other than that which was asked for or is assumed, and a name
-  /// above a column that is not what `columns` calls it.
+  /// Reports a unit above the numbers other than that which was asked for or is assumed, a line that speaks of velocities or
+  /// displacements in place of accelerations, and a name above a column that is not what `columns` calls it.
   void check(const std::vector<RecordColumn>& columns, std::optional<RecordUnit> asked, LineProblems& problems) const;
 
  private:
   std::string heads_;                   ///< the last line of text
   std::optional<RecordUnit> stated_;    ///< there
+  std::string_view other_motion_;       ///< there: `velocity` or `displacement` in place of accelerations
   std::optional<RecordUnit> remarked_;  ///< in a comment
 };
 

@@ -175,7 +175,7 @@ class ColumnsReader {
     if (evenness.is_even()) {
       motion_.time_step = evenness.step;
     } else {
-      motion_.warnings.push_back(uneven_in_words(evenness));
+      motion_.warnings.push_back(uneven_in_words(evenness, "call this column \"other\" and give \"time_step_s\""));
     }
   }
 

@@ -11,13 +11,6 @@
 namespace rocking {
 namespace {
 
-std::string_view without_blanks_around(std::string_view text) {
-  constexpr std::string_view white_space = " \t\r";
-  const std::size_t first = text.find_first_not_of(white_space);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(white_space) - first + 1);
-}
-
 std::string in_capitals(std::string_view text) {
   std::string capitals(text);
   std::ranges::transform(capitals, capitals.begin(),
@@ -53,12 +46,12 @@ class EsmReader {
   void read_line(std::string_view line) {
     const std::size_t colon = line.find(':');
     if (colon == std::string_view::npos) {
-      if (without_blanks_around(line).empty()) return;
+      if (trimmed(line).empty()) return;
       problems_.reject_line(line, "is neither a line KEY: value nor a number", "give the original file");
       return;
     }
-    const std::string key = in_capitals(without_blanks_around(line.substr(0, colon)));
-    const std::string_view value = without_blanks_around(line.substr(colon + 1));
+    const std::string key = in_capitals(trimmed(line.substr(0, colon)));
+    const std::string_view value = trimmed(line.substr(colon + 1));
     if (!keys_.insert(key).second) {
       problems_.reject_line(line, "gives " + key + " a second time",
                             "give the original file, where each key stands once");
@@ -67,7 +60,7 @@ class EsmReader {
     } else if (key == "NDATA" && !value.empty()) {
       header_.declared = checked_count(value, problems_);
     } else if (key == "PGA_CM/S^2" && is_number_field(value)) {
-      if (const auto peak = problems_.number(value)) header_.peak_m_s2 = *peak / 100.0;
+      header_.peak = header_peak(value, RecordUnit::cm_s2, how_.gravity);
     } else if (key == "STREAM") {
       stream_ = value;
     } else if (key == "UNITS") {

@@ -109,7 +109,9 @@ class ExperimentBuilder {
     std::vector<std::shared_ptr<const GroundMotion>> motions;
     const std::size_t of_a_record = conditions_.size() / suite_.records.size();
     for (std::size_t i = 0; i < conditions_.size(); i += of_a_record) {
-      motions.push_back(std::get<Recorded>(conditions_[i].scene.excitation).ground_motion);
+      auto motion = std::get<Recorded>(conditions_[i].scene.excitation).ground_motion;
+      // A table may select a record for several levels.
+      if (std::ranges::find(motions, motion) == motions.end()) motions.push_back(std::move(motion));
     }
     return motions;
   }
@@ -246,9 +248,7 @@ class ExperimentBuilder {
   }
 
   // A record of a suite by its file alone.
-  static std::string shown(const Json& value) {
-    return brief(value.is_object() && value.contains("file") ? value["file"] : value);
-  }
+  static std::string shown(const Json& value) { return brief(value.is_object() ? name_of_record(value) : value); }
 
   // A place that cannot be reached belongs to a part of the file that was already refused.
   bool put(Json& document, std::size_t axis, const Json& value) const {
@@ -269,12 +269,11 @@ class ExperimentBuilder {
     for (std::size_t i = 0; i < axes_.size(); ++i) {
       SweepAxis& axis = axes_[i];
       stride /= axis.values.size();
-      Json canonical = read.canonical.at(places_[i]);
-      read.question.condition.parameters.push_back({axis.pointer, swept_value(canonical)});
-      if (axis.pointer == suite_place) {
-        canonical = record_of(read.canonical);
-        read.question.condition.record_stream = stream_of(canonical);
-      }
+      const bool is_suite = axis.pointer == suite_place;
+      Json canonical = is_suite ? record_of(read.canonical) : read.canonical.at(places_[i]);
+      if (is_suite) read.question.condition.record_stream = stream_of(canonical);
+      const Json value = is_suite ? name_of_record(canonical) : canonical;
+      read.question.condition.parameters.push_back({axis.pointer, swept_value(value)});
       // The first condition with this value, at the first values of the others, gives its canonical form.
       const std::size_t place = (index / stride) % axis.values.size();
       if (index == place * stride) axis.canonical_values.push_back(std::move(canonical));

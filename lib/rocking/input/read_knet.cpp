@@ -12,9 +12,7 @@ namespace {
 std::optional<std::string_view> behind_knet_key(std::string_view line, std::string_view key) {
   if (!line.starts_with(key)) return std::nullopt;
   line.remove_prefix(key.size());
-  const std::size_t first = line.find_first_not_of(" \t\r");
-  if (first == std::string_view::npos) return std::string_view();
-  return line.substr(first, line.find_last_not_of(" \t\r") - first + 1);
+  return trimmed(line);
 }
 
 /// The direction of a component: a sensor of KiK-net has a number, 1 to 3 in the borehole, 4 to 6 at the surface.
@@ -65,7 +63,7 @@ class KnetReader {
       if (duration_ && !(*duration_ > 0.0 && *duration_ < 1e6))
         problems_.reject_line(*duration, "is no duration", remedy);
     } else if (const auto peak = behind_knet_key(line, "Max. Acc. (gal)")) {
-      if (const auto value = problems_.number(*peak)) header_.peak_m_s2 = *value / 100.0;
+      header_.peak = header_peak(*peak, RecordUnit::cm_s2, how_.gravity);
     } else if (const auto direction = behind_knet_key(line, "Dir.")) {
       component_ = knet_direction(*direction);
     }

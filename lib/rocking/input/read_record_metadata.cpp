@@ -9,6 +9,8 @@
 #include <utility>
 
 #include "rocking/base/error.hpp"
+#include "rocking/input/line_problems.hpp"
+#include "rocking/input/record_tables.hpp"
 
 namespace rocking {
 namespace {
@@ -17,11 +19,9 @@ constexpr std::size_t most_faults = 20;
 constexpr double largest_magnitude = 10.0;  // the largest earthquake ever recorded had 9.5
 constexpr std::array<std::string_view, 3> known_columns{"file", "magnitude", "distance_km"};
 
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view blanks = " \t\r";
-  const std::size_t first = text.find_first_not_of(blanks);
-  if (first == std::string_view::npos) return {};
-  text = text.substr(first, text.find_last_not_of(blanks) - first + 1);
+/// Without blanks and quotes around it.
+std::string_view unquoted(std::string_view text) {
+  text = trimmed(text);
   const bool is_quoted = text.size() > 1 && text.front() == '"' && text.back() == '"';
   return is_quoted ? text.substr(1, text.size() - 2) : text;
 }
@@ -32,7 +32,7 @@ std::vector<std::string> values_in(std::string_view line) {
   if (trimmed(line).empty()) return values;
   for (;;) {
     const std::size_t comma = line.find(',');
-    values.emplace_back(trimmed(line.substr(0, comma)));
+    values.emplace_back(unquoted(line.substr(0, comma)));
     if (comma == std::string_view::npos) return values;
     line.remove_prefix(comma + 1);
   }
@@ -122,7 +122,14 @@ class MetadataReader {
 }  // namespace
 
 std::vector<RecordMetadata> read_record_metadata(std::string_view text, const std::string& name) {
-  return MetadataReader(name).read(text);
+  if (!is_search_results(text)) return MetadataReader(name).read(text);
+  Problems problems;
+  std::vector<RecordMetadata> records;
+  for (const SelectedRecord& found : search_results(text, name, problems)) {
+    records.push_back({.file = found.file, .magnitude = found.magnitude, .distance_km = found.distance_km});
+  }
+  if (!problems.empty()) throw base::InputError(std::move(problems));
+  return records;
 }
 
 }  // namespace rocking

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "rocking/input/header_words.hpp"
+#include "rocking/input/line_problems.hpp"
 
 namespace rocking {
 namespace {
@@ -41,11 +42,16 @@ bool is_horizontal(std::string_view word) {
   return !word.empty() && word.size() <= 3 && std::ranges::all_of(word, is_digit);
 }
 
-std::string_view without_blanks(std::string_view text) {
-  constexpr std::string_view blanks = " \t\r";
-  const std::size_t first = text.find_first_not_of(blanks);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+/// By which names of a component are compared.
+std::string plain_component(std::string_view name) {
+  std::string plain = upper_case(name);
+  std::erase_if(plain, [](char c) { return c == ' '; });
+  for (const std::string_view ending : {"DEGREES", "DEG"}) {
+    if (plain.ends_with(ending)) plain.erase(plain.size() - ending.size());
+  }
+  if (plain.empty() || !std::ranges::all_of(plain, is_digit)) return plain;
+  plain.erase(0, std::min(plain.find_first_not_of('0'), plain.size()));
+  return plain.empty() ? "360" : plain;
 }
 
 /// The words of a line that consist of letters, digits and hyphens.
@@ -120,14 +126,22 @@ std::string component_in(std::string_view line) {
   const std::size_t comma = line.rfind(',', std::min(line.find('('), line.size()));
   if (comma == std::string_view::npos) return {};
   const std::string_view field = line.substr(comma + 1);
-  const std::string last = upper_case(without_blanks(field.substr(0, field.find('('))));
+  const std::string last = upper_case(trimmed(field.substr(0, field.find('('))));
   return is_vertical(last) || is_horizontal(last) ? last : std::string();
+}
+
+bool is_vertical_component(std::string_view component) {
+  const std::string upper = upper_case(component);
+  return is_vertical(upper) || (upper.size() == 3 && upper.ends_with('Z'));
+}
+
+bool is_same_component(std::string_view one, std::string_view other) {
+  return plain_component(one) == plain_component(other);
 }
 
 std::optional<std::string> why_vertical(const GroundMotion& motion) {
   const std::string& component = motion.component;
-  const bool is_channel = component.size() == 3 && component.ends_with('Z');
-  if (is_vertical(component) || is_channel) return "by its header (" + component + ')';
+  if (is_vertical_component(component)) return "by its header (" + component + ')';
   const std::string name = upper_case(motion.name);
   const std::string_view word = vertical_word_in(name);
   const bool does_header_decide = is_among(vertical_letters, word) && !component.empty();

@@ -13,6 +13,12 @@ namespace rocking {
 /// stands in brackets behind it, or a word beside `component`.
 [[nodiscard]] std::string component_in(std::string_view line);
 
+/// Whether a header names a vertical component so: `UP`, `Up`, `HNZ`.
+[[nodiscard]] bool is_vertical_component(std::string_view component);
+
+/// Whether two names are of one component: in letters of any case, without `deg`, 0 and 360 being equal.
+[[nodiscard]] bool is_same_component(std::string_view one, std::string_view other);
+
 /// Why a ground motion is a vertical component: `by its name (UP)`, `by its header (UP)`; absent if nothing says so. Of a
 /// name counts what stands behind its last separator, or behind the last digit of it, and the ending (`.UD`); `V` and `Z`
 /// alone do not count against a header that names a horizontal component.

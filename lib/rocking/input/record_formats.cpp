@@ -6,7 +6,9 @@
 
 #include "rocking/fields/written_types.hpp"
 #include "rocking/input/line_problems.hpp"
-#include "rocking/input/record_unit.hpp"
+#include "rocking/input/other_files.hpp"
+#include "rocking/input/record_component.hpp"
+#include "rocking/text/json.hpp"
 
 namespace rocking {
 namespace {
@@ -58,8 +60,27 @@ RecordFormat recognised_format(std::string_view text) {
   return RecordFormat::columns;
 }
 
+namespace {
+
+/// Of a file with one component, which is not chosen among several.
+void check_component(const GroundMotion& motion, const GroundMotionReading& how, Problems& problems) {
+  if (how.component.empty() || !motion.components.empty() || is_same_component(how.component, motion.component)) return;
+  problems.push_back({how.name, brief(Json(how.component)),
+                      motion.component.empty() ? "is asked for, but the file does not name its component"
+                                               : "is asked for, but the file holds the component " + motion.component,
+                      "omit \"component\", which is for files with several"});
+}
+
+}  // namespace
+
 std::optional<GroundMotion> read_ground_motion(std::string_view text, const GroundMotionReading& how,
                                                Problems& problems) {
+  std::optional<Refusal> refusal = refuse_binary_file(text);
+  if (!refusal && !how.format && how.columns.empty()) refusal = refuse_text_format(without_byte_order_mark(text));
+  if (refusal) {
+    problems.push_back({how.name, "", std::move(refusal->reason), std::move(refusal->remedy)});
+    return std::nullopt;
+  }
   const RecordFormat format = how.format ? *how.format : recognised_format(text);
   const RecordReader& reader = record_readers[static_cast<std::size_t>(format)];
   if (format != RecordFormat::columns && !how.columns.empty()) {
@@ -68,8 +89,13 @@ std::optional<GroundMotion> read_ground_motion(std::string_view text, const Grou
                         "omit \"columns\"; if it is a file of numbers, give \"format\": \"columns\" and \"units\""});
     return std::nullopt;
   }
+  const std::size_t problems_before = problems.size();
   auto motion = reader.read(text, how, problems);
-  if (!motion) return std::nullopt;
+  if (motion) check_component(*motion, how, problems);
+  if (problems.size() > problems_before && !how.format && format != RecordFormat::columns) {
+    problems[problems_before].reason += "; it was read as " + std::string(reader.name);
+  }
+  if (problems.size() > problems_before) return std::nullopt;
   motion->name = how.name;
   motion->format = reader.name;
   return motion;

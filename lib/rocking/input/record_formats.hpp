@@ -15,7 +15,7 @@
 /// Formats of files with recorded accelerations (lib/docs/ground-motions.md).
 namespace rocking {
 
-enum class RecordFormat : std::uint8_t { columns, peer_at2, esm_asc, knet, smc };
+enum class RecordFormat : std::uint8_t { columns, peer_at2, esm_asc, knet, smc, geonet, cosmos, csmip, afad };
 
 /// A line of numbers for each sample.
 [[nodiscard]] std::optional<GroundMotion> read_columns(std::string_view text, const GroundMotionReading& how,
@@ -43,6 +43,26 @@ enum class RecordFormat : std::uint8_t { columns, peer_at2, esm_asc, knet, smc }
                                                    Problems& problems);
 [[nodiscard]] bool is_line_of_smc_header(std::string_view line);
 
+/// V1A and V2A of GeoNet: three components, accelerations in mm/s^2.
+[[nodiscard]] std::optional<GroundMotion> read_geonet(std::string_view text, const GroundMotionReading& how,
+                                                      Problems& problems);
+[[nodiscard]] bool is_line_of_geonet_header(std::string_view line);
+
+/// V1 and V2 of COSMOS, one or several components.
+[[nodiscard]] std::optional<GroundMotion> read_cosmos(std::string_view text, const GroundMotionReading& how,
+                                                      Problems& problems);
+[[nodiscard]] bool is_line_of_cosmos_header(std::string_view line);
+
+/// V1 and V2 of CSMIP, one or several components.
+[[nodiscard]] std::optional<GroundMotion> read_csmip(std::string_view text, const GroundMotionReading& how,
+                                                     Problems& problems);
+[[nodiscard]] bool is_line_of_csmip_header(std::string_view line);
+
+/// AFAD: the layout of esm_asc, or the older one with three columns.
+[[nodiscard]] std::optional<GroundMotion> read_afad(std::string_view text, const GroundMotionReading& how,
+                                                    Problems& problems);
+[[nodiscard]] bool is_line_of_afad_header(std::string_view line);
+
 /// How a format is read: as read_ground_motion.
 struct RecordReader {
   RecordFormat format;
@@ -57,7 +77,11 @@ inline constexpr std::array record_readers{
     RecordReader{RecordFormat::peer_at2, "peer_at2", is_line_of_peer_header, read_peer_at2},
     RecordReader{RecordFormat::esm_asc, "esm_asc", is_line_of_esm_header, read_esm_asc},
     RecordReader{RecordFormat::knet, "knet", is_line_of_knet_header, read_knet},
-    RecordReader{RecordFormat::smc, "smc", is_line_of_smc_header, read_smc}};
+    RecordReader{RecordFormat::smc, "smc", is_line_of_smc_header, read_smc},
+    RecordReader{RecordFormat::geonet, "geonet", is_line_of_geonet_header, read_geonet},
+    RecordReader{RecordFormat::cosmos, "cosmos", is_line_of_cosmos_header, read_cosmos},
+    RecordReader{RecordFormat::csmip, "csmip", is_line_of_csmip_header, read_csmip},
+    RecordReader{RecordFormat::afad, "afad", is_line_of_afad_header, read_afad}};
 static_assert(std::ranges::is_sorted(record_readers, {}, &RecordReader::format) &&
                   record_readers.back().format == static_cast<RecordFormat>(record_readers.size() - 1),
               "the order of RecordFormat");

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <cstddef>
 #include <map>
@@ -9,35 +10,47 @@
 #include <system_error>
 #include <utility>
 
+#include "rocking/base/digest.hpp"
 #include "rocking/base/utf8.hpp"
 #include "rocking/input/read_question.hpp"
+#include "rocking/input/record_tables.hpp"
 #include "rocking/scene/excitation.hpp"
 
 namespace rocking {
 namespace {
 
-constexpr std::array<std::string_view, 4> keys_of_a_record{"file", "sha256", "vertical_file", "vertical_sha256"};
+constexpr std::array<std::string_view, 9> keys_of_a_record{
+    "file", "sha256", "component", "vertical_file", "vertical_sha256", "factor", "level", "magnitude", "distance_km"};
 constexpr const char* left_out_key = "left_out";
 constexpr std::size_t most_records = 10'000;
+constexpr std::size_t most_problems_of_a_table = 20;
 
 bool is_pattern(const std::string& name) { return name.find_first_of("*?") != std::string::npos; }
 
 class SuiteReader {
  public:
-  SuiteReader(const FileMatches& matches, GroundMotionFiles& files, bool skips_unreadable, Problems& problems)
-      : matches_(matches), files_(files), skips_unreadable_(skips_unreadable), problems_(problems) {}
+  /// `component`: of records that do not state theirs; null: none.
+  SuiteReader(const FileMatches& matches, GroundMotionFiles& files, Json component, bool skips_unreadable,
+              Problems& problems)
+      : matches_(matches),
+        files_(files),
+        component_(std::move(component)),
+        skips_unreadable_(skips_unreadable),
+        problems_(problems) {}
 
   Suite read(const Json& suite) {
     const std::string place = "/excitation/suite";
     if (suite.is_string()) {
       add_names(suite, place);
+    } else if (suite.is_object()) {
+      add_levels(suite, place);
     } else if (suite.is_array() && !suite.empty() && suite.size() <= most_records) {
       for (std::size_t i = 0; i < suite.size() && problems_.size() < 20; ++i) {
         add(suite[i], place + '/' + std::to_string(i));
       }
     } else {
-      reject(place, suite, "must be a list of 1 to 10000 files, or a pattern",
-             R"(give ["a.at2", "b.at2"], or "records/*.at2")");
+      reject(place, suite, "must be a list of 1 to 10000 files, a pattern, or a table",
+             R"(give ["a.at2", "b.at2"], "records/*.at2", "_SearchResults.csv" or {"levels": "selection.csv"})");
     }
     return std::move(suite_);
   }
@@ -56,7 +69,7 @@ class SuiteReader {
     for (const auto& [key, value] : entry.items()) {
       if (std::ranges::find(keys_of_a_record, key) != keys_of_a_record.end()) continue;
       return reject(place + '/' + key, value, "is not a key of a record in a suite",
-                    "known keys: \"file\", \"sha256\", \"vertical_file\", \"vertical_sha256\"");
+                    "known keys: " + quoted_words(keys_of_a_record));
     }
     if (!entry.contains("file") || !entry["file"].is_string()) {
       return reject(place, entry, "has no \"file\"", "add the name of the record's file");
@@ -66,7 +79,7 @@ class SuiteReader {
 
   void add_names(const Json& text, const std::string& place) {
     const auto& name = text.get_ref<const std::string&>();
-    if (!is_pattern(name)) return add_record({{"file", name}}, place);
+    if (!is_pattern(name)) return add_file(name, place);
     const std::vector<std::string> found = matches_(name);
     if (found.empty()) {
       return reject(place, text, "fits no file", "check the folder, which is relative to that of the experiment");
@@ -83,7 +96,53 @@ class SuiteReader {
     }
   }
 
-  void add_record(const Json& record, const std::string& place) {
+  /// A record, or the table of PEER that selects them.
+  void add_file(const std::string& name, const std::string& place) {
+    constexpr std::string_view ending = ".csv";
+    const bool may_be_table = name.size() > ending.size() && name.find('\0') == std::string::npos &&
+                              std::ranges::equal(std::string_view(name).substr(name.size() - ending.size()), ending, {},
+                                                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    if (!may_be_table || !is_search_results(files_.text(name))) return add_record({{"file", name}}, place);
+    add_selected(search_results(files_.text(name), name, problems_), name, place);
+  }
+
+  void add_levels(const Json& suite, const std::string& place) {
+    if (suite.size() != 1 || !suite.contains("levels") || !suite["levels"].is_string()) {
+      return reject(place, suite, "is an object, which must have \"levels\" alone",
+                    "give {\"levels\": \"selection.csv\"}");
+    }
+    const auto name = suite["levels"].get<std::string>();
+    if (name.empty() || name.find('\0') != std::string::npos) {
+      return reject(place + "/levels", suite["levels"], "is not the name of a file",
+                    "give {\"levels\": \"selection.csv\"}");
+    }
+    add_selected(level_table(files_.text(name), name, problems_), name, place);
+  }
+
+  /// Their files are named from the folder of the table.
+  void add_selected(const std::vector<SelectedRecord>& selected, const std::string& table, const std::string& place) {
+    const std::string folder = table.substr(0, table.rfind('/') + 1);
+    if (selected.size() > most_records) {
+      return reject(place, table, "selects more than 10000 records", "give a shorter table");
+    }
+    for (const SelectedRecord& each : selected) {
+      if (problems_.size() >= most_problems_of_a_table) return;
+      Json record{{"file", each.file.starts_with('/') ? each.file : folder + each.file}};
+      if (each.component) record["component"] = *each.component;
+      if (each.factor) record["factor"] = *each.factor;
+      if (each.level) record["level"] = *each.level;
+      if (each.magnitude) record["magnitude"] = *each.magnitude;
+      if (each.distance_km) record["distance_km"] = *each.distance_km;
+      if (base::is_utf8(each.file)) {
+        add_record(std::move(record), place);
+      } else {
+        reject(place, each.file, "is named by " + brief(Json(table)) + ", but is no UTF-8", "write the table in UTF-8");
+      }
+    }
+  }
+
+  void add_record(Json record, const std::string& place) {
+    if (!component_.is_null() && !record.contains("component")) record["component"] = component_;
     const auto& name = record["file"].get_ref<const std::string&>();
     const bool is_name =
         !name.empty() && name.find('\0') == std::string::npos;  // others are refused with the excitation
@@ -93,12 +152,16 @@ class SuiteReader {
       if (!skips_unreadable_) throw;
       return suite_.left_out.push_back(name);
     }
-    suite_.records.push_back(record);
+    suite_.records.push_back(std::move(record));
   }
 
   /// Whether no record before it has the bytes of this file: under two names it would count twice.
   [[nodiscard]] bool is_new(const std::string& name, const Json& record, const std::string& place) {
-    const auto [known, added] = names_.emplace(files_.digest(name), name);
+    std::string of_file;
+    for (const char* key : {"component", "level"}) {
+      if (record.contains(key)) of_file += record[key].dump();
+    }
+    const auto [known, added] = names_.emplace(files_.digest(name) + of_file, name);
     if (added) return true;
     const bool is_same_name = known->second == name;
     reject(place, record["file"],
@@ -111,9 +174,10 @@ class SuiteReader {
 
   const FileMatches& matches_;
   GroundMotionFiles& files_;
+  Json component_;
   bool skips_unreadable_;
   Problems& problems_;
-  std::map<std::string, std::string> names_;  ///< by digest
+  std::map<std::string, std::string> names_;  ///< by digest, and component
   Suite suite_;
 };
 
@@ -165,13 +229,14 @@ Suite take_suite(Json& document, const FileMatches& matches, GroundMotionFiles& 
   Json* excitation = excitation_in(document);
   if (excitation == nullptr || !is_recorded(*excitation) || !excitation->contains("suite")) return {};
   for (const std::string_view key : keys_of_a_record) {
-    if (!excitation->contains(key)) continue;
+    if (!excitation->contains(key) || key == "component") continue;
     problems.push_back({"/excitation/suite", "", "excludes \"" + std::string(key) + '"',
                         "keep one of them; a record of a suite may be an object with these keys"});
   }
   if (!problems.empty()) return {};
   std::vector<std::string> known = take_left_out(*excitation, problems);
-  Suite suite = SuiteReader(matches, files, skips_unreadable, problems).read((*excitation)["suite"]);
+  Suite suite = SuiteReader(matches, files, excitation->value("component", Json()), skips_unreadable, problems)
+                    .read((*excitation)["suite"]);
   if (!problems.empty()) return {};
   suite.left_out.insert(suite.left_out.begin(), known.begin(), known.end());
   excitation->erase("suite");
@@ -215,15 +280,28 @@ std::uint64_t stream_of(const Json& record) {
   const auto& digits = record.at("sha256").get_ref<const std::string&>();
   std::uint64_t number = 0;
   std::from_chars(digits.data(), digits.data() + std::min<std::size_t>(digits.size(), 16), number, 16);
-  return number;
+  if (!record.contains("component")) return number;
+  const std::string own = base::to_hex(base::sha256(record.at("component").dump()));
+  std::uint64_t of_component = 0;
+  std::from_chars(own.data(), own.data() + 16, of_component, 16);
+  return number ^ of_component;
+}
+
+Json name_of_record(const Json& record) {
+  if (!record.contains("file") || !record.at("file").is_string()) return record;
+  auto name = record.at("file").get<std::string>();
+  if (record.contains("component") && record.at("component").is_string()) {
+    name += ", " + record.at("component").get<std::string>();
+  }
+  if (record.contains("level")) name += ", level " + record.at("level").dump();
+  return name;
 }
 
 std::optional<SweepAxis> suite_axis(const Json& canonical) {
   const Json::json_pointer place("/excitation/suite");
   if (!canonical.contains(place) || !canonical.at(place).is_array()) return std::nullopt;
   SweepAxis axis{.pointer = std::string(suite_place), .values = {}};
-  for (const Json& record : canonical.at(place))
-    axis.values.push_back(record.contains("file") ? record.at("file") : record);
+  for (const Json& record : canonical.at(place)) axis.values.push_back(name_of_record(record));
   return axis;
 }
 

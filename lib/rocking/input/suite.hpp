@@ -23,7 +23,7 @@ namespace rocking {
 inline constexpr std::string_view suite_place = "/excitation/file";
 
 struct Suite {
-  std::vector<Json> records;  ///< each an object with `file` and perhaps `sha256`, `vertical_file`, `vertical_sha256`
+  std::vector<Json> records;  ///< each an object with `file` and perhaps `sha256`, `component`, `vertical_file`, ...
   std::vector<std::string> left_out;  ///< names of files that could not be read
 };
 
@@ -42,10 +42,15 @@ void put_record(Json& document, const Json& record);
 /// The record that a condition in canonical form has.
 [[nodiscard]] Json record_of(const Json& canonical);
 
-/// Condition::record_stream of a record in canonical form: the number that the first 16 digits of its `sha256` write.
+/// Condition::record_stream of a record in canonical form: the number that the first 16 digits of its `sha256` write. The
+/// components of one file have streams of their own.
 [[nodiscard]] std::uint64_t stream_of(const Json& record);
 
-/// The suite of a canonical experiment as an entry of its sweep, with the names of the files; absent if it has none.
+/// A record as a point of the sweep: the name of its file, and the component and the level if it
+/// has them: `a.V1A, N10E`, `b.at2, level 0.4`.
+[[nodiscard]] Json name_of_record(const Json& record);
+
+/// The suite of a canonical experiment as an entry of its sweep, with the names of the records; absent if it has none.
 [[nodiscard]] std::optional<SweepAxis> suite_axis(const Json& canonical);
 
 /// The canonical experiment without its suite: put_record puts a record there.

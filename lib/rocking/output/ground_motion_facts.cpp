@@ -18,6 +18,12 @@ const StructType& fields_of(const GroundMotionFacts*) {
       field<&Facts::unit>("unit", "of the accelerations in the file"),
       field<&Facts::unit_is_assumed>("unit_is_assumed", "whether neither the file nor the user states the unit"),
       field<&Facts::columns>("columns", "of a file of numbers: what each was taken for; otherwise empty"),
+      field<&Facts::component>("component", "that was read, as the header names it, or null"),
+      field<&Facts::components>("components", "of the file, where it holds several; otherwise empty"),
+      field<&Facts::header_peak_m_s2>(
+          "header_peak_m_s2", "largest acceleration that the header states, or null [m/s^2]", rule::not_negative),
+      field<&Facts::header_peak_agrees>(
+          "header_peak_agrees", "whether it is that of the samples, to 1 % and the digits that are printed, or null"),
       field<&Facts::has_vertical>("has_vertical", "whether there is a vertical component"),
       field<&Facts::vertical_file>("vertical_file", "from which the vertical component was read, or null"),
       field<&Facts::samples>("samples", "that were read", {.least = 1}),
@@ -49,6 +55,10 @@ GroundMotionFacts facts_of(const GroundMotion& motion) {
                           .unit = motion.unit,
                           .unit_is_assumed = motion.unit_is_assumed,
                           .columns = {motion.columns.begin(), motion.columns.end()},
+                          .component = {},
+                          .components = motion.components,
+                          .header_peak_m_s2 = {},
+                          .header_peak_agrees = {},
                           .vertical_file = {},
                           .has_vertical = motion.has_vertical,
                           .samples = motion.samples.size(),
@@ -56,6 +66,11 @@ GroundMotionFacts facts_of(const GroundMotion& motion) {
                           .time_step_s = motion.time_step,
                           .duration_s = motion.samples.back().time - motion.samples.front().time,
                           .warnings = motion.warnings};
+  if (!motion.component.empty()) facts.component = motion.component;
+  if (motion.header_peak) {
+    facts.header_peak_m_s2 = motion.header_peak->m_s2;
+    facts.header_peak_agrees = motion.header_peak->is_that_of_samples;
+  }
   if (!motion.vertical_file.empty()) facts.vertical_file = motion.vertical_file;
   return facts;
 }
@@ -63,7 +78,11 @@ GroundMotionFacts facts_of(const GroundMotion& motion) {
 std::string reading_in_words(const GroundMotionFacts& facts) {
   std::string text = facts.format;
   for (const std::string& column : facts.columns) text += (&column == facts.columns.data() ? " " : ", ") + column;
-  text += "; accelerations in " + facts.unit + (facts.unit_is_assumed ? " (assumed)" : "") + "; ";
+  if (!facts.components.empty()) text += ", component " + *facts.component;
+  text += "; accelerations in " + facts.unit + (facts.unit_is_assumed ? " (assumed)" : "");
+  if (facts.header_peak_agrees)
+    text += *facts.header_peak_agrees ? ", peak as in the header" : ", peak not that of the header";
+  text += "; ";
   if (!facts.has_vertical) return text + "horizontal component only";
   return text + "with a vertical component, from " +
          (facts.vertical_file ? *facts.vertical_file : std::string("the same file"));
@@ -81,8 +100,10 @@ std::vector<UsedGroundMotion> used_ground_motions(const std::vector<Condition>& 
     const auto* recorded = std::get_if<Recorded>(&condition.scene.excitation);
     if (recorded == nullptr || !recorded->ground_motion || recorded->ground_motion->name.empty()) continue;
     const double scale = recorded->size();
-    if (all.empty() || all[place].facts.file != recorded->ground_motion->name) {
-      const GroundMotionFacts facts = facts_of(*recorded->ground_motion);
+    const GroundMotion& motion = *recorded->ground_motion;
+    if (all.empty() || all[place].facts.file != motion.name ||
+        all[place].facts.component.value_or("") != motion.component) {
+      const GroundMotionFacts facts = facts_of(motion);
       const auto known = std::ranges::find(all, facts, &UsedGroundMotion::facts);
       place = static_cast<std::size_t>(known - all.begin());
       if (known == all.end()) all.push_back({.facts = facts, .least_scale = scale, .largest_scale = scale});

@@ -18,6 +18,10 @@ struct GroundMotionFacts {
   std::string unit;
   bool unit_is_assumed = false;
   std::vector<std::string> columns;  ///< of a file of numbers; empty for other formats
+  std::optional<std::string> component;
+  std::vector<std::string> components;  ///< among which it was chosen; empty: the file holds one
+  std::optional<double> header_peak_m_s2;
+  std::optional<bool> header_peak_agrees;
   std::optional<std::string> vertical_file;
   bool has_vertical = false;
   std::uint64_t samples = 0;

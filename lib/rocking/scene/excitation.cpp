@@ -117,6 +117,12 @@ void refuse_keys_of_others(FieldVisitor& in, const Recorded&) {
 void keys_of_format_and_unit(FieldVisitor& in, GroundMotionReading& how, const RecordFields& records) {
   in.field({"format", "of the file; auto, as without this key: recognised by its first lines (ground-motions.md)"},
            records.format_type(), &how.format, Absent::omitted);
+  if (in.stands("component", !how.component.empty())) {
+    in.value({"component",
+              "of a file that holds several, as its header names it: \"N10E\", \"90\"; two of one name are "
+              "\"channel 1\" and \"channel 2\""},
+             how.component, TextType(), Absent::omitted);
+  }
   in.optional("units", how.unit, [&in](RecordUnit& unit) {
     in.choice(
         {"units",
@@ -206,6 +212,19 @@ std::vector<double> keys_of_periods(FieldVisitor& in, std::string_view strength,
   return periods;
 }
 
+/// What a table says of a record that it selects. Returns the factor on its accelerations.
+double keys_of_selection(FieldVisitor& in, Recorded& recorded) {
+  const auto number = [&in](const Key& key, std::optional<double>& value, const NumberRule& rule) {
+    in.optional(key.name, value, [&](double& found) { in.value(key, found, rule, Absent::omitted); });
+  };
+  std::optional<double> factor;
+  number({"factor", "of a record as a table selects it, which scale multiplies"}, factor, rules::selected_number);
+  number({"level", "of intensity, of a record that is selected for one"}, recorded.level, rules::selected_number);
+  number({"magnitude", "of the earthquake of the record"}, recorded.magnitude, rules::magnitude);
+  number({"distance_km", "from the station to the rupture [km]"}, recorded.distance_km, rules::selected_number);
+  return factor.value_or(1.0);
+}
+
 void keys_of(FieldVisitor& in, Recorded& recorded, const dynamics::Block& block, RecordFields& records) {
   refuse_keys_of_others(in, recorded);
   if (!records.suite(
@@ -233,6 +252,11 @@ void keys_of(FieldVisitor& in, Recorded& recorded, const dynamics::Block& block,
     one_of(in, strength_units, strength, Absent::standard);
     periods = keys_of_periods(in, strength_units[strength.unit].key.name, block_is_sound ? &block : nullptr);
   });
+  const double factor = keys_of_selection(in, recorded);
+  if (strength.unit == 0 && factor != 1.0) {
+    auto* const number = std::get_if<double>(&strength.value);
+    strength.value = number != nullptr ? Quantity(*number * factor) : divided(strength.value, 1.0 / factor);
+  }
   const bool has_times = is_sound([&] {
     in.optional("time_step_s", how.time_step, [&in](double& time_step) {
       in.value({"time_step_s",

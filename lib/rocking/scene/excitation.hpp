@@ -24,14 +24,22 @@ namespace rocking {
 
 /// Accelerations of a recorded ground motion, as data.
 struct GroundMotion {
+  /// The largest acceleration that the header states.
+  struct Peak {
+    double m_s2 = 0.0;
+    bool is_that_of_samples = true;  ///< to 1 % and the digits that are printed
+  };
+
   std::vector<dynamics::GroundMotionSample> samples;  ///< time [s]; accelerations over g, before scaling
   bool has_vertical = false;
   std::string name = {};                               ///< of its file; empty: not from a file
-  std::string format = {};                             ///< of its file: `columns`, `peer_at2`, `esm_asc`, `knet`, `smc`
+  std::string format = {};                             ///< of its file: `columns`, `peer_at2`, `esm_asc`, `knet`, ...
   std::string unit = {};                               ///< of the accelerations in its file: `g`, `m/s2`, `cm/s2`, ...
   bool unit_is_assumed = false;                        ///< neither the file nor the experiment states it
   std::vector<std::string_view> columns = {};          ///< of a file of numbers: what each was taken for
   std::string component = {};                          ///< that the header names: `180`, `UP`; empty: none
+  std::vector<std::string> components = {};            ///< among which it was chosen; empty: the file holds one
+  std::optional<Peak> header_peak = std::nullopt;      ///< absent: the header states none
   std::string vertical_file = {};                      ///< from which the vertical component was read; empty: none
   std::optional<double> time_step = std::nullopt;      ///< [s]; absent: the times of the file are not evenly spaced
   std::optional<std::size_t> declared = std::nullopt;  ///< samples that the file says it has
@@ -151,14 +159,18 @@ struct Recorded {
   double frequency_ratio = 1.0;                         ///< frequency of the strobe over p [-]
   /// Of the spectral acceleration by which a file gives the scale [s]: one, or the ends of a range. Empty: none.
   std::vector<double> measure_periods{};
+  std::optional<double> level{};        ///< of intensity, of a record that is selected for one
+  std::optional<double> magnitude{};    ///< of the earthquake
+  std::optional<double> distance_km{};  ///< from the station to the rupture
 
   friend bool operator==(const Recorded&, const Recorded&) = default;
 
-  static constexpr std::array<std::string_view, 8> horizon_follows_from{"/block",
+  static constexpr std::array<std::string_view, 9> horizon_follows_from{"/block",
                                                                         "/formulation",
                                                                         "/restitution",
                                                                         "/excitation/kind",
                                                                         "/excitation/file",
+                                                                        "/excitation/component",
                                                                         "/excitation/time_step_s",
                                                                         "/excitation/columns",
                                                                         "/excitation/frequency_ratio"};
@@ -187,7 +199,7 @@ struct Pulse {
   static constexpr std::string_view in_words = "moves in one pulse";
   static constexpr bool is_periodic = false;
   static constexpr AmplitudeDraws amplitude_draws = AmplitudeDraws::once;
-  static constexpr std::array<std::string_view, 8> horizon_follows_from{"/block",
+  static constexpr std::array<std::string_view, 9> horizon_follows_from{"/block",
                                                                         "/formulation",
                                                                         "/restitution",
                                                                         "/excitation/kind",

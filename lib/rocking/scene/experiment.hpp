@@ -350,10 +350,20 @@ struct Overrides {
   bool skips_unreadable = false;                 ///< `--skip-unreadable`: goes on without such records of a suite
 };
 
+/// Place of the level of a record that a table selects for it.
+inline constexpr std::string_view level_pointer = "/excitation/level";
+
 /// JSON pointers to numbers that are intensities of the excitation.
-inline constexpr std::array<std::string_view, 10> all_intensity_pointers{
-    "/excitation/amplitude", "/excitation/amplitude_g",  "/excitation/amplitude_m_s2", "/excitation/scale",
-    "/excitation/pga_g",     "/excitation/pgv_m_s",      "/excitation/sa_g",           "/excitation/sa_p_g",
-    "/excitation/avgsa_g",   "/excitation/sa_absolute_g"};
+inline constexpr std::array<std::string_view, 11> all_intensity_pointers{"/excitation/amplitude",
+                                                                         "/excitation/amplitude_g",
+                                                                         "/excitation/amplitude_m_s2",
+                                                                         "/excitation/scale",
+                                                                         "/excitation/pga_g",
+                                                                         "/excitation/pgv_m_s",
+                                                                         "/excitation/sa_g",
+                                                                         "/excitation/sa_p_g",
+                                                                         "/excitation/avgsa_g",
+                                                                         "/excitation/sa_absolute_g",
+                                                                         level_pointer};
 
 }  // namespace rocking

@@ -54,6 +54,8 @@ struct GroundMotionReading {
   std::optional<RecordUnit> unit = std::nullopt;      ///< absent: that of the file, of `columns` m/s^2
   std::string vertical_name = {};                     ///< of the file with the vertical component; empty: none
   std::vector<RecordColumn> columns = {};             ///< of format `columns`; empty: not given
+  std::string component = {};                         ///< of a file that holds several, as its header names it
+  bool takes_vertical = false;                        ///< in place of `component`: the vertical one
 
   friend auto operator<=>(const GroundMotionReading&, const GroundMotionReading&) = default;
 };

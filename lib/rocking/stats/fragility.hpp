@@ -139,9 +139,11 @@ struct SuiteCovariate {
 };
 
 /// Laws of bootstrap samples: each draws as many records as there are, with replacement, and keeps all trials of a
-/// record together. Valid whatever the dependence of trials of one record.
+/// record together. Valid whatever the dependence of trials of one record. Where levels have records of their own, it draws
+/// within each set of records with the same levels.
 struct RecordBootstrap {
   std::uint64_t samples = 0;
+  std::size_t fewest = 0;                     ///< records of the smallest set within which it draws
   std::vector<SuiteLaw> laws;                 ///< of the samples that have one
   std::vector<std::size_t> samples_with_law;  ///< the sample of each of them
   std::vector<PooledLaw> pooled;              ///< of the samples that have one

@@ -69,15 +69,26 @@ std::optional<std::vector<Interval>> isotonic_band(std::span<const Proportion> l
 
 RecordShares::RecordShares(const SuiteLevels& suite, Unresolved unresolved) {
   ROCKING_EXPECT(!suite.empty());
-  for (const RecordLevel& level : suite.front()) intensities_.push_back(level.intensity);
   for (const auto& record : suite) {
-    ROCKING_EXPECT(record.size() == intensities_.size());
-    std::vector<double>& shares = shares_.emplace_back();
-    for (std::size_t k = 0; k < record.size(); ++k) {
-      ROCKING_EXPECT(record[k].intensity == intensities_[k]);
-      const std::uint64_t more = unresolved == Unresolved::as_happened ? record[k].unresolved : 0;
-      shares.push_back(static_cast<double>(record[k].happened.successes + more) /
-                       static_cast<double>(record[k].happened.trials));
+    for (const RecordLevel& level : record) intensities_.push_back(level.intensity);
+  }
+  std::ranges::sort(intensities_);
+  intensities_.erase(std::unique(intensities_.begin(), intensities_.end()), intensities_.end());
+  for (const auto& record : suite) {
+    std::vector<double>& shares = shares_.emplace_back(intensities_.size(), 0.0);
+    std::vector<bool>& is_absent = is_absent_.emplace_back(intensities_.size(), true);
+    for (const RecordLevel& level : record) {
+      const auto found = std::ranges::lower_bound(intensities_, level.intensity);
+      const auto place = static_cast<std::size_t>(found - intensities_.begin());
+      const std::uint64_t more = unresolved == Unresolved::as_happened ? level.unresolved : 0;
+      is_absent[place] = false;
+      shares[place] = static_cast<double>(level.happened.successes + more) / static_cast<double>(level.happened.trials);
+    }
+  }
+  const std::vector<double> means = mean(std::vector<double>(records(), 1.0));
+  for (std::size_t r = 0; r < records(); ++r) {
+    for (std::size_t k = 0; k < means.size(); ++k) {
+      if (!has(r, k)) shares_[r][k] = means[k];
     }
   }
 }
@@ -85,13 +96,28 @@ RecordShares::RecordShares(const SuiteLevels& suite, Unresolved unresolved) {
 std::vector<double> RecordShares::mean(const std::vector<double>& weights) const {
   ROCKING_EXPECT(weights.size() == records());
   std::vector<double> means(intensities_.size(), 0.0);
-  double sum = 0.0;
+  std::vector<double> sums(intensities_.size(), 0.0);
   for (std::size_t r = 0; r < records(); ++r) {
-    sum += weights[r];
-    for (std::size_t k = 0; k < means.size(); ++k) means[k] += weights[r] * shares_[r][k];
+    for (std::size_t k = 0; k < means.size(); ++k) {
+      if (!has(r, k)) continue;
+      sums[k] += weights[r];
+      means[k] += weights[r] * shares_[r][k];
+    }
   }
-  for (double& mean : means) mean /= sum;
+  for (std::size_t k = 0; k < means.size(); ++k) means[k] /= sums[k];
   return means;
+}
+
+std::vector<double> RecordShares::shares_of_another(const std::vector<double>& weights, double weight) const {
+  double all = 0.0;
+  for (const double each : weights) all += each;
+  std::vector<double> shares(intensities_.size(), weight);
+  for (std::size_t k = 0; k < shares.size(); ++k) {
+    double sum = 0.0;
+    for (std::size_t r = 0; r < records(); ++r) sum += has(r, k) ? weights[r] : 0.0;
+    if (sum != all) shares[k] = weight / (weight + sum);
+  }
+  return shares;
 }
 
 std::vector<double> RecordShares::isotonic(const std::vector<double>& weights) const {

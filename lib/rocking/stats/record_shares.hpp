@@ -33,21 +33,27 @@ class RecordShares {
   /// What trials whose outcome is not known count as.
   enum class Unresolved : std::uint8_t { as_not_happened, as_happened };
 
-  /// Of a suite whose records have the same intensities, by growing intensity.
+  /// Of a suite whose records have the same intensities, or some of them, by growing intensity.
   explicit RecordShares(const SuiteLevels& suite, Unresolved unresolved = Unresolved::as_not_happened);
 
   [[nodiscard]] std::size_t records() const { return shares_.size(); }
   [[nodiscard]] const std::vector<double>& intensities() const { return intensities_; }
-  /// The shares of one record at the intensities.
+  /// The shares of one record at the intensities; the mean over the others at those that it has not.
   [[nodiscard]] const std::vector<double>& of_record(std::size_t record) const { return shares_[record]; }
-  /// Means at the intensities, each record with its weight, >= 0, not all 0.
+  /// Means at the intensities, each record with its weight, >= 0, not all 0 at any intensity.
   [[nodiscard]] std::vector<double> mean(const std::vector<double>& weights) const;
+  /// At each intensity the share of a further record with this weight in the sum of the weights.
+  [[nodiscard]] std::vector<double> shares_of_another(const std::vector<double>& weights, double weight) const;
   /// The values that do not decrease and are nearest to these means by squares.
   [[nodiscard]] std::vector<double> isotonic(const std::vector<double>& weights) const;
 
  private:
+  /// Whether a record has an intensity.
+  [[nodiscard]] bool has(std::size_t record, std::size_t place) const { return !is_absent_[record][place]; }
+
   std::vector<double> intensities_;
   std::vector<std::vector<double>> shares_;
+  std::vector<std::vector<bool>> is_absent_;
 };
 
 }  // namespace rocking::stats

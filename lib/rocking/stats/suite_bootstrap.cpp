@@ -30,6 +30,20 @@ bool are_enough(const std::vector<double>& values, std::uint64_t samples) {
   return samples > 0 && static_cast<double>(values.size()) >= least_share_with_law * static_cast<double>(samples);
 }
 
+/// For each record those with the same intensities, in the order of the suite.
+std::vector<std::vector<std::size_t>> exchangeable_records(const SuiteLevels& suite) {
+  const auto have_equal_levels = [](const std::vector<RecordLevel>& a, const std::vector<RecordLevel>& b) {
+    return std::ranges::equal(a, b, {}, &RecordLevel::intensity, &RecordLevel::intensity);
+  };
+  std::vector<std::vector<std::size_t>> others(suite.size());
+  for (std::size_t r = 0; r < suite.size(); ++r) {
+    for (std::size_t k = 0; k < suite.size(); ++k) {
+      if (have_equal_levels(suite[r], suite[k])) others[r].push_back(k);
+    }
+  }
+  return others;
+}
+
 }  // namespace
 
 RecordBootstrap bootstrap_records(const SuiteLevels& suite, std::uint64_t samples, const RecordDraws& draws,
@@ -38,6 +52,7 @@ RecordBootstrap bootstrap_records(const SuiteLevels& suite, std::uint64_t sample
   const SuiteFit whole = fit_centred(data);
   const std::optional<MixedProbitStart> start = whole.law ? start_at(data, *whole.law) : std::nullopt;
   const std::size_t records = data.records.size();
+  const std::vector<std::vector<std::size_t>> exchangeable = exchangeable_records(suite);
   std::vector<std::optional<SuiteLaw>> laws(samples);
   std::vector<std::optional<PooledLaw>> pooled(samples);
   std::vector<std::vector<double>> weights(samples), with_unseen(samples);
@@ -45,8 +60,9 @@ RecordBootstrap bootstrap_records(const SuiteLevels& suite, std::uint64_t sample
     CentredSuite drawn = data;
     for (RecordCounts& record : drawn.records) record.weight = 0.0;
     for (std::size_t number = 0; number < records; ++number) {
-      const double place = draws(sample, number) * static_cast<double>(records);
-      drawn.records[std::min(records - 1, static_cast<std::size_t>(place))].weight += 1.0;
+      const std::vector<std::size_t>& among = exchangeable[number];
+      const double place = draws(sample, number) * static_cast<double>(among.size());
+      drawn.records[among[std::min(among.size() - 1, static_cast<std::size_t>(place))]].weight += 1.0;
     }
     for (const RecordCounts& record : drawn.records) weights[sample].push_back(record.weight);
     with_unseen[sample] = shares_with_unseen(records, sample, draws);
@@ -54,11 +70,13 @@ RecordBootstrap bootstrap_records(const SuiteLevels& suite, std::uint64_t sample
     if (whole.law) laws[sample] = fit_centred(drawn, start ? &*start : nullptr).law;
   });
   RecordBootstrap found{.samples = samples,
+                        .fewest = 0,
                         .laws = {},
                         .samples_with_law = {},
                         .pooled = {},
                         .weights = std::move(weights),
                         .with_unseen = std::move(with_unseen)};
+  if (!exchangeable.empty()) found.fewest = std::ranges::min(exchangeable, {}, &std::vector<std::size_t>::size).size();
   for (std::size_t sample = 0; sample < samples; ++sample) {
     if (pooled[sample]) found.pooled.push_back(*pooled[sample]);
     if (!laws[sample]) continue;
@@ -81,10 +99,11 @@ std::vector<double> shares_with_unseen(std::size_t records, std::uint64_t sample
   return shares;
 }
 
-std::vector<double> mean_with_unseen(std::vector<double> mean, double share_of_unseen, std::span<const double> unseen) {
-  ROCKING_EXPECT(mean.size() == unseen.size());
+std::vector<double> mean_with_unseen(std::vector<double> mean, std::span<const double> shares_of_unseen,
+                                     std::span<const double> unseen) {
+  ROCKING_EXPECT(mean.size() == unseen.size() && mean.size() == shares_of_unseen.size());
   for (std::size_t k = 0; k < mean.size(); ++k) {
-    mean[k] = (1.0 - share_of_unseen) * mean[k] + share_of_unseen * unseen[k];
+    mean[k] = (1.0 - shares_of_unseen[k]) * mean[k] + shares_of_unseen[k] * unseen[k];
   }
   return mean;
 }

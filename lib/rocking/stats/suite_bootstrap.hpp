@@ -17,7 +17,8 @@ namespace rocking::stats {
 /// threads.
 using RecordDraws = std::function<double(std::uint64_t sample, std::uint64_t number)>;
 
-/// Laws of bootstrap samples. A sample is a part.
+/// Laws of bootstrap samples. Records are drawn among those with the same intensities: all of them, or those of a level. A
+/// sample is a part.
 [[nodiscard]] RecordBootstrap bootstrap_records(const SuiteLevels& suite, std::uint64_t samples,
                                                 const RecordDraws& draws, const base::ManyParts& how = {});
 
@@ -53,8 +54,9 @@ inline constexpr double least_share_with_law = 0.9;
 [[nodiscard]] std::vector<double> shares_with_unseen(std::size_t records, std::uint64_t sample,
                                                      const RecordDraws& draws);
 
-/// A mean over the records together with the unseen one, from the mean over the records by their shares.
-[[nodiscard]] std::vector<double> mean_with_unseen(std::vector<double> mean, double share_of_unseen,
+/// Means over the records together with the unseen one, from the means over the records by their shares; each has a share
+/// of the unseen one.
+[[nodiscard]] std::vector<double> mean_with_unseen(std::vector<double> mean, std::span<const double> shares_of_unseen,
                                                    std::span<const double> unseen);
 
 }  // namespace rocking::stats

@@ -437,17 +437,29 @@ INSTANTIATE_TEST_SUITE_P(
                       BadRecord{knet("1(gal)/1", "1", "N-S", "1 2\n"), "r.at2", "", "header declares 8"},
                       BadRecord{"Scale Factor      1(gal)/1\n1 2\n", "r.at2", "", "has no line Memo."}));
 
-std::string smc(const std::string& kind, const std::string& rate, const std::string& samples) {
+std::string smc(const std::string& kind, const std::string& rate, const std::string& samples,
+                const std::string& horizontal = "360", const std::string& smallest = "-9.8100000E+02") {
   std::string text = kind + '\n';
   for (int i = 1; i < 11; ++i) text += "*\n";
   const auto field = [](const std::string& value, std::size_t width) {
     return std::string(width - value.size(), ' ') + value;
   };
   for (int i = 0; i < 48; ++i) {
-    const std::string value = i == 12 ? "90" : i == 13 ? "360" : i == 15 ? "1" : i == 16 ? "9" : "-32768";
+    const std::string value = i == 12   ? horizontal == "-32768" ? "0" : "90"
+                              : i == 13 ? horizontal
+                              : i == 15 ? "1"
+                              : i == 16 ? "9"
+                                        : "-32768";
     text += field(value, 10) + (i % 8 == 7 ? "\n" : "");
   }
-  for (int i = 0; i < 50; ++i) text += field(i == 1 ? rate : "1.7000000E+38", 15) + (i % 5 == 4 ? "\n" : "");
+  for (int i = 0; i < 50; ++i) {
+    text += field(i == 1    ? rate
+                  : i == 29 ? "1.0000000E+01"
+                  : i == 31 ? smallest
+                            : "1.7000000E+38",
+                  15) +
+            (i % 5 == 4 ? "\n" : "");
+  }
   return text + "| invented\n" + samples;
 }
 
@@ -462,9 +474,103 @@ TEST(SmcFile, HasFieldsThatMayTouch) {
   EXPECT_EQ(motion.samples[1].horizontal, -2.0 / 100.0 / gravity_of_test);
   EXPECT_EQ(motion.samples[8].horizontal, 8.0 / 100.0 / gravity_of_test);
   EXPECT_TRUE(motion.warnings.empty());
+  ASSERT_TRUE(motion.header_peak);
+  EXPECT_TRUE(motion.header_peak->is_that_of_samples);
+  EXPECT_DOUBLE_EQ(motion.header_peak->m_s2, 9.81);
+  EXPECT_EQ(read_record(smc("2 CORRECTED ACCELEROGRAM", "200.0", samples, "-32768")).component, "UP");
+  const std::string other = smc("2 CORRECTED ACCELEROGRAM", "200.0", samples, "360", "-8.8100000E+02");
+  EXPECT_THAT(read_record(other).warnings, ElementsAre(HasSubstr("but its header states 8.81")));
   EXPECT_THAT(problem_of(smc("3 VELOCITY", "200.0", samples)).reason, HasSubstr("is no accelerogram"));
   EXPECT_THAT(problem_of(smc("2 CORRECTED ACCELEROGRAM", "1.7000000E+38", samples)).reason,
               HasSubstr("no sampling rate"));
+}
+
+TEST(SmcFile, OfAnUncorrectedRecordMayHaveTimes) {
+  const std::string pairs = " 0.0000E+0 1.0000E+0 5.0000E-3-9.8100E+2 1.0000E-2 3.0000E+0 1.5000E-2 4.0000E+0\n";
+  const GroundMotion motion = read_record(smc("1 UNCORRECTED ACCELEROGRAM", "1.7000000E+38", pairs));
+  ASSERT_EQ(motion.samples.size(), 4U);
+  EXPECT_EQ(motion.samples[1].time, 0.005);
+  EXPECT_EQ(motion.samples[1].horizontal, -981.0 / 100.0 / gravity_of_test);
+  EXPECT_EQ(motion.time_step, 0.005);
+  auto how = reading();
+  how.time_step = 0.005;
+  EXPECT_THAT(problem_of(smc("1 UNCORRECTED ACCELEROGRAM", "1.7000000E+38", pairs), how).reason,
+              HasSubstr("has a time beside each acceleration"));
+}
+
+/// A file of another kind, and what it must be called.
+struct OtherFile {
+  std::string bytes;
+  const char* kind;
+  const char* remedy;
+};
+
+void PrintTo(const OtherFile& other, std::ostream* out) { *out << other.kind; }
+
+class OtherFileOf : public ::testing::TestWithParam<OtherFile> {};
+
+TEST_P(OtherFileOf, IsNamedAsWhatItLooksLike) {
+  const auto problem = problem_of(GetParam().bytes);
+  EXPECT_EQ(problem.place, "r.at2");
+  EXPECT_THAT(problem.reason, HasSubstr(GetParam().kind));
+  EXPECT_THAT(problem.remedy, HasSubstr(GetParam().remedy));
+}
+
+std::string with_zeros(const std::string& text, bool first) {
+  std::string wide;
+  for (const char c : text)
+    (wide += first ? std::string(1, '\0') : std::string()) += c + (first ? std::string() : std::string(1, '\0'));
+  return wide;
+}
+
+std::string of_size(std::string bytes, std::size_t size, std::size_t place = 0, const std::string& there = "") {
+  bytes.resize(std::max(size, bytes.size()), 'x');
+  return bytes.replace(place, there.size(), there);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Kinds, OtherFileOf,
+    ::testing::Values(
+        OtherFile{"\xFF\xFE" + with_zeros("0 1\n1 2\n", false), "UTF-16", "iconv"},
+        OtherFile{with_zeros("0.00 1.00\n0.01 2.00\n", false), "UTF-16", "iconv"},
+        OtherFile{with_zeros("0.00 1.00\n0.01 2.00\n", true), "UTF-16", "iconv"},
+        OtherFile{"PK\x03\x04...[Content_Types].xml", "a spreadsheet of Excel (.xlsx)", "CSV"},
+        OtherFile{"PK\x03\x04...mimetypeapplication/vnd.oasis.opendocument.spreadsheet", "a spreadsheet (.ods)", "CSV"},
+        OtherFile{"PK\x03\x04...a.at2", "a zip archive", "unpack"},
+        OtherFile{"\x1F\x8B\x08", "packed by gzip", "unpack"}, OtherFile{"\xD0\xCF\x11\xE0", "Excel (.xls)", "CSV"},
+        OtherFile{"MATLAB 5.0 MAT-file, Platform", "MATLAB (.mat)", "as text"},
+        OtherFile{"\x89HDF\r\n", "HDF5", "as text"}, OtherFile{of_size("000001D NONE ", 512), "miniSEED", "ObsPy"},
+        OtherFile{of_size("", 700, 304, std::string("\x06\0\0\0", 4)), "SAC", "ObsPy"},
+        OtherFile{"<!DOCTYPE html>\n", "a web page", "log in"},
+        OtherFile{"Response and Fourier amplitude spectra (86 periods)\nCorrected accelerogram\n1 2\n", "CSMIP (V3)",
+                  "V2"},
+        OtherFile{"FILE     0 OF UNCORRECTED ACCELEROGRAM DATA OF VOLUME I:\n1 2\n", "Southern California", "PEER"},
+        OtherFile{"matched to the target\n  4 0.0100  0\n .1 -.2\n .3 .4\n", "RSPMatch or eqsig",
+                  "NPTS= 4, DT= 0.0100 SEC"},
+        OtherFile{"label\n4 0.01\n.1\n.2\n.3\n.4\n", "RSPMatch or eqsig", "\"units\""}));
+
+TEST(OtherFile, OfRspMatchCanBeReadOnceItsSecondLineSaysWhatItIs) {
+  const GroundMotion motion = read_record("label\nNPTS= 4, DT= 0.01 SEC\n.1\n.2\n.3\n.4\n");
+  EXPECT_EQ(motion.samples.size(), 4U);
+  EXPECT_EQ(motion.samples[2].time, 0.02);
+}
+
+TEST(ColumnsFile, OfVelocitiesIsRefused) {
+  auto how = reading();
+  how.columns = {RecordColumn::time, RecordColumn::horizontal};
+  EXPECT_THAT(problem_of("time velocity_(cm/s)\n0 1\n1 2\n", how).reason, HasSubstr("that they are a velocity"));
+  EXPECT_THAT(problem_of("t displacement\n0 1\n1 2\n", how).reason, HasSubstr("that they are a displacement"));
+  how.columns.push_back(RecordColumn::other);
+  EXPECT_EQ(read_record("time acceleration_(m/s2) velocity\n0 1 5\n1 2 5\n", how).samples.size(), 2U);
+}
+
+TEST(Refusal, NamesTheFormatThatWasRecognised) {
+  EXPECT_THAT(problem_of(peer_at2("NPTS= 9, DT= .01 SEC", three_values)).reason,
+              HasSubstr("; it was read as peer_at2"));
+  auto how = reading();
+  how.format = RecordFormat::peer_at2;
+  EXPECT_THAT(problem_of(peer_at2("NPTS= 9, DT= .01 SEC", three_values), how).reason,
+              ::testing::Not(HasSubstr("it was read as")));
 }
 
 }  // namespace

@@ -48,4 +48,21 @@ TEST(RecordMetadata, AreRefusedWithLineValueAndRemedy) {
 }
 
 }  // namespace
+TEST(RecordMetadata, MayBeTheTableOfPeersSearch) {
+  const auto found = read_record_metadata(
+      "text\n -- Summary of Metadata of Selected Records --,,\nResult ID, Scale Factor, Station Name, Magnitude, Rrup "
+      "(km), "
+      "Horizontal-1 Acc. Filename, Horizontal-2 Acc. Filename\n1, 2, \" \"\"Joshua, Tree #3\"\"\", 7.28, 11.03, a.at2, "
+      "b.at2 \n"
+      "2, 2, c, -999, , d.at2, -----\n\n3, 1, e, 6, 5, f.at2, g.at2\n",
+      "_SearchResults.csv");
+  ASSERT_EQ(found.size(), 3U);
+  EXPECT_EQ(found[1].file, "b.at2");
+  EXPECT_EQ(found[1].magnitude, 7.28);
+  EXPECT_EQ(found[1].distance_km, 11.03);
+  EXPECT_EQ(found[2].file, "d.at2");
+  EXPECT_FALSE(found[2].magnitude);
+  EXPECT_FALSE(found[2].distance_km);
+}
+
 }  // namespace rocking

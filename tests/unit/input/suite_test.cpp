@@ -395,4 +395,77 @@ TEST_F(Suite, RefusesABadListOfRecordsLeftOut) {
   EXPECT_THAT(refusal_of(json), HasSubstr("/excitation/left_out"));
 }
 
+/// PEER's table, with two records that have both horizontal components, and one without.
+std::string peer_table(const std::string& magnitude = "7.28") {
+  return " PEER Ground Motion Database, Time Series Search Report\n\n -- Summary of Metadata of Selected Records --\n"
+         "Result ID, Record Sequence Number, Scale Factor, Earthquake Name, Station Name, Magnitude, Rrup (km), "
+         "Horizontal-1 "
+         "Acc. Filename, Horizontal-2 Acc. Filename, Vertical Acc. Filename\n"
+         "1, 864, 1.5, \"A, B\", \"Fire Sta #3\", " +
+         magnitude +
+         ", 11.03, a.at2, b.at2 , v.at2  \r\n"
+         "2, 865, -, \"C\", \"D\", -999, , c.at2, -----, v.at2\n,,,,\n"
+         " These records are UNSCALED,,\n3, 866, 2, E, F, 6, 20, never.at2, never.at2, v.at2\n";
+}
+
+TEST_F(Suite, MayBeTheTableOfPeersSearch) {
+  files_["records/_SearchResults.csv"] = peer_table();
+  files_["records/c.at2"] = support::peer_at2({0.4, 0.1, 0.05, 0.0}, ".01");
+  const Experiment found = read(experiment(R"("records/_SearchResults.csv")"));
+  ASSERT_EQ(found.conditions.size(), 3U);
+  EXPECT_EQ(recorded(found.conditions[0]).ground_motion->name, "records/a.at2");
+  EXPECT_EQ(mean_of(recorded(found.conditions[0]).scale), 1.5);
+  EXPECT_EQ(mean_of(recorded(found.conditions[1]).scale), 1.5);
+  EXPECT_EQ(recorded(found.conditions[1]).ground_motion->name, "records/b.at2");
+  EXPECT_EQ(mean_of(recorded(found.conditions[2]).scale), 1.0) << "no factor";
+  EXPECT_EQ(recorded(found.conditions[0]).magnitude, 7.28);
+  EXPECT_EQ(recorded(found.conditions[0]).distance_km, 11.03);
+  EXPECT_FALSE(recorded(found.conditions[2]).magnitude) << "-999 is unknown";
+  EXPECT_FALSE(recorded(found.conditions[2]).distance_km);
+  const Experiment again = experiment_in(found.canonical_text, {}, surroundings());
+  EXPECT_EQ(again.canonical_text, found.canonical_text);
+  EXPECT_EQ(recorded(again.conditions[1]).scale, recorded(found.conditions[1]).scale);
+  EXPECT_THAT(found.canonical_text, AllOf(HasSubstr(R"("factor":1.5)"), HasSubstr(R"("magnitude":7.28)")));
+  const Experiment twice =
+      read(experiment(R"("records/_SearchResults.csv")", R"([{"parameter": "/excitation/scale", "values": [1, 2]}])"));
+  EXPECT_EQ(mean_of(recorded(twice.conditions[1]).scale), 3.0) << "a scale multiplies the factor";
+  const Experiment measured =
+      read(experiment(R"("records/_SearchResults.csv")", R"([{"parameter": "/excitation/pga_g", "values": [0.4]}])"));
+  EXPECT_EQ(mean_of(recorded(measured.conditions[1]).scale), 1.0) << "a measure takes the place of the factor";
+}
+
+TEST_F(Suite, RefusesATableOfPeerThatIsNotAsItMustBe) {
+  files_["records/_SearchResults.csv"] = peer_table("x");
+  files_["records/c.at2"] = support::peer_at2({0.4, 0.1, 0.05, 0.0}, ".01");
+  EXPECT_THAT(refusal_of(experiment(R"("records/_SearchResults.csv")")),
+              AllOf(HasSubstr("records/_SearchResults.csv, line 5"), HasSubstr("\"x\"")));
+  files_["records/_SearchResults.csv"] = " -- Summary of Metadata of Selected Records --\nA, B\n1, 2\n";
+  EXPECT_THAT(refusal_of(experiment(R"("records/_SearchResults.csv")")), HasSubstr("Horizontal-1 Acc. Filename"));
+}
+
+TEST_F(Suite, MayGiveEachLevelItsOwnRecordsAndFactors) {
+  files_["records/selection.csv"] = "level,file,factor\n0.2,a.at2,0.5\n0.2,b.at2,0.25\n0.8,b.at2,3.25\n";
+  const Experiment found = read(experiment(R"({"levels": "records/selection.csv"})"));
+  ASSERT_EQ(found.conditions.size(), 3U);
+  EXPECT_EQ(recorded(found.conditions[0]).level, 0.2);
+  EXPECT_EQ(mean_of(recorded(found.conditions[1]).scale), 0.25);
+  EXPECT_EQ(recorded(found.conditions[2]).level, 0.8);
+  EXPECT_EQ(mean_of(recorded(found.conditions[2]).scale), 3.25);
+  EXPECT_EQ(recorded(found.conditions[1]).ground_motion, recorded(found.conditions[2]).ground_motion);
+  EXPECT_EQ(found.conditions[1].record_stream, found.conditions[2].record_stream);
+  EXPECT_EQ(json_of(found.conditions[2].parameters.front().value), "records/b.at2, level 0.8");
+  const Experiment again = experiment_in(found.canonical_text, {}, surroundings());
+  EXPECT_EQ(again.canonical_text, found.canonical_text);
+  files_["records/selection.csv"] = "file,level\na.at2,0.2\n";
+  EXPECT_THAT(refusal_of(experiment(R"({"levels": "records/selection.csv"})")), HasSubstr("no column \"factor\""));
+  files_["records/selection.csv"] = "level,file,factor\n0.2,a.at2,\n";
+  EXPECT_THAT(refusal_of(experiment(R"({"levels": "records/selection.csv"})")),
+              AllOf(HasSubstr("selection.csv, line 2"), HasSubstr("without a level, a file or a factor")));
+  files_["records/selection.csv"] = "level,file,factor\n0.2,a.at2,-1\n";
+  EXPECT_THAT(refusal_of(experiment(R"({"levels": "records/selection.csv"})")), HasSubstr("which must be positive"));
+  files_["records/selection.csv"] = "level,file,factor\n0.2,a.at2,1\n0.2,a.at2,2\n";
+  EXPECT_THAT(refusal_of(experiment(R"({"levels": "records/selection.csv"})")), HasSubstr("is in the suite twice"));
+  EXPECT_THAT(refusal_of(experiment(R"({"level": "records/selection.csv"})")), HasSubstr("must have \"levels\" alone"));
+}
+
 }  // namespace

@@ -134,4 +134,18 @@ TEST(IsotonicBand, CoversBothLevelsAsOftenAsItPromisesWithCommonAndWithIndepende
   }
 }
 
+// Two records at 1, three others at 2.
+TEST(RecordShares, OfLevelsWithRecordsOfTheirOwnAreMeansOverThese) {
+  const SuiteLevels suite{{{1.0, {1, 4}}}, {{1.0, {3, 4}}}, {{2.0, {4, 4}}}, {{2.0, {2, 4}}}, {{2.0, {0, 4}}}};
+  const RecordShares shares(suite);
+  EXPECT_THAT(shares.intensities(), ElementsAre(1.0, 2.0));
+  EXPECT_THAT(shares.mean({1, 1, 1, 1, 1}), ElementsAre(0.5, 0.5));
+  EXPECT_THAT(shares.mean({2, 0, 1, 2, 0}), ElementsAre(0.25, 2.0 / 3.0));
+  EXPECT_THAT(shares.of_record(0), ElementsAre(0.25, 0.5)) << "the mean where it has no level";
+  EXPECT_THAT(shares.shares_of_another({0.1, 0.3, 0.1, 0.2, 0.1}, 0.2),
+              ElementsAre(testing::DoubleEq(1.0 / 3.0), testing::DoubleEq(1.0 / 3.0)));
+  const RecordShares same({{{1.0, {1, 4}}, {2.0, {1, 1}}}, {{1.0, {3, 4}}, {2.0, {1, 1}}}});
+  EXPECT_THAT(same.shares_of_another({0.5, 0.25}, 0.25), ElementsAre(0.25, 0.25));
+}
+
 }  // namespace

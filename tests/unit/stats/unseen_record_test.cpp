@@ -37,8 +37,8 @@ TEST(UnseenRecord, GivesTheLimitsOfClopperAndPearson) {
         if (r < events) mean += shares[r];
       }
       const std::vector<double> seen{mean / sum};
-      lows.push_back(mean_with_unseen(seen, shares.back(), std::array{0.0}).front());
-      highs.push_back(mean_with_unseen(seen, shares.back(), std::array{1.0}).front());
+      lows.push_back(mean_with_unseen(seen, std::array{shares.back()}, std::array{0.0}).front());
+      highs.push_back(mean_with_unseen(seen, std::array{shares.back()}, std::array{1.0}).front());
     }
     const Interval expected = clopper_pearson({.successes = events, .trials = 10}, 0.95);
     EXPECT_NEAR(percentile_interval(lows, samples, 0.95)->low, expected.low, 0.015) << events;
@@ -55,7 +55,7 @@ TEST(UnseenRecord, SharesAddUpToOne) {
     sum += share;
   }
   EXPECT_NEAR(sum, 1.0, 1e-15);
-  const std::vector<double> mean = mean_with_unseen({0.5, 0.0}, 0.2, std::array{1.0, 1.0});
+  const std::vector<double> mean = mean_with_unseen({0.5, 0.0}, std::array{0.2, 0.2}, std::array{1.0, 1.0});
   EXPECT_THAT(mean, testing::ElementsAre(testing::DoubleEq(0.6), testing::DoubleEq(0.2)));
 }
 
@@ -139,6 +139,26 @@ TEST(ExpandedConfidence, GrowsForFewRecords) {
   EXPECT_NEAR(expanded_confidence(0.95, 10), 1.0 - 2.0 * 0.008551, 1e-6);
   EXPECT_NEAR(expanded_confidence(0.95, 1'000'000), 0.95, 1e-6);
   EXPECT_EQ(expanded_confidence(0.95, 1), 0.95);
+}
+
+TEST(RecordBootstrap, DrawsWithinALevelThatHasRecordsOfItsOwn) {
+  SuiteLevels suite(5, {{1.0, {1, 4}}});
+  for (int i = 0; i < 3; ++i)
+    suite.insert(suite.begin() + 2 * i,
+                 std::vector<RecordLevel>{{.intensity = 2.0, .happened = {3, 4}}});  // between the others
+  const auto found = bootstrap_records(suite, 60, draws());
+  EXPECT_EQ(found.fewest, 3U);
+  bool scatters = false;
+  for (const std::vector<double>& weights : found.weights) {
+    double of_first = 0.0, of_second = 0.0;
+    for (std::size_t r = 0; r < suite.size(); ++r) {
+      (suite[r].front().intensity == 1.0 ? of_first : of_second) += weights[r];
+      scatters = scatters || weights[r] == 2.0;
+    }
+    EXPECT_EQ(of_first, 5.0);
+    EXPECT_EQ(of_second, 3.0);
+  }
+  EXPECT_TRUE(scatters);
 }
 
 }  // namespace

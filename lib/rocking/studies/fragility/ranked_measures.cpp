@@ -76,9 +76,13 @@ static std::vector<RecordMetadata> metadata_of(const std::vector<std::string>& r
   std::vector<RecordMetadata> ordered;
   std::vector<base::Problem> problems;
   for (const std::string& name : records) {
-    const auto fits = [&name](const RecordMetadata& record) {
-      return record.file == name || record.file == last_part(name);
-    };
+    const auto fits =
+        [&name](const RecordMetadata& record) {  // behind its file a record may name a component or a level
+          const auto is_of = [&record](std::string_view own) {
+            return own == record.file || own.starts_with(record.file + ", ");
+          };
+          return is_of(name) || is_of(last_part(name));
+        };
     const auto count = std::ranges::count_if(metadata, fits);
     if (count == 1) {
       ordered.push_back(*std::ranges::find_if(metadata, fits));

@@ -40,7 +40,8 @@ void check_one_period(const HazardCurve& hazard, const Experiment& experiment) {
 /// Throws where the hazard curve is one of another intensity measure than that of the run.
 void check_intensity(const HazardCurve& hazard, const Experiment& experiment) {
   const std::string own = swept_measure(experiment);
-  if (hazard.intensity == own) return;
+  if (hazard.intensity == own || intensity_of(experiment) == level_pointer)
+    return;  // levels do not state their measure
   const bool lacks_period = own.starts_with(hazard.intensity + '[');
   const std::string line = hazard.header_line == 0 ? "" : ", line " + std::to_string(hazard.header_line);
   throw base::InputError({.place = hazard.name + line,

@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "rocking/base/error.hpp"
+#include "rocking/base/number_text.hpp"
 #include "rocking/dynamics/block.hpp"
 #include "rocking/plan/plan.hpp"
 #include "rocking/scene/intensity_measures.hpp"
@@ -68,6 +69,12 @@ struct Place {
   std::vector<Parameter> others;
 };
 
+/// Of a record that a table selects for a level.
+std::optional<double> level_of(const Scene& scene) {
+  const auto* recorded = std::get_if<Recorded>(&scene.excitation);
+  return recorded == nullptr ? std::nullopt : recorded->level;
+}
+
 Place place_of(const Condition& condition, std::string_view intensity) {
   Place place;
   for (const Parameter& parameter : condition.parameters) {
@@ -78,6 +85,10 @@ Place place_of(const Condition& condition, std::string_view intensity) {
     } else {
       place.others.push_back(parameter);
     }
+  }
+  if (intensity == level_pointer) {
+    place.intensity = level_of(condition.scene).value_or(0.0);
+    place.record += ", level " + base::shortest(place.intensity);
   }
   return place;
 }
@@ -166,7 +177,9 @@ std::vector<Stripe> filled(const Experiment& experiment, const Store& store) {
 
 std::string record_of(const Scene& scene) {
   const auto* recorded = std::get_if<Recorded>(&scene.excitation);
-  return recorded != nullptr && recorded->ground_motion ? recorded->ground_motion->name : "";
+  if (recorded == nullptr || !recorded->ground_motion) return "";
+  const GroundMotion& motion = *recorded->ground_motion;
+  return motion.components.empty() ? motion.name : motion.name + ", " + motion.component;
 }
 
 bool have_equal_values(const std::vector<Parameter>& a, const std::vector<Parameter>& b) {
@@ -213,6 +226,7 @@ stats::IntensityLevel level_of(const Stripe& stripe, const FragilityEvent& event
 }
 
 std::string_view intensity_of(const Experiment& experiment) {
+  if (level_of(experiment.conditions.front().scene)) return level_pointer;
   for (const Parameter& parameter : experiment.conditions.front().parameters) {
     const auto found = std::find(all_intensity_pointers.begin(), all_intensity_pointers.end(), parameter.pointer);
     if (found != all_intensity_pointers.end()) return *found;
@@ -241,7 +255,10 @@ std::vector<StripeGroup> stripes_of(const Experiment& experiment, const Store& s
     stripes[i].record = std::move(place.record);
     stripes[i].intensity = place.intensity;
     stripes[i].shaking = shaking_of(experiment.conditions[i].scene);
-    stripes[i].uplift = least_uplift(experiment.conditions[i].scene, place.intensity);
+    // Another level has other records: this one says nothing of it.
+    if (intensity != level_pointer) {
+      stripes[i].uplift = least_uplift(experiment.conditions[i].scene, place.intensity);
+    }
     set_measures(experiment.conditions[i].scene, intensity, spectra, stripes[i]);
     group->stripes.push_back(std::move(stripes[i]));
   }

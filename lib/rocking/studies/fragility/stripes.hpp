@@ -96,7 +96,7 @@ struct StripeGroup {
 /// if its tilt exceeded that of the event before it ended; else its outcome is not known.
 [[nodiscard]] stats::IntensityLevel level_of(const Stripe& stripe, const FragilityEvent& event);
 
-/// The one of them that an experiment sweeps; empty where it sweeps none.
+/// The one of them that an experiment sweeps, or the level of its records; empty where it has none.
 [[nodiscard]] std::string_view intensity_of(const Experiment& experiment);
 
 /// Groups by the grid of the other entries of the sweep. An intensity of 0 has no logarithm and is left out. Throws

@@ -154,9 +154,24 @@ void check(const Subject& subject, RunsQuestion& question) {
   if (question.metadata) question.question.metadata = record_metadata(*question.metadata);
 }
 
+/// What the experiment says of its records, as a table that selects them does; empty if it says nothing.
+std::vector<RecordMetadata> metadata_in(const Experiment& experiment) {
+  std::vector<RecordMetadata> found;
+  for (const Condition& condition : experiment.conditions) {
+    const auto* recorded = std::get_if<Recorded>(&condition.scene.excitation);
+    if (recorded == nullptr || !recorded->ground_motion) return {};
+    if (!recorded->magnitude && !recorded->distance_km) continue;
+    const std::string& file = recorded->ground_motion->name;
+    if (std::ranges::find(found, file, &RecordMetadata::file) != found.end()) continue;
+    found.push_back({.file = file, .magnitude = recorded->magnitude, .distance_km = recorded->distance_km});
+  }
+  return found;
+}
+
 /// The question about a run, with the rare estimates of its curves.
 FragilityQuestion question_about(const Experiment& experiment, const RunsQuestion& asked) {
   FragilityQuestion question = asked.question;
+  if (question.metadata.empty()) question.metadata = metadata_in(experiment);
   if (!asked.rare) return question;
   const std::filesystem::path rare = *asked.rare;
   question.rare = rare_levels(std::filesystem::is_directory(rare) ? rare / "rare.json" : rare, experiment);
@@ -205,6 +220,10 @@ std::string as_read(const Subject& subject, const RunsQuestion& question) {
   for (const NamedRun& run : subject.runs) {
     const std::string of_run = ground_motion_text(run.stored.experiment);
     if (text.find(of_run) == std::string::npos) text += of_run;
+    if (question.question.hazard && intensity_of(run.stored.experiment) == level_pointer) {
+      text += "levels: those of the table are taken to be in " + question.question.hazard->intensity +
+              ", as the hazard curve is\n";
+    }
   }
   return text;
 }

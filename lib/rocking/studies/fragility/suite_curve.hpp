@@ -78,9 +78,8 @@ struct SuiteCurve {
   std::vector<RankedMeasure> measures;  ///< best first; empty where the motions have none
   stats::RecordBootstrap bootstrap;     ///< of the records
 
-  [[nodiscard]] std::size_t records_in_sample() const {
-    return bootstrap.weights.empty() ? 0 : bootstrap.weights.front().size();
-  }
+  /// Of the level with the fewest, where levels have records of their own.
+  [[nodiscard]] std::size_t records_in_sample() const { return bootstrap.fewest; }
   /// Of bootstrap samples over the records, in any order, at the curve's confidence.
   [[nodiscard]] std::optional<stats::Interval> interval_of(std::vector<double> samples) const;
   /// The same with bias-corrected percentiles, for an estimate whose samples are biased.

@@ -213,14 +213,25 @@ class SuiteRates {
     for (std::vector<double> weights : curve_.bootstrap.with_unseen) {
       const double unseen = weights.back();
       weights.pop_back();
-      const auto low = stats::mean_with_unseen(counted_shares(source, shares_, weights), unseen, best);
-      const auto high = stats::mean_with_unseen(counted_shares(source, most_shares_, weights), unseen, worst);
+      std::vector<double> parts = shares_of_unseen(weights, unseen);
+      const auto low = stats::mean_with_unseen(counted_shares(source, shares_, weights), parts, best);
+      const auto high = stats::mean_with_unseen(counted_shares(source, most_shares_, weights), parts, worst);
       lows.push_back(is_bound ? rate_of_shares(source, low) : rates_.least_allowed(low));
       highs.push_back(is_bound ? rate_of_shares(source, high) : rates_.most_allowed(high));
     }
     const double confidence = curve_.subject.confidence;
     return between(stats::percentile_interval(std::move(lows), curve_.bootstrap.samples, confidence),
                    stats::percentile_interval(std::move(highs), curve_.bootstrap.samples, confidence));
+  }
+
+  /// In the means at the points that count: of a level with records of its own, among these.
+  [[nodiscard]] std::vector<double> shares_of_unseen(const std::vector<double>& weights, double unseen) const {
+    std::vector<double> at_levels = shares_.shares_of_another(weights, unseen);
+    const std::size_t points = rates_.counted_of(at_levels, std::vector<double>(tail_.y.size(), unseen)).size();
+    at_levels.erase(at_levels.begin(),
+                    at_levels.end() - static_cast<std::ptrdiff_t>(std::min(points, at_levels.size())));
+    at_levels.insert(at_levels.begin(), points - at_levels.size(), unseen);
+    return at_levels;
   }
 
   static void set_disagreement(SuiteRate& found) {

@@ -55,6 +55,7 @@ struct MeasuredMotion {
 /// Files with recorded accelerations, and how to read them.
 struct GroundMotionRequest {
   std::vector<std::string> files;
+  std::optional<std::string> component = {};           ///< of files that hold several; absent: the only one
   std::optional<std::string> vertical = std::nullopt;  ///< file with the vertical component of a single file
   std::string format = "auto";                         ///< `auto`, `columns`, `peer_at2`, `esm_asc`, `knet`, `smc`
   std::optional<std::string> units = std::nullopt;     ///< as `excitation.units`; absent: that of the file, or m/s^2

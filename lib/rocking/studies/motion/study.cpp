@@ -46,7 +46,8 @@ std::vector<MeasuredMotion> motion(const GroundMotionRequest& request) {
   check(request);
   GroundMotionReading how{.time_step = request.time_step,
                           .gravity = request.question.gravity,
-                          .vertical_name = request.vertical.value_or("")};
+                          .vertical_name = request.vertical.value_or(""),
+                          .component = request.component.value_or("")};
   if (request.format != "auto") how.format = named<RecordFormat>(record_format_choices, request.format);
   for (const std::string& column : request.columns) {
     how.columns.push_back(named<RecordColumn>(record_column_names, column));
@@ -97,6 +98,8 @@ const StructType& fields_of(const GroundMotionRequest*) {
                 "vertical, other (not used)",
                 Rule{.choices = record_column_names}),
             {.names = "--columns", .letter = "NAME...", .kind = FlagKind::words}),
+      asked(field<&Type::component>("component", "Of files that hold several, as their headers name it: N10E, 90"),
+            {.names = "--component", .letter = "NAME"}),
       asked(field<&Type::vertical>("vertical", "File with the vertical component"),
             {.names = "--vertical", .letter = "FILE"}),
       asked(field<&Type::question, &Question::gravity>("gravity", "What 1 g is [m/s^2]", rule::positive),

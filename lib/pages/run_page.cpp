@@ -140,7 +140,7 @@ std::optional<analysis::Animation> animation_of(const Experiment& experiment, co
       .name = fmt::format("realisation {}", key.realisation),
       .command = fmt::format("rocking trajectory EXPERIMENT.json --condition {} --realisation {} --samples {}",
                              key.condition, key.realisation, samples),
-      .block = outline_of(trajectory.asked_block),
+      .block = trajectory.outline,
       .shape_angles = {geometry.edges[0].shape_angle, geometry.edges[1].shape_angle},
       .half_diagonal = geometry.half_diagonal,
       .period = periodic ? period : 0.0,

@@ -36,14 +36,15 @@ std::string facts_of(const Trajectory& trajectory, std::uint64_t condition, std:
   return trajectory_text({.condition = condition, .realisation = realisation}, facts, TrajectoryUnits::normalised);
 }
 
-/// Calls use(member) for each member of a trajectory; one that is not named here does not compile.
+/// Calls use(member) for each member of a trajectory, and of its outline; one that is not named here does not compile.
 template <class Kept, class Use>
 void for_each_member(Kept& trajectory, Use&& use) {
-  auto& [block, period, strobe, events, history, samples, losses, first_loss, before_fall, peaks, sides, contradictions,
-         energy, termination] = trajectory;
+  auto& [block, outline, period, strobe, events, history, samples, losses, first_loss, before_fall, peaks, sides,
+         contradictions, energy, termination] = trajectory;
+  auto& [rectangles, base, centre_x, centre_height, is_given] = outline;
   const auto each = [&use](auto&... members) { (use(members), ...); };
-  each(block, period, strobe, events, history, samples, losses, first_loss, before_fall, peaks, sides, contradictions,
-       energy, termination);
+  each(block, rectangles, base, centre_x, centre_height, is_given, period, strobe, events, history, samples, losses,
+       first_loss, before_fall, peaks, sides, contradictions, energy, termination);
 }
 
 template <class Value>

@@ -198,7 +198,7 @@ Trajectory trajectory_of_unchecked(const Condition& condition, std::uint64_t see
   run(motion, beginning, extent, history);
   Trajectory& trajectory = recorder.trajectory;
   trajectory.block = start.block;
-  trajectory.asked_block = start.scene.block;
+  trajectory.outline = outline_of(start.scene.block);
   trajectory.period_length = beginning.clock.period_length();
   trajectory.termination = motion.termination().value_or(Termination::stopped);
   trajectory.losses_of_contact = motion.losses_of_contact();

@@ -73,7 +73,7 @@ struct HistorySample {
 
 struct Trajectory {
   dynamics::Block block;       ///< of this realisation
-  SceneBlock asked_block;      ///< the same in the form of the file, with the numbers that were drawn
+  BlockOutline outline;        ///< of the same, to draw
   double period_length = 0.0;  ///< 2 pi/Omega_h: tau between two strobe points
   std::vector<TrajectorySample> strobe;
   std::vector<TrajectoryEvent> events;

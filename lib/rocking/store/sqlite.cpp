@@ -154,7 +154,7 @@ Database::Database(const std::filesystem::path& path, Access access) : path_(pat
 Database Database::of_bytes(std::string_view bytes) {
   Database database = in_memory();
   const auto size = static_cast<sqlite3_int64>(bytes.size());
-  auto* copy = static_cast<unsigned char*>(sqlite3_malloc64(bytes.size()));
+  auto* copy = static_cast<unsigned char*>(sqlite3_malloc64(std::max<std::size_t>(1, bytes.size())));
   if (copy == nullptr) fail(database.path_, SQLITE_NOMEM, "not enough memory");
   std::copy(bytes.begin(), bytes.end(), copy);
   constexpr unsigned how = SQLITE_DESERIALIZE_FREEONCLOSE | SQLITE_DESERIALIZE_RESIZEABLE;

@@ -36,9 +36,8 @@ ExitCode run(const RunRequest& request) {
   NewRun asked = request.run;
   asked.files = std::filesystem::absolute(request.file).parent_path();
   FolderMeans means = means_of(request.execution);
-  if (loudness.verbose) {
+  if (loudness.verbose)
     means.on_plan = [&](const Plan& plan) { print_notice(fmt::format("{}: {}", request.file, describe(plan))); };
-  }
   return run_to_end(begin_run(request.folder, experiment, asked, means), request.execution);
 }
 

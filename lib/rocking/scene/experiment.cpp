@@ -74,7 +74,7 @@ bool has_mirror_symmetry(const Scene& scene) {
   if (!is_alike_at_both_edges(scene.restitution)) return false;
   if (vertical_of(scene.excitation) == nullptr) return true;
   const auto sine = common_vertical_sine(scene);
-  return sine && sine->periods == 1.0 && std::fmod(sine->cycles, 2.0) == 0.0;
+  return sine && sine->periods == 1.0 && 0.5 * sine->cycles == std::floor(0.5 * sine->cycles);
 }
 
 bool is_random(const Scene& scene) {

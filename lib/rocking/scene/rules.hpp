@@ -47,12 +47,10 @@ inline constexpr NumberRule period_s{.bounds = {.least = 1e-6, .most = 1e6},
 inline constexpr NumberRule scale{.bounds = {.least = 0.0, .most = 1e6},
                                   .demand = "must be a number from 0 to 1e6: a factor on the recorded accelerations",
                                   .example = "1.0"};
-inline constexpr NumberRule selected_number{.bounds = {.above = 0.0, .most = 1e6},
-                                            .demand = "must be positive, at most 1e6",
-                                            .example = "1.5"};
-inline constexpr NumberRule magnitude{.bounds = {.least = 0.0, .most = 10.0},
-                                      .demand = "is not a magnitude from 0 to 10",
-                                      .example = "6.5"};
+inline constexpr NumberRule selected_number{
+    .bounds = {.above = 0.0, .most = 1e6}, .demand = "must be positive, at most 1e6", .example = "1.5"};
+inline constexpr NumberRule magnitude{
+    .bounds = {.least = 0.0, .most = 10.0}, .demand = "is not a magnitude from 0 to 10", .example = "6.5"};
 inline constexpr NumberRule pga_g{.bounds = {.least = 0.0, .most = 1e6},
                                   .demand = "must be a number from 0 to 1e6: the peak acceleration over gravity",
                                   .example = "0.4"};

@@ -51,8 +51,15 @@ class SmcReader {
                             .column = columns - 1,
                             .has_times = has_times,
                             .peak = peak_of(real)};
-    auto motion = read_even_samples(text, header, how_.gravity, problems_);
+    // Lines behind the declared numbers hold what was left in a buffer.
+    std::string_view beyond = text;
+    LineProblems counted = problems_;
+    const std::string_view samples = take_lines(beyond, lines_of(static_cast<std::size_t>(whole[16]), 8), counted);
+    auto motion = read_even_samples(samples, header, how_.gravity, problems_);
     if (motion) motion->component = component_of(whole[12], whole[13], whole[0]);
+    if (motion && beyond.find_first_not_of(std::string_view(" \t\r\n\0", 5)) != std::string_view::npos) {
+      motion->warnings.push_back("contains lines behind the samples that its header declares; they are not read");
+    }
     return motion;
   }
 

@@ -438,7 +438,8 @@ INSTANTIATE_TEST_SUITE_P(
                       BadRecord{"Scale Factor      1(gal)/1\n1 2\n", "r.at2", "", "has no line Memo."}));
 
 std::string smc(const std::string& kind, const std::string& rate, const std::string& samples,
-                const std::string& horizontal = "360", const std::string& smallest = "-9.8100000E+02") {
+                const std::string& horizontal = "360", const std::string& count = "9",
+                const std::string& smallest = "-9.8100000E+02") {
   std::string text = kind + '\n';
   for (int i = 1; i < 11; ++i) text += "*\n";
   const auto field = [](const std::string& value, std::size_t width) {
@@ -448,7 +449,7 @@ std::string smc(const std::string& kind, const std::string& rate, const std::str
     const std::string value = i == 12   ? horizontal == "-32768" ? "0" : "90"
                               : i == 13 ? horizontal
                               : i == 15 ? "1"
-                              : i == 16 ? "9"
+                              : i == 16 ? count
                                         : "-32768";
     text += field(value, 10) + (i % 8 == 7 ? "\n" : "");
   }
@@ -478,7 +479,7 @@ TEST(SmcFile, HasFieldsThatMayTouch) {
   EXPECT_TRUE(motion.header_peak->is_that_of_samples);
   EXPECT_DOUBLE_EQ(motion.header_peak->m_s2, 9.81);
   EXPECT_EQ(read_record(smc("2 CORRECTED ACCELEROGRAM", "200.0", samples, "-32768")).component, "UP");
-  const std::string other = smc("2 CORRECTED ACCELEROGRAM", "200.0", samples, "360", "-8.8100000E+02");
+  const std::string other = smc("2 CORRECTED ACCELEROGRAM", "200.0", samples, "360", "9", "-8.8100000E+02");
   EXPECT_THAT(read_record(other).warnings, ElementsAre(HasSubstr("but its header states 8.81")));
   EXPECT_THAT(problem_of(smc("3 VELOCITY", "200.0", samples)).reason, HasSubstr("is no accelerogram"));
   EXPECT_THAT(problem_of(smc("2 CORRECTED ACCELEROGRAM", "1.7000000E+38", samples)).reason,
@@ -487,11 +488,15 @@ TEST(SmcFile, HasFieldsThatMayTouch) {
 
 TEST(SmcFile, OfAnUncorrectedRecordMayHaveTimes) {
   const std::string pairs = " 0.0000E+0 1.0000E+0 5.0000E-3-9.8100E+2 1.0000E-2 3.0000E+0 1.5000E-2 4.0000E+0\n";
-  const GroundMotion motion = read_record(smc("1 UNCORRECTED ACCELEROGRAM", "1.7000000E+38", pairs));
+  const GroundMotion motion = read_record(smc("1 UNCORRECTED ACCELEROGRAM", "1.7000000E+38", pairs, "360", "8"));
   ASSERT_EQ(motion.samples.size(), 4U);
   EXPECT_EQ(motion.samples[1].time, 0.005);
   EXPECT_EQ(motion.samples[1].horizontal, -981.0 / 100.0 / gravity_of_test);
   EXPECT_EQ(motion.time_step, 0.005);
+  const GroundMotion padded =
+      read_record(smc("1 UNCORRECTED ACCELEROGRAM", "1.7000000E+38", pairs + pairs, "360", "8"));
+  EXPECT_EQ(padded.samples.size(), 4U);
+  EXPECT_THAT(padded.warnings, ElementsAre(HasSubstr("lines behind the samples")));
   auto how = reading();
   how.time_step = 0.005;
   EXPECT_THAT(problem_of(smc("1 UNCORRECTED ACCELEROGRAM", "1.7000000E+38", pairs), how).reason,

@@ -15,6 +15,7 @@
 
 #include "exit_code.hpp"
 #include "rocking/random/draws.hpp"
+#include "rocking/scene/check_condition.hpp"
 #include "usage.hpp"
 
 namespace rocking::program {
@@ -175,6 +176,13 @@ Experiment load_experiment(const ExperimentText& source, const Overrides& overri
 
 Experiment load_experiment(const std::string& path, const Overrides& overrides) {
   return load_experiment(load_experiment_text(path), overrides);
+}
+
+Experiment load_sampled_experiment(const std::string& path, const Overrides& overrides) {
+  const ExperimentText source = load_experiment_text(path);
+  Experiment experiment = load_experiment(source, overrides);
+  check_source(source, [&experiment] { check_strobe(experiment); });
+  return experiment;
 }
 
 void add_realisation(CLI::App& command, TrajectoryRequest& asked, Naming naming) {

@@ -63,6 +63,9 @@ void add_seed(CLI::App& command, Overrides& overrides);
 [[nodiscard]] Experiment load_experiment(const ExperimentText& source, const Overrides& overrides = {});
 [[nodiscard]] Experiment load_experiment(const std::string& path, const Overrides& overrides = {});
 
+/// The same of an experiment whose responses strobe points are to tell (check_strobe).
+[[nodiscard]] Experiment load_sampled_experiment(const std::string& path, const Overrides& overrides);
+
 /// Carries out a check of the experiment; its problems get the file and the line.
 template <class Check>
 void check_source(const ExperimentText& source, Check check) {

@@ -12,7 +12,6 @@
 #include "program.hpp"
 #include "rocking/base/build_info.hpp"
 #include "rocking/rocking.hpp"
-#include "rocking/scene/check_condition.hpp"
 
 namespace rocking::program {
 namespace {
@@ -27,9 +26,7 @@ struct RunRequest {
 };
 
 ExitCode run(const RunRequest& request) {
-  const ExperimentText source = load_experiment_text(request.file);
-  const Experiment experiment = load_experiment(source, request.overrides);
-  check_source(source, [&experiment] { check_strobe(experiment); });
+  const Experiment experiment = load_sampled_experiment(request.file, request.overrides);
   const Loudness& loudness = request.execution.loudness;
   if (!loudness.quiet) tell_ground_motion_notes(experiment);
   if (request.dry_run) return show_plan(experiment, request.run.shard, request.execution);

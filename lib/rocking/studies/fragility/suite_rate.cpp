@@ -227,7 +227,7 @@ class SuiteRates {
   /// In the means at the points that count: of a level with records of its own, among these.
   [[nodiscard]] std::vector<double> shares_of_unseen(const std::vector<double>& weights, double unseen) const {
     std::vector<double> at_levels = shares_.shares_of_another(weights, unseen);
-    const std::size_t points = rates_.counted_of(at_levels, std::vector<double>(tail_.y.size(), unseen)).size();
+    const std::size_t points = rates_.counted_of(at_levels, tail_.means(weights)).size();
     at_levels.erase(at_levels.begin(),
                     at_levels.end() - static_cast<std::ptrdiff_t>(std::min(points, at_levels.size())));
     at_levels.insert(at_levels.begin(), points - at_levels.size(), unseen);

@@ -70,24 +70,16 @@ END)");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
 }
 
-TEST_F(BeyondThePaper, IsWrittenUpByTheScriptFromThePublishedReports) {
+TEST_F(BeyondThePaper, IsWrittenUpByScriptsFromThePublishedResultsLikeOtherReports) {
   if (python_with_module().empty()) {
     GTEST_SKIP() << "skipped: the Python module is not built (Debian: python3-dev pybind11-dev python3-numpy)";
   }
-  for (const char* script : {"write_report.py", "friction_scatter.py"}) {
+  for (const char* script : {"beyond_the_paper/write_report.py", "beyond_the_paper/friction_scatter.py",
+                             "published_tests/free_rocking.py", "paper/write.py"}) {
     const auto checked =
-        shell("exec " + python_with_module() + " -B '" + (experiments / script).string() + "' --check");
+        shell("exec " + python_with_module() + " -B '" ROCKING_SOURCE_DIR "/experiments/" + script + "' --check");
     EXPECT_EQ(checked.exit_code, 0) << checked.errors;
   }
-}
-
-TEST_F(BeyondThePaper, ComparesWithMeasuredRestitutionsByItsScript) {
-  if (python_with_module().empty()) {
-    GTEST_SKIP() << "skipped: the Python module is not built (Debian: python3-dev pybind11-dev python3-numpy)";
-  }
-  const fs::path script = ROCKING_SOURCE_DIR "/experiments/published_tests/free_rocking.py";
-  const auto checked = shell("exec " + python_with_module() + " -B '" + script.string() + "' --check");
-  EXPECT_EQ(checked.exit_code, 0) << checked.errors;
 }
 
 TEST_F(BeyondThePaper, PublishesFragilityAsTheFormatSays) {

@@ -4,19 +4,16 @@ import itertools
 import json
 import math
 import subprocess
-from statistics import NormalDist
 
 import numpy as np
 
 from cells import ATTRACTORS, FRICTIONS, READINGS, STARTS, cell_name, experiment_of
 from claims import ENOUGH
-from intervals import LEVEL
 
 POINTS = 1250  # of each: 50 000 together
 LEAST = 10  # parts of a single motion
 DIRECTIONS = 8
 BINS = 500
-Z = NormalDist().inv_cdf(0.5 + LEVEL / 2)
 SIGMAS = (0.0, 0.003, 0.03)
 
 
@@ -77,7 +74,7 @@ def chaotic_parts(motion):
 
 
 def jackknife(statistic, *samples):
-    """The statistic of samples of attractors, with the interval of the jackknife over attractors (Efron 1982).
+    """The statistic of samples of attractors, with the standard error of the jackknife over attractors (Efron 1982).
 
     A single sample may have pairs of attractors as its members."""
     value, variance = statistic(*samples), 0.0
@@ -85,7 +82,7 @@ def jackknife(statistic, *samples):
         n = len(sample)
         left_out = [statistic(*samples[:i], np.delete(sample, k, axis=0), *samples[i + 1:]) for k in range(n)]
         variance += (n - 1) / n * float(np.sum((np.array(left_out) - np.mean(left_out)) ** 2))
-    return float(value), Z * math.sqrt(variance)
+    return float(value), math.sqrt(variance)
 
 
 def in_own_units(fixed, shaken):
@@ -118,13 +115,14 @@ def shift(fixed, shaken, paired):
         return np.max(np.abs(a.mean(axis=0) - b.mean(axis=0)).sum(axis=1) * (edges[1] - edges[0]) / scales)
 
     found = list(map(distributions, projected))
-    value, half = (jackknife(lambda both: distance(both[:, 0], both[:, 1]), np.stack(found, axis=1)) if paired
-                   else jackknife(distance, *found))
-    return {"value": value, "interval": [max(0.0, value - half), value + half]}
+    value, error = (jackknife(lambda both: distance(both[:, 0], both[:, 1]), np.stack(found, axis=1)) if paired
+                    else jackknife(distance, *found))
+    return {"value": value, "error": error}
 
 
 def growth(fixed, shaken, paired):
-    """The ratio of the areas, the roots of the determinants of the covariance; of pairs the mean of their logarithms."""
+    """The ratio of the areas, the roots of the determinants of the covariance; of pairs the mean of their logarithms. The
+    error is that of its logarithm."""
     def moments(cloud):
         x, y = cloud[..., 0], cloud[..., 1]
         return np.array([m.mean(axis=1) for m in (x, y, x * x, y * y, x * y)]).T
@@ -134,9 +132,9 @@ def growth(fixed, shaken, paired):
         return 0.5 * np.log((xx - x * x) * (yy - y * y) - (xy - x * y) ** 2)
 
     one, other = moments(fixed), moments(shaken)
-    value, half = (jackknife(np.mean, area(other) - area(one)) if paired
-                   else jackknife(lambda a, b: area(b.mean(axis=0)) - area(a.mean(axis=0)), one, other))
-    return {"value": math.exp(value), "interval": [math.exp(value - half), math.exp(value + half)]}
+    value, error = (jackknife(np.mean, area(other) - area(one)) if paired
+                    else jackknife(lambda a, b: area(b.mean(axis=0)) - area(a.mean(axis=0)), one, other))
+    return {"value": math.exp(value), "error": error}
 
 
 def rows(data, program, folder):

@@ -32,7 +32,8 @@ ATTRACTORS = (6.6, 8.0, 9.0)  # A_h
 # Runs of a whole file, and files of which each reading and start has a run. Numbers of realisations: the first, and those
 # to which a run is extended while a claim that rests on it is undecided.
 GRIDS = {"rest_no_sliding": (1,), "any_start_no_sliding": (200, 800), "rest_fixed_friction": (1,),
-         "any_start_fixed_friction": (200, 800)}
+         "any_start_fixed_friction": (200, 800), "survival_rest": (1,), "survival_near_rest": (160,),
+         "survival_any_start": (160,)}
 FAMILIES = {"regions": (1000, 4000), "attractors": (80, 240), "diagrams": (200, 400)}
 OTHERS = {"regions": (500, 2000), "attractors": (80, 240), "diagrams": (160, 480)}  # of the readings that are not MAIN
 COARSE = 0.6  # step of A_h in their diagrams, to save time

@@ -1,10 +1,11 @@
 """The paper's claims, each with the criterion by which it is decided in a cell: one reading, one start."""
 
-from dataclasses import dataclass
+import math
+from dataclasses import dataclass, replace
 from typing import Callable
 
 from cells import ATTRACTORS, FRICTIONS, READINGS, SIGMAS, STARTS, cell_name
-from intervals import Share, above, paired_difference
+from intervals import Share, above, at, half_width, level_of, paired_difference
 
 HOLDS, FAILS, NO_REGIME, UNDECIDABLE = "holds", "fails", "no such regime", "undecidable"
 NEUTRAL = ("rest", "unresolved", "overturned")  # no response, not classified, a gap
@@ -24,6 +25,7 @@ class Finding:
     measured: str
     verdict: str
     reason: str = ""
+    over_all: str = ""  # the verdict with intervals that hold together over all claims
 
 
 def verdict_of(answer):
@@ -171,6 +173,12 @@ def does_not_recur(data, reading, start):
                    verdict_of(above(differ.interval, ALIKE)), "two diagrams differ about once in ten times")
 
 
+def interval_of(found, question):
+    """Of a measure of attractors with its error; that of a growth is the error of the logarithm."""
+    half, value = half_width() * found["error"], found["value"]
+    return (max(0.0, value - half), value + half) if question == "shift" else (value * math.exp(-half), value * math.exp(half))
+
+
 def attractor(friction, question):
     def judge(data, reading, start):
         rows = [row for row in data.measures["attractors"]
@@ -180,7 +188,7 @@ def attractor(friction, question):
             found = row.get(question)
             if found is None:
                 continue
-            low, high = found["interval"]
+            low, high = interval_of(found, question)
             words.append(f"{row['amplitude']:g}: {found['value']:.2f} [{low:.2f}, {high:.2f}]")
             larger = above((low, high), SHIFT if question == "shift" else GROWTH)
             answers.append(larger if question == "growth" else None if larger is None else not larger)
@@ -197,15 +205,18 @@ def attractor(friction, question):
 
 @dataclass
 class Claim:
+    figures: str  # of the paper, as far as known, that show what is claimed
     words: str
     criterion: str
     judge: Callable
     run: Callable  # of reading and start: the name of the run that is sampled further while the verdict is open
-    changed: str = ""  # against the criterion of the first version of the report
-    former: str = ""  # verdicts there: holds, fails, open; by reading, and start within it
 
     def findings(self, data):
-        return {(reading, start): self.judge(data, reading, start) for reading in READINGS for start in STARTS}
+        def judged():
+            return {(reading, start): self.judge(data, reading, start) for reading in READINGS for start in STARTS}
+        with at(level_of(len(CLAIMS))):
+            over_all = judged()
+        return {cell: replace(finding, over_all=over_all[cell].verdict) for cell, finding in judged().items()}
 
 
 def _fixed(friction, question, *arguments):
@@ -222,86 +233,61 @@ def _cell(family):
 
 _ANY = (" From any start a response occurs if more than 5 % of the starts show it at one amplitude or more (exact interval); "
         "from rest if one amplitude does")
-_COUNTED = "from any start a single run decided before, so that the verdict depended on the number of runs"
-_REGIONS = ("before, a sign test over the few realisations whose number of amplitudes changed, of ten at twelve fixed "
-            "amplitudes. It had no size below which a change does not count, and could not say that nothing changes")
 
 CLAIMS = (
-    Claim("Without sliding there are only (1,1) and (1,3).",
+    Claim("3", "Without sliding there are only (1,1) and (1,3).",
           "both occur, and no other response does; rest, unresolved and overturned are ignored, here and below." + _ANY,
-          _fixed(None, only, ("(1,1)", "(1,3)")), _grid("no_sliding"), _COUNTED,
-          former="fhf fhf hhf fhf hhf hhf fhf hhf"),
-    Claim("With 0.40/0.35 and rising A_h: (1,1), (1,3), (1,1), chaos.",
+          _fixed(None, only, ("(1,1)", "(1,3)")), _grid("no_sliding")),
+    Claim("4", "With 0.40/0.35 and rising A_h: (1,1), (1,3), (1,1), chaos.",
           "the regions of these three are in this order; from rest a region has two neighbouring amplitudes or more; from "
-          "any start the region is that of the most frequent response", order_of_regions, _grid("fixed_friction"),
-          former="fff fhh fff fff fff fff fhh fff"),
-    Claim("With 0.35/0.30 there are only (1,1) and chaos.", "both occur, and no other response does (as for claim 1)",
-          _fixed(LESS, only, ("(1,1)", "chaotic")), _grid("fixed_friction"), _COUNTED,
-          former="fff fff fff fff fff fff hhf fff"),
-    Claim("(1,3) occurs with 0.40/0.35 and not with 0.35/0.30.",
+          "any start the region is that of the most frequent response", order_of_regions, _grid("fixed_friction")),
+    Claim("5", "With 0.35/0.30 there are only (1,1) and chaos.", "both occur, and no other response does (as for claim 1)",
+          _fixed(LESS, only, ("(1,1)", "chaotic")), _grid("fixed_friction")),
+    Claim("4, 5", "(1,3) occurs with 0.40/0.35 and not with 0.35/0.30.",
           "it occurs with 0.40/0.35 and does not with 0.35/0.30 (as for claim 1)",
-          subharmonic_by_friction, _grid("fixed_friction"), _COUNTED,
-          former="hhf fhf hff hhf hff hff fhf fff"),
-    Claim("With 0.40/0.35 the response is chaotic at A_h = 6.6, 8.0 and 9.0.",
+          subharmonic_by_friction, _grid("fixed_friction")),
+    Claim("6", "With 0.40/0.35 the response is chaotic at A_h = 6.6, 8.0 and 9.0.",
           "at all three; from any start for more than half of the realisations that are classified, by the exact interval",
-          chaos_at_attractors(MORE), _grid("fixed_friction"),
-          former="fff fff fff fff fff fff ohh fff"),
-    Claim("With 0.35/0.30 the response is chaotic at A_h = 6.6, 8.0 and 9.0.", "as for claim 5",
-          chaos_at_attractors(LESS), _grid("fixed_friction"),
-          former="fff fff fff fff fff fff oof hhh"),
-    Claim("With sliding the block overturns at some amplitude up to 10: gaps in the bifurcation diagrams.",
-          "it occurs (as for claim 1) with at least one pair of coefficients", overturns, _grid("fixed_friction"), _COUNTED,
-          former="ffh ffh ffh ffh ffh ffh hhh hhh"),
-    Claim("sigma = 0.003 does not change the shape of the chaotic attractor (0.40/0.35).",
+          chaos_at_attractors(MORE), _grid("fixed_friction")),
+    Claim("6", "With 0.35/0.30 the response is chaotic at A_h = 6.6, 8.0 and 9.0.", "as for claim 5",
+          chaos_at_attractors(LESS), _grid("fixed_friction")),
+    Claim("4, 5", "With sliding the block overturns at some amplitude up to 10: gaps in the bifurcation diagrams.",
+          "it occurs (as for claim 1) with at least one pair of coefficients. The verdict depends on how long one looks: a run "
+          "ends here when two windows in succession are chaotic, at 620 periods or later; section 5 has longer observations",
+          overturns, _grid("fixed_friction")),
+    Claim("8", "sigma = 0.003 does not change the shape of the chaotic attractor (0.40/0.35).",
           "at each of A_h = 6.6, 8 and 9 at which fixed friction gives chaos, the distance of the attractors without and with "
           "fluctuation is below 0.1 standard deviations; it fails if the distance is above that at one of them, or if the "
           "fluctuation ends the chaos. The cells give A_h and the distance with its interval",
-          attractor(MORE, "shift"), None,
-          "before, two distances between segments of 120 points of single runs were compared; most cells had none or one",
-          former="ooo ffo ooo ooo hho ooo hoo oho"),
-    Claim("sigma = 0.003 does not change the shape of the chaotic attractor (0.35/0.30).", "as for claim 8",
-          attractor(LESS, "shift"), None, "as for claim 8",
-          former="ooo ooo ooo ooo ooo ooo hho hho"),
-    Claim("sigma = 0.03 makes the chaotic attractor larger (0.40/0.35).",
+          attractor(MORE, "shift"), None),
+    Claim("8", "sigma = 0.003 does not change the shape of the chaotic attractor (0.35/0.30).", "as for claim 8",
+          attractor(LESS, "shift"), None),
+    Claim("8", "sigma = 0.03 makes the chaotic attractor larger (0.40/0.35).",
           "at each of A_h = 6.6, 8 and 9 at which the response is chaotic with fixed friction and with sigma 0.03, the area "
           "of the attractor grows by more than 10 %, a factor of 1.1; it fails if it grows by less at one of them. The cells "
-          "give A_h and the factor with its interval", attractor(MORE, "growth"), None,
-          "before, every pair of segments of 120 points of two single runs had to show it. Without a least growth, growth by "
-          "any small amount would have to be told from none",
-          former="ooo oho ooo ooo ooo ooo ooo ooo"),
-    Claim("sigma = 0.03 makes the chaotic attractor larger (0.35/0.30).", "as for claim 10", attractor(LESS, "growth"), None,
-          "as for claim 10",
-          former="ooo ooo ooo ooo ooo ooo ooo ofo"),
-    Claim("The region of (1,3) grows with sigma (0.35/0.30).",
+          "give A_h and the factor with its interval", attractor(MORE, "growth"), None),
+    Claim("8", "sigma = 0.03 makes the chaotic attractor larger (0.35/0.30).", "as for claim 10", attractor(LESS, "growth"), None),
+    Claim("7", "The region of (1,3) grows with sigma (0.35/0.30).",
           "from sigma 0.003 to 0.03 the share of A_h from 1 to 10 with this response grows by more than one step of 0.1, that "
           "is by 1.1 percentage points of the range; it fails if it grows by less. There is no such regime if at both sigmas "
-          "the region is smaller than a step", change_of_region(LESS, "(1,3)", 1), _cell("regions"), _REGIONS,
-          former="ohh ooh ofo ohh ofo ofo ooh ooo"),
-    Claim("The region of (1,3) grows with sigma (0.40/0.35).", "as for claim 12", change_of_region(MORE, "(1,3)", 1),
-          _cell("regions"), _REGIONS,
-          former="ooo ooh oho ooo ffo foo ooh oho"),
-    Claim("The region of chaos shrinks with sigma (0.35/0.30).", "as for claim 12, with chaos that shrinks",
-          change_of_region(LESS, "chaotic", -1), _cell("regions"), _REGIONS,
-          former="oho ooo ooo oho ooo ooo ooh ooo"),
-    Claim("The region of chaos shrinks with sigma (0.40/0.35).", "as for claim 14",
-          change_of_region(MORE, "chaotic", -1), _cell("regions"), _REGIONS,
-          former="ooo ooo ooo ooo fff ooo hhh ooo"),
-    Claim("With 0.35/0.30 and sigma 0.03 both (1,1) and (1,3) occur between A_h = 3.2 and 4.6.",
+          "the region is smaller than a step", change_of_region(LESS, "(1,3)", 1), _cell("regions")),
+    Claim("7", "The region of (1,3) grows with sigma (0.40/0.35).", "as for claim 12", change_of_region(MORE, "(1,3)", 1),
+          _cell("regions")),
+    Claim("7", "The region of chaos shrinks with sigma (0.35/0.30).", "as for claim 12, with chaos that shrinks",
+          change_of_region(LESS, "chaotic", -1), _cell("regions")),
+    Claim("7", "The region of chaos shrinks with sigma (0.40/0.35).", "as for claim 14",
+          change_of_region(MORE, "chaotic", -1), _cell("regions")),
+    Claim("10", "With 0.35/0.30 and sigma 0.03 both (1,1) and (1,3) occur between A_h = 3.2 and 4.6.",
           "each in more than 5 % of the realisations, at one of the amplitudes there or more (steps as for claim 17)",
-          both_between, _cell("diagrams"), "before, one realisation was enough, and there were five amplitudes",
-          former="fhh fhh fhh fhh ffh fhh fhh ffh"),
-    Claim("No two bifurcation diagrams under equal conditions are alike (0.35/0.30, sigma 0.03).",
+          both_between, _cell("diagrams")),
+    Claim("9", "No two bifurcation diagrams under equal conditions are alike (0.35/0.30, sigma 0.03).",
           "two diagrams have the same responses with a probability below 10 %, by the exact interval on disjoint pairs of "
           "realisations; A_h from 1 to 10 in steps of 0.2 under `consistent`, `as-printed` and `as-plotted`, and of 0.6 under "
           "the others; from any start the two also have different initial states",
-          no_two_alike, _cell("diagrams"),
-          "before, every pair of five had to differ, at twelve amplitudes: the more pairs, the more likely that one is alike",
-          former="fhh hhh fff fhh fff fff ffh hfh"),
-    Claim("Equal conditions do not give equal responses (0.35/0.30, sigma 0.03).",
+          no_two_alike, _cell("diagrams")),
+    Claim("9, 10", "Equal conditions do not give equal responses (0.35/0.30, sigma 0.03).",
           "two diagrams differ in response with a probability above 10 %, as for claim 17",
-          does_not_recur, _cell("diagrams"),
-          "before, a probability above 0 at one of twelve amplitudes was enough; the largest of twelve intervals was taken",
-          former="fhh hhh fhh hhh hhh fhh hhh hhh"),
+          does_not_recur, _cell("diagrams")),
 )
 
 

@@ -10,6 +10,7 @@ import sys
 from pathlib import Path
 
 import attractors
+import survival
 from cells import FRICTIONS, READINGS, RUNS, STARTS, experiment
 from published import Live, place_of, read
 
@@ -79,6 +80,7 @@ def main():
         "energy": energy_rows(conditions_of(Path(__file__).parent / "figure_06.json"), energies),
         "attractors": read(kept),
         "diagrams": diagram_rows(runs),
+        "survival": list(survival.rows(runs)),
     }
     for orbits in sorted((runs / "branches").glob("*/orbits.json")):
         compressed(published / "branches" / f"{orbits.parent.name}.json.xz", read(orbits))

@@ -1,11 +1,13 @@
 """Draws the pictures of the page that no command of the program draws, with gnuplot. Equal results give equal bytes."""
 
+import colorsys
 import shutil
 import subprocess
 
 from cells import FRICTIONS, READINGS, SIGMAS, STARTS
 from claims import region_change
 from intervals import Share, rocking
+from survival import INITIAL, escapes
 
 COLOURS = {name: rocking.colour(mode) for name, mode in
            zip(("rest, 0", "rest, pi/2", "any", 0.003, 0.03), ("(1,1)", "(1,3)", "chaotic", "(1,1)", "(1,3)"))}
@@ -46,11 +48,41 @@ def changes(data):
     return text + "unset multiplot\n"
 
 
+SHOWN = 6000  # periods
+
+
+def graded(i, n):
+    """A colour from blue to red, of n."""
+    return "#" + "".join(f"{round(255 * part):02x}" for part in colorsys.hsv_to_rgb(0.66 * (1.0 - i / (n - 1)), 0.9, 0.8))
+
+
+def survival(data):
+    """The share of chaotic motions that have not overturned, by amplitude, with the exponential of the rate."""
+    text = f"set multiplot layout 2,2\nset logscale y\nset xrange [0:{SHOWN}]\nset yrange [0.01:1.3]\nset grid\nset key outside right top vertical\n"
+    for number, ((reading, pair), by) in enumerate(escapes(data).items()):
+        layers = []
+        for i, (amplitude, escape) in enumerate(by.items()):
+            if not escape.at_risk:
+                continue
+            steps = [(INITIAL, 1.0), *escape.survival()]
+            steps.append((SHOWN, [share for period, share in steps if period <= SHOWN][-1]))
+            lines = "\n".join(f"{period} {share:.6f}" for period, share in sorted(steps) if period <= SHOWN and share > 0.0)
+            text += f"$s{number}_{i} << EOD\n{lines}\nEOD\n"
+            layers.append(f"$s{number}_{i} with steps lc rgb '{graded(i, len(by))}' lw 2 title 'A_h = {amplitude:g}'")
+            if escape.periods:
+                rate = len(escape.periods) / escape.exposure
+                layers.append(f"(x > {INITIAL} ? exp(-{rate:.6e}*(x - {INITIAL})) : 1/0) with lines lc rgb '#404040' dt 2 lw 1 notitle")
+        text += (f"set title '{reading}, {pair}'\nset xlabel 'periods'\nset ylabel 'share not overturned'\n"
+                 f"plot {', '.join(layers)}\n")
+    return text + "unset multiplot\n"
+
+
 def draw_all(data, folder):
     if not shutil.which("gnuplot"):
         print("no figures were drawn because gnuplot is missing; install it (Debian: gnuplot-nox) and run again")
         return
-    for name, text, height in (("chaos", chaos(data), 560), ("changes", changes(data), 1000)):
+    for name, text, height in (("chaos", chaos(data), 560), ("changes", changes(data), 1000),
+                               ("survival", survival(data), 900)):
         terminal = f"pngcairo enhanced size 1300,{height} font 'DejaVu Sans,9' fontscale 1.3 background '#ffffff'"
         script = (f"set encoding utf8\nset terminal {terminal}\nset output '{folder / name}.png'\nset xrange [-0.6:7.6]\n"
                   "set grid ytics lc rgb '#d0d0d0'\nset key outside top center horizontal\n" + text)

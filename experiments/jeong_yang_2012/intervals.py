@@ -1,30 +1,55 @@
 """Exact intervals of shares and of paired differences, at a confidence that allows for every cell and look of a claim."""
 
 import sys
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
+from statistics import NormalDist
 
 from cells import LOOKS, READINGS, STARTS
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "support"))
 from rocking_module import rocking  # noqa: E402
 
-# Each claim is judged in every cell, and up to LOOKS times in each while it is sampled: together at most 5 % (Bonferroni).
-LEVEL = 1.0 - 0.05 / (len(READINGS) * len(STARTS) * LOOKS)
+
+def level_of(claims):
+    """Each claim is judged in every cell, and up to LOOKS times in each while it is sampled: the intervals of so many claims
+    miss with at most 5 % together (Bonferroni)."""
+    return 1.0 - 0.05 / (claims * len(READINGS) * len(STARTS) * LOOKS)
 
 
-def clopper_pearson(k, n, level=LEVEL):
+LEVEL = level_of(1)  # of all intervals outside of at()
+_now = LEVEL
+
+
+@contextmanager
+def at(level):
+    """Within this context intervals have another level."""
+    global _now
+    before, _now = _now, level
+    try:
+        yield
+    finally:
+        _now = before
+
+
+def half_width():
+    """Of an interval of a normal estimate, in standard errors."""
+    return NormalDist().inv_cdf(0.5 + _now / 2)
+
+
+def clopper_pearson(k, n, level=None):
     """The exact interval of a share, k of n independent trials (Clopper & Pearson 1934)."""
-    return tuple(rocking.clopper_pearson(int(k), int(n), level).tolist())
+    return tuple(rocking.clopper_pearson(int(k), int(n), _now if level is None else level).tolist())
 
 
-def paired_difference(up, down, n, level=LEVEL):
+def paired_difference(up, down, n, level=None):
     """The exact interval of (up - down)/n: of n pairs, `up` have the response in the second run only, `down` in the first.
 
     The difference is r (2 q - 1). The interval of r has a tenth of the significance level, that of q the rest, as in
     `rocking compare` (lib/docs/methods.md, section 5).
     """
-    alpha = 1.0 - level
+    alpha = 1.0 - (_now if level is None else level)
     rates = clopper_pearson(up + down, n, 1.0 - 0.1 * alpha)
     low, high = (2.0 * q - 1.0 for q in clopper_pearson(up, up + down, 1.0 - 0.9 * alpha))
     return min(low * r for r in rates), max(high * r for r in rates)

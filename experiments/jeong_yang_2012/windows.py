@@ -73,7 +73,7 @@ class Orbits:
 def region_rows(orbits, steps):
     rows = []
     for mode, first, last, before, after in regions(steps):
-        if mode not in ("(1,1)", "(1,3)", "irregular", "overturned"):
+        if mode not in ("(1,1)", "(1,3)", "irregular", "overturned", "quasi-periodic"):
             continue
         ends = []
         for inside, outside, edge in ((first, before, "begins"), (last, after, "ends")):

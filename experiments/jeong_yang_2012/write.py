@@ -11,12 +11,13 @@ import textwrap
 from pathlib import Path
 
 import figures
+import survival
 import tables
 import windows
 from attractors import POINTS
-from cells import FRICTIONS, READINGS, RUNS, STARTS, experiment
+from cells import CELLS, FRICTIONS, READINGS, RUNS, STARTS, experiment
 from claims import ENOUGH, HOLDS, occurrence, is_mode
-from intervals import LEVEL, Share, above
+from intervals import LEVEL, Share, above, level_of
 from published import Published
 
 PAGES = {"README.md": "page.template", "reference.md": "reference.template"}
@@ -25,9 +26,9 @@ PAGES = {"README.md": "page.template", "reference.md": "reference.template"}
 def runs_table(data):
     """Runs, those of one file in one row."""
     rows = []
-    for kind in dict.fromkeys(name if "_any" not in name and "_rest-" not in name else name.split("_")[0] for name in RUNS):
-        found = [run for name, run in data.runs.items() if name == kind or name.startswith(kind + "_")
-                 and kind in ("regions", "attractors", "diagrams")]
+    kinds = {name: CELLS[name][0] if name in CELLS else name for name in RUNS}
+    for kind in dict.fromkeys(kinds.values()):
+        found = [run for name, run in data.runs.items() if kinds[name] == kind]
         sizes = sorted({max(map(len, run["rows"])) for run in found})
         rows.append((f"`{kind}.json`", found[0]["experiment"]["title"].split(" Reading:")[0], len(found),
                      sum(len(run["rows"]) for run in found), " to ".join(map(str, dict.fromkeys((sizes[0], sizes[-1])))),
@@ -60,7 +61,8 @@ def answers(data, findings):
                            ("as-plotted", "Under the reading nearest to the figures")):
         told = "; ".join(f"{verdict}: {numbers(findings, reading, verdict)}" for verdict in tables.VERDICTS)
         lines.append(f"{words} (`{reading}`), claims with one verdict from all starts: {told}. The others depend on the start.")
-    lines += [tables.nearest(findings), chaos_words(data), energy_words(data)]
+    lines[-1] += " Claims marked ‡ below are no evidence for this reading."
+    lines += [f"{tables.independent_words(findings)}.", chaos_words(data), energy_words(data)]
     return "\n".join("- " + line for line in lines)
 
 
@@ -99,8 +101,19 @@ def values(data):
     return {
         "answers": answers(data, findings),
         "claims_table": tables.claims_table(findings),
-        "changes_words": tables.changes_words(findings),
-        "changes_table": tables.changes_table(findings),
+        "level_words": tables.level_words(findings),
+        "level_table": tables.table(("claim", "reading", "start", "verdict", "over all claims"), tables.level_changes(findings)),
+        "level_over_all": f"{100 * level_of(len(findings)):.4f}",
+        "independent_table": tables.independent_table(findings),
+        "used": "{} to {}".format(*(tables.of_fixed_friction(findings)[i] for i in (0, -1))),
+        "survival_words": survival.page_words(data),
+        "looked_table": survival.looked_table(data),
+        "later_words": survival.later_words(data),
+        "rates_table": survival.rates_table(data),
+        "exponential_words": survival.exponential_words(data),
+        "initial": survival.INITIAL,
+        "limit": survival.LIMIT,
+        "figures_table": tables.figures_table(data),
         "runs_table": runs_table(data),
         "skewness": skewness_words(data.measures["normal"]),
         "claim_sections": tables.claim_sections(findings),

@@ -68,6 +68,7 @@ for claim in CLAIMS:
     assert len(found) == 24, claim.words
     assert all(each.verdict in ("holds", "fails", "no such regime", UNDECIDABLE) for each in found.values())
     assert all(each.reason for each in found.values() if each.verdict == UNDECIDABLE), claim.words
+    assert all(each.over_all in (each.verdict, UNDECIDABLE) for each in found.values()), claim.words  # wider intervals
 )",
                               python_with_module());
   EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
@@ -86,6 +87,32 @@ for up in range(n + 1):
         chance = comb(n, up) * comb(n - up, down) * p_up**up * p_down**down * (1 - p_up - p_down)**(n - up - down)
         missed += chance * (not low <= p_up - p_down <= high)
 assert missed <= 0.1, missed
+)",
+                              python_with_module());
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
+}
+
+// Times of overturning at the quantiles of an exponential distribution, and the same with one time that many motions share.
+TEST_F(JeongYang, RatesOfOverturningAreThoseOfTheMotionsAndDeparturesFromThemAreSeen) {
+  if (python_with_module().empty()) GTEST_SKIP() << no_module;
+  const auto outcome = python(R"(
+from math import log
+from survival import INITIAL, LIMIT, Escape
+def escape(periods, lasting):
+    rows = {"modes": {"chaotic": lasting, "overturned": len(periods), "rest": 7}, "overturned": periods + [None] * (lasting + 7)}
+    return Escape([rows])
+n, rate = 400, 1e-3
+quantiles = [INITIAL + round(-log(1 - (i + 0.5) / n) / rate) for i in range(n)]
+even = escape(quantiles + [INITIAL], 0)
+assert even.early == 1 and even.at_risk == n
+value, low, high = even.rate(0.95)
+assert abs(value / rate - 1) < 0.01 and 0.89 * rate < low < value < high < 1.11 * rate, (low, value, high)
+assert even.departure() > 0.9, even.departure()
+shared = escape([1000 if 900 < period < 1300 else period for period in quantiles], 0)
+assert shared.departure() < 1e-3, shared.departure()
+censored = escape([period for period in quantiles if period < INITIAL + 500], 5)
+assert censored.exposure == sum(p - INITIAL for p in quantiles if p < INITIAL + 500) + 5 * (LIMIT - INITIAL)
+assert escape([], 300).rate(0.95)[0:2] == (0.0, 0.0)
 )",
                               python_with_module());
   EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;

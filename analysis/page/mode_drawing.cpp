@@ -58,6 +58,8 @@ std::vector<Arc> arcs_of(const section::ResponseMode& mode) {
     case ResponseKind::periodic:
       if (mode.rocks > 0) return periodic_arcs(mode.rocks, mode.periods);
       return {{.length = 4.0, .top = 0.0}};
+    case ResponseKind::quasi_periodic:
+      return arcs_of({0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5}, {0.9, 0.75, 0.5, 0.4, 0.55, 0.8, 0.9, 0.7, 0.45});
     case ResponseKind::chaotic:
       return arcs_of({0.5, 0.7, 0.4, 0.9, 1.1, 0.5, 0.6, 0.4, 0.9}, {0.5, 0.75, 0.35, 0.9, 1.0, 0.4, 0.7, 0.3, 0.85});
     case ResponseKind::overturned: return arcs_of({0.4, 0.5, 0.6, 0.75, 0.9, 1.6}, {0.12, 0.18, 0.27, 0.4, 0.55, 0.0});

@@ -48,7 +48,9 @@ ExponentRun exponent_run_of(Motion motion, std::int64_t times = 1) {
   TangentRun run(motion, shape_angle, sampled_periods);
   std::int64_t left = times;
   section::PendingClassification pending;
-  pending.may_be_decided_later = [&left](const section::ExponentEstimate&) { return (left /= 2) > 0; };
+  pending.may_be_decided_later = [&left](const section::ExponentEstimate&, std::span<const section::StrobePoint>) {
+    return (left /= 2) > 0;
+  };
   run_alone(run, pending);
   return run.result();
 }
@@ -86,7 +88,7 @@ TEST(TangentRun, GoesOnForEightTimesAsLongWhereNothingMoves) {
   const ExponentRun run = exponent_run_of(condition);
   EXPECT_FALSE(run.exponent.has_value());
   EXPECT_TRUE(run.stayed_unclear);
-  EXPECT_EQ(run.periods, 8U * sampled_periods);
+  EXPECT_EQ(run.points.size(), 8U * sampled_periods);
 }
 
 TEST(TangentRun, GoesOnWhileTheExponentDecidesNothing) {
@@ -94,7 +96,7 @@ TEST(TangentRun, GoesOnWhileTheExponentDecidesNothing) {
   const Motion motion = after_transient(rocking_block(4.0), impacts);
   for (const std::int64_t times : {1, 2, 4, 8, 16}) {
     const ExponentRun run = exponent_run_of(motion, times);
-    EXPECT_EQ(run.periods, static_cast<std::uint64_t>(std::min<std::int64_t>(times, 8)) * sampled_periods);
+    EXPECT_EQ(run.points.size(), static_cast<std::uint64_t>(std::min<std::int64_t>(times, 8)) * sampled_periods);
     EXPECT_EQ(run.stayed_unclear, times == 16);
   }
 }
@@ -105,7 +107,7 @@ TEST(TangentRun, EndsWithTheMotion) {
   static_cast<void>(motion.displace({.tilt_rate = 5.0}));
   const ExponentRun run = exponent_run_of(motion);
   EXPECT_FALSE(run.exponent.has_value());
-  EXPECT_LT(run.periods, sampled_periods);
+  EXPECT_LT(run.points.size(), sampled_periods);
 }
 
 /// A block that slides and never rocks.
@@ -131,7 +133,7 @@ TEST(TangentRun, DoesNotRunOutOfTheRangeOfNumbers) {
   const ExponentRun window = exponent_run_of(condition);
   const ExponentRun longest = exponent_run_of(condition, 8);
   ASSERT_TRUE(window.exponent && longest.exponent);
-  EXPECT_LT(longest.exponent->exponent * static_cast<double>(longest.periods), -1000.0);
+  EXPECT_LT(longest.exponent->exponent * static_cast<double>(longest.points.size()), -1000.0);
   EXPECT_NEAR(longest.exponent->exponent, window.exponent->exponent, 1e-10);
 }
 

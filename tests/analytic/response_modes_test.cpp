@@ -17,7 +17,7 @@ namespace {
 
 /// Response mode of each case, from its note or, if the note does not say, from a run ten times as long (5000 + 600
 /// periods). Case 10 is called chaotic in its note. Its largest exponent over 3000 periods is -8e-5 +- 8e-5 per period:
-/// it moves on a torus, is neither periodic nor chaotic, and must be unresolved. The exponent of case 14 is 0.0043 +-
+/// it moves on a torus. The exponent of case 14 is 0.0043 +-
 /// 0.0004: chaotic, but too weakly for the default horizon.
 const std::map<std::string, std::string> modes{
     {"01_noslip_11", "(1,1)"},
@@ -29,7 +29,7 @@ const std::map<std::string, std::string> modes{
     {"07_slipimpact_e0912", "(1,3)"},
     {"08_aperiodic_centroidal", "chaotic"},
     {"09_chaotic_printed_90", "chaotic"},
-    {"10_chaotic_printed_66", "unresolved"},
+    {"10_chaotic_printed_66", "quasi-periodic"},
     {"11_printed_abs26_80", "chaotic"},
     {"12_near_overturn", "(1,1)"},
     {"13_overturn", "overturned"},

@@ -36,7 +36,8 @@ section::Classification LongRun::name(const Window& window, int exponent_periods
   const auto pending =
       section::classify({.periods = sampled, .random = random_, .resolution = resolution_, .thresholds = thresholds});
   if (pending.classification) return *pending.classification;
-  return pending.with_exponent(exponent(exponent_periods, pending).exponent);
+  const ExponentRun run = exponent(exponent_periods, pending);
+  return pending.with_exponent(run.exponent, run.points);
 }
 
 ExponentRun LongRun::exponent(int periods, const section::PendingClassification& pending) const {

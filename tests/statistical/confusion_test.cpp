@@ -202,25 +202,5 @@ TEST(Confusion, ClassifiesNoResponseThatJumpsBetweenItsPhases) {
   }
 }
 
-TEST(Confusion, ClassifiesNoQuasiPeriodicResponse) {
-  Score score;
-  support::SplitMix draw(31);
-  for (int series = 0; series < 1000; ++series) {
-    const double turn = draw.uniform(0.0, std::numbers::pi);
-    const double start = draw.uniform(0.0, 2.0 * std::numbers::pi);
-    std::vector<Period> periods;
-    for (int k = 0; k < 120; ++k) {
-      const auto wave = base::sin_cos(turn * k + start);
-      periods.push_back({{0.3 + 0.2 * wave.cosine + 0.005 * draw.normal(), 0.4 * wave.sine, 0.0}, 2, true});
-    }
-    score.judge(periods, {}, {-0.002, 0.003});
-  }
-  score.print("quasi-periodic");
-  // A rotation so near 2 pi j/n that the clouds move by no more than their noise within the window cannot be
-  // distinguished from (n,n): 23 fractions, each with 2 x 0.6e-3 of the range pi (1.4 x 0.005/0.2 x 2/120 rad), make
-  // 0.9 %.
-  EXPECT_LT(score.wrong, 0.02 * score.series);
-}
-
 }  // namespace
 }  // namespace rocking::section

@@ -30,6 +30,7 @@ ModeLook look_of_periodic(const section::ResponseMode& mode) {
 ModeLook look_of(const section::ResponseMode& mode) {
   switch (mode.kind) {
     case ResponseKind::periodic: return look_of_periodic(mode);
+    case ResponseKind::quasi_periodic: return {"#332288", 2, 12, 3};
     case ResponseKind::chaotic: return {"#cc79a7", 3, 2, 2};
     case ResponseKind::overturned: return {"#000000", 1, 10, 0};
     case ResponseKind::rest: return {"#b4b4b4", 5, 4, 0};

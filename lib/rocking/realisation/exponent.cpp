@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 #include "rocking/base/elementary.hpp"
@@ -68,7 +69,8 @@ TangentRun::TangentRun(const rocking::Motion& from, double shape_angle, std::int
 }
 
 void TangentRun::strobe(const dynamics::State& state) {
-  ++done_;
+  points_.push_back(
+      {.tilt = state.tilt / shape_angle_, .tilt_rate = state.tilt_rate / shape_angle_, .slip_rate = state.slip_rate});
   const double size = norm_of(motion_.at_strobe(), shape_angle_);
   const bool is_measured = size_ > 0.0 && std::isfinite(size);
   if (is_measured) growths_.push_back(base::natural_logarithm(std::fmax(size / size_, least_growth)));
@@ -86,16 +88,16 @@ void TangentRun::strobe(const dynamics::State& state) {
 bool TangentRun::go_on(const section::PendingClassification& pending) {
   if (motion_.termination() != dynamics::Termination::reached_horizon) return false;
   exponent_ = estimate_from(growths_);
-  is_undecided_ = !exponent_ || pending.may_be_decided_later(*exponent_);
+  is_undecided_ = !exponent_ || pending.may_be_decided_later(*exponent_, points_);
   if (!is_undecided_ || goal_ >= longest_run * window_) return false;
   motion_.extend(goal_);
   goal_ *= 2;
   return true;
 }
 
-ExponentRun TangentRun::result() const {
+ExponentRun TangentRun::result() {
   return {.exponent = exponent_,
-          .periods = static_cast<std::uint64_t>(done_),
+          .points = std::move(points_),
           .stayed_unclear = goal_ >= longest_run * window_ && is_undecided_};
 }
 

@@ -14,7 +14,7 @@ namespace rocking {
 /// Result and cost of a run with tangent vectors.
 struct ExponentRun {
   std::optional<section::ExponentEstimate> exponent;  ///< absent if the run ended too early
-  std::uint64_t periods = 0;                          ///< excitation periods
+  std::vector<section::StrobePoint> points;           ///< of its excitation periods
   bool stayed_unclear = false;                        ///< the longest run that is made did not decide
 };
 
@@ -43,7 +43,7 @@ class TangentRun final : private dynamics::Observer {
   [[nodiscard]] bool go_on(const section::PendingClassification& pending);
 
   /// The result, to be called when go_on() has returned false.
-  [[nodiscard]] ExponentRun result() const;
+  [[nodiscard]] ExponentRun result();
 
  private:
   void event(dynamics::EventKind, double, const dynamics::State&) override {}
@@ -52,8 +52,8 @@ class TangentRun final : private dynamics::Observer {
   double shape_angle_;
   std::int64_t window_;  ///< [periods]
   std::int64_t goal_;    ///< periods after which the exponent is next tested
-  std::int64_t done_ = 0;
-  double size_;                  ///< norm of the vectors at the last strobe point; 0 where nothing can change
+  double size_;          ///< norm of the vectors at the last strobe point; 0 where nothing can change
+  std::vector<section::StrobePoint> points_;
   std::vector<double> growths_;  ///< ln of its growth, for each period in which it was measured
   std::optional<section::ExponentEstimate> exponent_;
   bool is_undecided_ = true;

@@ -153,7 +153,7 @@ inline TangentRun* HorizonRun::classify() {
   if (!pending_.classification && !skips_exponent) {
     return &tangent_run_.emplace(*at_window_, shape_angle_, condition_->horizon.sampled_periods);
   }
-  take(pending_.classification ? *pending_.classification : pending_.with_exponent(std::nullopt));
+  take(pending_.classification ? *pending_.classification : pending_.with_exponent(std::nullopt, {}));
   return nullptr;
 }
 
@@ -190,11 +190,12 @@ inline void HorizonRun::take(const section::Classification& newest) {
 inline void HorizonRun::take_exponent() {
   const ExponentRun run = tangent_run_->result();
   tangent_run_.reset();
-  result_.operations.exponent_periods += run.periods;
+  result_.operations.exponent_periods += run.points.size();
   const bool is_of_long_run = settling_ && settling_->has_only_long_run();
   if (run.exponent && !is_of_long_run) result_.exponent = run.exponent;
-  take(pending_.with_exponent(run.exponent));
-  if (settling_ && run.stayed_unclear) settling_->pause_exponents();
+  take(pending_.with_exponent(run.exponent, run.points));
+  const bool is_quasi_periodic = newest_mode_.kind == section::ResponseKind::quasi_periodic;
+  if (settling_ && run.stayed_unclear && !is_quasi_periodic) settling_->pause_exponents();
 }
 
 inline bool HorizonRun::begin_next_window() {

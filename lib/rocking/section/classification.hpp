@@ -35,6 +35,7 @@ enum class Reason : std::uint8_t {
   points_converge,     ///< periodic: successive returns come closer geometrically, and little drift remains
   tight_clouds,        ///< periodic: clouds visited in cyclic order, very small compared with the motion
   contracting_clouds,  ///< periodic: large clouds visited in cyclic order, and a negative exponent
+  closed_curves,       ///< quasi-periodic: on closed curves in the order of a rotation, and an exponent of zero
   positive_exponent,   ///< chaotic
   too_few_points,      ///< unresolved: the horizon is too short for any rule
   still_converging,    ///< unresolved: converges towards a periodic response, but too much drift remains
@@ -53,10 +54,11 @@ enum class Reason : std::uint8_t {
 
 /// The names of the reasons, in the order of their declaration.
 inline constexpr auto reason_names = std::to_array<std::string_view>(
-    {"never_moved",        "came_to_rest",      "points_coincide", "points_converge",  "tight_clouds",
-     "contracting_clouds", "positive_exponent", "too_few_points",  "still_converging", "not_periodic",
-     "exponent_unclear",   "clouds_overlap",    "period_too_long", "out_of_order",     "not_stationary",
-     "changed_regime",     "phase_jump",        "interrupted",     "slow_memory",      "impacts_irregular"});
+    {"never_moved",        "came_to_rest",     "points_coincide",   "points_converge", "tight_clouds",
+     "contracting_clouds", "closed_curves",    "positive_exponent", "too_few_points",  "still_converging",
+     "not_periodic",       "exponent_unclear", "clouds_overlap",    "period_too_long", "out_of_order",
+     "not_stationary",     "changed_regime",   "phase_jump",        "interrupted",     "slow_memory",
+     "impacts_irregular"});
 static_assert(reason_names.size() == static_cast<std::size_t>(Reason::impacts_irregular) + 1);
 
 [[nodiscard]] constexpr std::string_view to_string(Reason reason) {

@@ -3,8 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
+#include <vector>
 
 #include "rocking/base/error.hpp"
+#include "rocking/base/natural_logarithm.hpp"
+#include "rocking/section/closed_curves.hpp"
 #include "rocking/section/noisy_response.hpp"
 #include "rocking/section/recurrence.hpp"
 
@@ -50,19 +54,37 @@ bool may_be_decided_later(const ExponentEstimate& estimate, DecisiveSigns decisi
          std::abs(estimate.exponent) <= clear_distance(estimate, thresholds.sure_standard_errors, periods, thresholds);
 }
 
-/// decide(judged) returns the classification.
+/// On closed curves neighbouring motions part at most in proportion to time, and part of their distance stays.
+bool may_be_zero(const ExponentEstimate& estimate, std::size_t periods) {
+  const auto all = static_cast<double>(periods);
+  return std::abs(estimate.exponent) * all <= 1.0 + base::natural_logarithm(all);
+}
+
+Classification quasi_periodic(const ClosedCurves& found) {
+  return {{ResponseKind::quasi_periodic, 0, 0}, Reason::closed_curves, false, found.margin};
+}
+
+/// decide(judged) returns the classification. What it leaves unresolved is quasi-periodic if the points lie on closed
+/// curves and the exponent may be zero.
 template <class Decide>
 PendingClassification by_exponent(const ClassifierInput& input, DecisiveSigns decisive, Decide decide) {
-  const auto periods = static_cast<double>(input.periods.size());
-  return {.classification = std::nullopt,
-          .with_exponent = [periods, thresholds = input.thresholds,
-                            decide](const std::optional<ExponentEstimate>& estimate) -> Classification {
-            return decide(judge(estimate, periods, thresholds));
-          },
-          .may_be_decided_later =
-              [periods, thresholds = input.thresholds, decisive](const ExponentEstimate& estimate) {
-                return may_be_decided_later(estimate, decisive, periods, thresholds);
-              }};
+  const auto window = static_cast<double>(input.periods.size());
+  const Thresholds& thresholds = input.thresholds;
+  const double resolution = input.resolution;
+  const auto with_exponent = [=](const std::optional<ExponentEstimate>& estimate,
+                                 std::span<const StrobePoint> points) -> Classification {
+    const ExponentFinding judged = judge(estimate, window, thresholds);
+    const Classification decided = decide(judged);
+    const bool is_open = decided.mode.kind == ResponseKind::unresolved && judged.sign == Sign::unclear;
+    if (!is_open || !estimate || !may_be_zero(*estimate, points.size())) return decided;
+    const auto curves = find_closed_curves(points, resolution, thresholds);
+    return curves ? quasi_periodic(*curves) : decided;
+  };
+  const auto later = [=](const ExponentEstimate& estimate, std::span<const StrobePoint> points) {
+    if (may_be_decided_later(estimate, decisive, window, thresholds)) return true;
+    return may_be_zero(estimate, points.size()) && may_be_closed_curves(points, resolution, thresholds);
+  };
+  return {.classification = std::nullopt, .with_exponent = with_exponent, .may_be_decided_later = later};
 }
 
 PendingClassification classified(const Classification& classification) {
@@ -141,7 +163,10 @@ PendingClassification classify(const ClassifierInput& input) {
 
 Classification classify(const ClassifierInput& input, const ExponentSource& exponent) {
   const PendingClassification found = classify(input);
-  return found.classification ? *found.classification : found.with_exponent(exponent());
+  if (found.classification) return *found.classification;
+  std::vector<StrobePoint> points;
+  std::ranges::transform(input.periods, std::back_inserter(points), &Period::point);
+  return found.with_exponent(exponent(), points);
 }
 
 }  // namespace rocking::section

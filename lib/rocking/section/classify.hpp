@@ -18,13 +18,15 @@ struct ExponentEstimate {
 /// Returns the exponent of the response, or nothing if it could not be computed. Expensive.
 using ExponentSource = std::function<std::optional<ExponentEstimate>()>;
 
-/// A classification, or a function that completes it once the exponent is known.
+/// A classification, or functions that complete it once the exponent is known. Their points are those of the motion over
+/// which the exponent was computed, from the beginning of the window on.
 struct PendingClassification {
   std::optional<Classification> classification;  ///< absent if `with_exponent` must be called
-  std::function<Classification(const std::optional<ExponentEstimate>&)> with_exponent;
+  std::function<Classification(const std::optional<ExponentEstimate>&, std::span<const StrobePoint>)> with_exponent;
   /// Whether the exponent of more periods is wanted: this estimate has a sign that would decide, but is not far enough
-  /// from zero. A motion may diverge or converge for the length of a window and do the opposite later.
-  std::function<bool(const ExponentEstimate&)> may_be_decided_later;
+  /// from zero; or the points may lie on closed curves. A motion may diverge or converge for the length of a window and
+  /// do the opposite later.
+  std::function<bool(const ExponentEstimate&, std::span<const StrobePoint>)> may_be_decided_later;
 };
 
 struct ClassifierInput {

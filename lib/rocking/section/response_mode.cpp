@@ -15,7 +15,8 @@ struct NamedKind {
 
 /// Every kind but `periodic`, whose modes are named by their numbers.
 constexpr auto named_kinds =
-    std::to_array<NamedKind>({{ResponseKind::chaotic, "chaotic", "rocks without ever repeating"},
+    std::to_array<NamedKind>({{ResponseKind::quasi_periodic, "quasi-periodic", "rocks in two rhythms that never meet"},
+                              {ResponseKind::chaotic, "chaotic", "rocks without ever repeating"},
                               {ResponseKind::overturned, "overturned", "overturns"},
                               {ResponseKind::rest, "rest", "does not rock, or stops rocking"},
                               {ResponseKind::unresolved, "unresolved", "could not be classified"}});

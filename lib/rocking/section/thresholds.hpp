@@ -15,6 +15,14 @@ struct Thresholds {
   double clear_standard_errors = 3.0;  ///< distance from zero
   double sure_standard_errors = 5.0;   ///< the same, from which on no more periods are computed
   double clear_growth = 1.0;           ///< distance from zero of ln of the change of a distance over the window
+  // Quasi-periodic responses.
+  double largest_disorder = 0.05;        ///< von Neumann's ratio of the points in the order of a rotation
+  double largest_first_disorder = 0.25;  ///< the same, above which no further points are looked at
+  double least_turns = 5.0;              ///< of a curve
+  double widest_gap = 5.0;               ///< in mean gaps between the points of the first half on a circle
+  double least_miss = 3.0;               ///< in scatters about the curve: a return this wide is none of a period
+  double largest_change = 1.5;           ///< of the closest returns from one half of the points to the other, a factor
+  double largest_change_of_line = 1.02;  ///< the same of the amplitude of the strongest line
   // Noisy responses.
   double line_chance = 1e-4;          ///< false-alarm probability for all spectral lines of a series together
   double least_separation = 4.0;      ///< scatters between centres: each cloud reaches two scatters towards the middle

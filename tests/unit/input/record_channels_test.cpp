@@ -10,6 +10,7 @@
 #include "rocking/input/ground_motion_files.hpp"
 #include "rocking/input/record_component.hpp"
 #include "rocking/input/record_formats.hpp"
+#include "support/read_record.hpp"
 
 namespace record_channels {
 namespace {
@@ -27,20 +28,11 @@ GroundMotionReading reading(const std::string& component = "") {
 }
 
 GroundMotion read_record(const std::string& text, const GroundMotionReading& how) {
-  Problems problems;
-  auto motion = read_ground_motion(text, how, problems);
-  if (!motion) ADD_FAILURE() << base::InputError(problems).what();
-  return motion.value_or(GroundMotion{});
+  return support::record_of(text, how);
 }
 
 base::Problem problem_of(const std::string& text, const GroundMotionReading& how = reading()) {
-  Problems problems;
-  EXPECT_FALSE(read_ground_motion(text, how, problems));
-  if (problems.size() != 1) {
-    ADD_FAILURE() << problems.size() << " problems";
-    return {};
-  }
-  return problems.front();
+  return support::problem_of_record(text, how);
 }
 
 std::string field(const std::string& value, std::size_t width) {

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "rocking/input/record_formats.hpp"
+#include "support/read_record.hpp"
 #include "support/record_text.hpp"
 
 namespace {
@@ -23,20 +24,11 @@ constexpr double gravity_of_test = 9.81;
 GroundMotionReading reading() { return {.name = "r.at2", .time_step = {}, .gravity = gravity_of_test}; }
 
 GroundMotion read_record(const std::string& text, const GroundMotionReading& how = reading()) {
-  Problems problems;
-  auto motion = read_ground_motion(text, how, problems);
-  if (!motion) ADD_FAILURE() << base::InputError(problems).what();
-  return motion.value_or(GroundMotion{});
+  return support::record_of(text, how);
 }
 
 base::Problem problem_of(const std::string& text, const GroundMotionReading& how = reading()) {
-  Problems problems;
-  EXPECT_FALSE(read_ground_motion(text, how, problems));
-  if (problems.size() != 1) {
-    ADD_FAILURE() << problems.size() << " problems";
-    return {};
-  }
-  return problems.front();
+  return support::problem_of_record(text, how);
 }
 
 const std::vector<double> three_values{0.1, -0.25, 0.03};

@@ -100,8 +100,7 @@ void add_profile(const InferReport& report, const ReportedUnknown& unknown, Figu
 }
 
 std::string unknown_in_words(const ReportedUnknown& unknown) {
-  const std::string text = label_of(axis_of_parameter(unknown.parameter)) + ": " + significant(*unknown.estimate, 3) +
-                           ' ' + interval_in_words(*unknown.interval);
+  const std::string text = answer_in_words(unknown);
   if (!unknown.posterior) return text;
   return text + ", with the priors mean " + significant(unknown.posterior->mean, 3) + ' ' +
          interval_in_words(unknown.posterior->interval);
@@ -165,6 +164,7 @@ static Figure profile_figure(const InferReport& report) {
   figure.subtitle = report.input.title();
   for (const ReportedUnknown& unknown : report.unknowns) {
     add_profile(report, unknown, figure);
+    if (explains_counts(report)) figure.subtitle += (figure.subtitle.empty() ? "" : "; ") + answer_in_words(unknown);
     figure.description += (figure.description.empty() ? "Estimates: " : "; ") + unknown_in_words(unknown);
   }
   figure.description += ".\nIdentified: " + identified_in_words(report) + ".\nFit: " + fit_in_words(report) + '.';

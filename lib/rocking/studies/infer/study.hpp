@@ -88,6 +88,12 @@ void check_infer_report(const InferReport& report, const ReadingPlace& place);
 /// Words that the table and the figures of an inference share. All need an answer.
 namespace rocking {
 
+/// `peak ground acceleration PGA [g]: 0.23 [0.2, 0.26]`; `at most 0.16` where the interval begins with the range.
+[[nodiscard]] std::string answer_in_words(const ReportedUnknown& unknown);
+
+/// Whether the counts are usual at the estimate, so that the intervals mean something.
+[[nodiscard]] bool explains_counts(const InferReport& report);
+
 /// `deviance 5.7, p = 0.58: the estimate explains the counts`.
 [[nodiscard]] std::string fit_in_words(const InferReport& report);
 

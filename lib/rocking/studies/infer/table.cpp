@@ -1,15 +1,38 @@
 #include <algorithm>
 
+#include "rocking/figures/sweep_view.hpp"
 #include "rocking/output/parameter_text.hpp"
 #include "rocking/studies/infer/study.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking {
+namespace {
+
+/// What the interval says: an end of the range is no limit.
+std::string limits_in_words(const ReportedUnknown& unknown) {
+  const std::string low = significant(unknown.interval->low, 3);
+  const std::string high = significant(unknown.interval->high, 3);
+  switch (*unknown.reaches) {
+    case ReachedBound::none: return significant(*unknown.estimate, 3) + ' ' + interval_in_words(*unknown.interval);
+    case ReachedBound::from: return "at most " + high;
+    case ReachedBound::to: return "at least " + low;
+    case ReachedBound::both: return "any value from " + low + " to " + high;
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string answer_in_words(const ReportedUnknown& unknown) {
+  return analysis::label_of(analysis::axis_of_parameter(unknown.parameter)) + ": " + limits_in_words(unknown);
+}
+
+bool explains_counts(const InferReport& report) { return report.fit->p_value > 1.0 - report.confidence; }
 
 std::string fit_in_words(const InferReport& report) {
   const double p = report.fit->p_value;
   const std::string fit = "deviance " + significant(report.fit->statistic, 3) + ", p = " + significant(p, 2);
-  if (p > 1.0 - report.confidence) return fit + ": the estimate explains the counts";
+  if (explains_counts(report)) return fit + ": the estimate explains the counts";
   return fit + ": no value of the unknowns explains the counts; the intervals mean nothing";
 }
 
@@ -114,7 +137,11 @@ std::string infer_table(const InferReport& report) {
            effort;
   }
   const std::string& reason = report.identified.reason_why_not;
-  return unknowns_table(report) + (reason.empty() ? "" : reason + "\n") + "\n" + tests_table(report) +
+  std::string answers = explains_counts(report) ? "" : fit_in_words(report) + '\n';
+  for (const ReportedUnknown& unknown : report.unknowns) {
+    answers += answer_in_words(unknown) + ", with " + level_text(report.confidence) + " % confidence\n";
+  }
+  return answers + '\n' + unknowns_table(report) + (reason.empty() ? "" : reason + "\n") + "\n" + tests_table(report) +
          "fit: " + fit_in_words(report) + "\n" + never_simulated(report) + candidates_table(report) + effort;
 }
 

@@ -99,6 +99,7 @@ TEST(InferFigures, SayWhetherTheTestsCanTellAndFit) {
   InferReport report = two_unknowns();
   const std::string words = figure_named("infer_profile", report).description;
   EXPECT_THAT(words, HasSubstr("static friction μ_s: 0.3 [0.1, 0.45]"));
+  EXPECT_THAT(figure_named("infer_profile", report).subtitle, HasSubstr("static friction μ_s: 0.3 [0.1, 0.45]; "));
   EXPECT_THAT(words, HasSubstr("Identified: yes, all intervals end within"));
   EXPECT_THAT(words, HasSubstr("p = 0.4: the estimate explains the counts"));
   EXPECT_THAT(figure_named("infer_fit", report).description,
@@ -106,6 +107,7 @@ TEST(InferFigures, SayWhetherTheTestsCanTellAndFit) {
   report.identified = {"these tests cannot tell: this one"};
   report.fit->p_value = 0.04;
   EXPECT_THAT(figure_named("infer_profile", report).description, HasSubstr("Identified: no, these tests cannot tell"));
+  EXPECT_THAT(figure_named("infer_profile", report).subtitle, Not(HasSubstr("0.3")));
   EXPECT_THAT(figure_named("infer_fit", report).description, HasSubstr("p = 0.04: no value of the unknowns explains"));
 }
 

@@ -32,6 +32,23 @@ InferReport answered() {
                      {.at = {0.4}, .counts = {{39, 1, 0}, {40, 0, 0}}}}};
 }
 
+TEST(InferTable, AnswersInTheFirstLineAndTakesAnEndOfTheRangeForNoLimit) {
+  InferReport report = answered();
+  report.unknowns.front().parameter = "/excitation/pga_g";
+  const auto first_line = [&](ReachedBound reaches) {
+    report.unknowns.front().reaches = reaches;
+    const std::string table = infer_table(report);
+    return table.substr(0, table.find('\n'));
+  };
+  const std::string quantity = "peak ground acceleration PGA [g]: ";
+  EXPECT_EQ(first_line(ReachedBound::none), quantity + "0.35 [0.32, 0.38], with 95 % confidence");
+  EXPECT_EQ(first_line(ReachedBound::from), quantity + "at most 0.38, with 95 % confidence");
+  EXPECT_EQ(first_line(ReachedBound::to), quantity + "at least 0.32, with 95 % confidence");
+  EXPECT_EQ(first_line(ReachedBound::both), quantity + "any value from 0.32 to 0.38, with 95 % confidence");
+  report.fit->p_value = 0.01;
+  EXPECT_THAT(first_line(ReachedBound::none), HasSubstr("no value of the unknowns explains the counts"));
+}
+
 TEST(InferTable, NamesWhatWasCountedButNeverSimulated) {
   InferReport report = answered();
   const std::string table = infer_table(report);

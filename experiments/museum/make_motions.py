@@ -138,4 +138,5 @@ def main():
         write(request.folder / f"synthetic_{number:03d}.at2", number, request.seed, p, accelerations)
 
 
-main()
+if __name__ == "__main__":
+    main()

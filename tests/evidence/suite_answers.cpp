@@ -52,7 +52,7 @@ std::vector<rocking::Stripe> drawn(const Scenario& scenario, SplitMix& random) {
       stripe.uplift = 0.21;
       const bool stands = random.uniform() < scenario.stands_again;
       for (const double capacity : trials) stripe.overturned.push_back(!stands && capacity < std::log(level));
-      stripe.peak_tilts.assign(trials.size(), 0.0);
+      stripe.peaks.resize(trials.size());
     }
   }
   return stripes;

@@ -31,9 +31,10 @@ Experiment experiment_of(const Condition& condition) {
 TEST(RareProbabilities, AreTheSameOnAnyNumberOfThreads) {
   const Experiment experiment = experiment_of(fluctuating());
   const auto on = [&](unsigned threads) {
-    return rare_probabilities(experiment,
-                              {.question = {.event = {.peak_tilt = 0.4}, .relative_error = 0.5}, .particles = 20},
-                              {.threads = threads})
+    return rare_probabilities(
+               experiment,
+               {.question = {.event = {rocking::EventName::tilt, 0.4}, .relative_error = 0.5}, .particles = 20},
+               {.threads = threads})
         .front();
   };
   const RareEstimate one = on(1);
@@ -44,7 +45,7 @@ TEST(RareProbabilities, AreTheSameOnAnyNumberOfThreads) {
 
 // lib/docs/draws.md: what is drawn under a record of a suite follows its seed.
 TEST(RareProbabilities, FollowTheSeedOfTheRecord) {
-  const rocking::RareQuestion question{.event = {.peak_tilt = 0.4}, .relative_error = 0.5};
+  const rocking::RareQuestion question{.event = {rocking::EventName::tilt, 0.4}, .relative_error = 0.5};
   Experiment experiment = experiment_of(fluctuating());
   const RareEstimate plain = rare_probabilities(experiment, {.question = question, .particles = 20}).front();
   constexpr std::uint64_t stream = 0xfedcba9876543210;
@@ -58,15 +59,15 @@ TEST(RareProbabilities, FollowTheSeedOfTheRecord) {
 
 // A block that always reaches the tilt: 1, and no error.
 TEST(RareProbabilities, AreOneWhereTheEventIsCertain) {
-  const auto found =
-      rare_probabilities(experiment_of(drawn_once()), {.question = {.event = {.peak_tilt = 0.0}}, .particles = 20});
+  const auto found = rare_probabilities(experiment_of(drawn_once()),
+                                        {.question = {.event = {rocking::EventName::tilt, 0.0}}, .particles = 20});
   EXPECT_EQ(found.front().probability, 1.0);
   EXPECT_EQ(found.front().interval.high, 1.0);
 }
 
 // Large weights are rare: fewer repetitions may be without one, and their spread too small.
 TEST(RareProbabilities, HaveAtLeast64RepetitionsOfImportanceSamplingThatHasSeenTheEvent) {
-  const rocking::RareQuestion question{.event = {.peak_tilt = 0.6}, .relative_error = 1.0};
+  const rocking::RareQuestion question{.event = {rocking::EventName::tilt, 0.6}, .relative_error = 1.0};
   for (const auto& [condition, least] : {std::pair{fluctuating(), 16U}, std::pair{drawn_once(), 64U}}) {
     const RareEstimate found =
         rare_probabilities(experiment_of(condition), {.question = question, .particles = 20}).front();
@@ -109,7 +110,7 @@ rocking::random::DrawHistory draws_of(const rocking::rare::Path& path) {
 TEST(RarePaths, AreMadeAgainByTheirDraws) {
   for (const Condition& condition : {weakly_shaken(fluctuating()), weakly_shaken(drawn_once())}) {
     const Experiment experiment = experiment_of(condition);
-    const rocking::rare::Event event{.peak_tilt = 0.8};
+    const rocking::ResponseEvent event{rocking::EventName::tilt, 0.8};
     const RareEstimate found =
         rare_probabilities(experiment, {.question = {.event = event, .relative_error = 0.9}, .particles = 60}).front();
     EXPECT_LT(*found.probability, 0.05);
@@ -129,7 +130,8 @@ TEST(RareCommittor, IsNearTheProbabilityAtTheStart) {
   condition.scene.friction.reset();
   condition.scene.fluctuation = {.amplitude = 0.6};
   const RareEstimate found =
-      rare_probabilities(experiment_of(condition), {.question = {.event = {.peak_tilt = 0.8}}, .particles = 100})
+      rare_probabilities(experiment_of(condition),
+                         {.question = {.event = {rocking::EventName::tilt, 0.8}}, .particles = 100})
           .front();
   ASSERT_TRUE(found.committor);
   const double from_rest = found.committor->rows.at(30).at(30);
@@ -151,7 +153,7 @@ struct Looks {
 TEST(RareTimeLimit, HoldsForAllConditionsTogetherAndKeepsWhatIsFinished) {
   Experiment experiment = experiment_of(fluctuating());
   experiment.conditions.assign(3, experiment.conditions.front());
-  const rocking::RareQuestion question{.event = {.peak_tilt = 0.4}, .relative_error = 0.05};
+  const rocking::RareQuestion question{.event = {rocking::EventName::tilt, 0.4}, .relative_error = 0.05};
   Looks unhurried;
   const auto all = rare_probabilities(experiment, unhurried.request(question, 1e9));
   for (const unsigned threads : {1U, 3U}) {
@@ -183,7 +185,7 @@ TEST(RareTimeLimit, HoldsForAllConditionsTogetherAndKeepsWhatIsFinished) {
 TEST(RareProbabilities, GoOnFromEarlierRepetitions) {
   for (const Condition& condition : {fluctuating(), drawn_once()}) {
     const Experiment experiment = experiment_of(condition);
-    const rocking::RareQuestion question{.event = {.peak_tilt = 0.6}, .relative_error = 0.05};
+    const rocking::RareQuestion question{.event = {rocking::EventName::tilt, 0.6}, .relative_error = 0.05};
     const RareEstimate all = rare_probabilities(experiment, {.question = question, .particles = 20}).front();
     rocking::RareRequest request{.question = question, .particles = 20, .earlier = {all}};
     request.earlier.front().repetitions.resize(5);

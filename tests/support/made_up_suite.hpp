@@ -78,7 +78,7 @@ inline StripeGroup group_of(const std::vector<std::vector<int>>& counts) {
       stripe.record = "r" + std::to_string(r);
       stripe.intensity = intensities[k];
       for (int j = 0; j < 10; ++j) stripe.overturned.push_back(j < counts[r][k]);
-      stripe.peak_tilts.assign(10, 0.0);
+      stripe.peaks.resize(10);
       stripe.uplift = uplift;
     }
   }

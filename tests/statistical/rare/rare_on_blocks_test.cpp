@@ -22,10 +22,11 @@
 namespace {
 
 using rocking::Condition;
+using rocking::EventName;
+using rocking::ResponseEvent;
 using rocking::rare::BlockPaths;
 using rocking::rare::BlockPopulation;
 using rocking::rare::Committor;
-using rocking::rare::Event;
 using rocking::rare::Guide;
 using rocking::rare::Image;
 using rocking::rare::Proposal;
@@ -51,7 +52,7 @@ double score_of(const Estimate& a, const Estimate& b) { return (a.mean - b.mean)
 /// A condition and the event in it.
 struct Question {
   Condition condition;
-  Event event;
+  ResponseEvent event;
 
   [[nodiscard]] BlockPaths paths() const {
     return {.condition = &condition, .seed = run_seed, .event = event, .halt = {}};
@@ -77,7 +78,7 @@ Estimate plain(const Question& question) {
   constexpr std::uint64_t realisations = 40'000;
   std::uint64_t count = 0;
   for (std::uint64_t i = 0; i < realisations; ++i) {
-    count += rocking::realise(question.condition, run_seed, i).peaks.tilt > *question.event.peak_tilt ? 1 : 0;
+    count += rocking::realise(question.condition, run_seed, i).peaks.tilt > question.event.threshold ? 1 : 0;
   }
   constexpr auto n = static_cast<double>(realisations);
   const double share = static_cast<double>(count) / n;
@@ -111,7 +112,7 @@ class FreeBlock {
 /// each place; the event is a peak tilt.
 Question shaken_block(const rocking::FluctuationLaws& laws = {}, double correlation = 0.0,
                       std::optional<double> refresh_slip_m = {}) {
-  Question question{.condition = {}, .event = {.peak_tilt = 0.75}};
+  Question question{.condition = {}, .event = {EventName::tilt, 0.75}};
   rocking::Scene& scene = question.condition.scene;
   rocking::support::harmonic(scene) = {.amplitude = 4.2, .frequency_ratio = 6.0, .phase = 0.0};
   scene.friction = {.static_coefficient = 0.35, .kinetic_coefficient = 0.30};

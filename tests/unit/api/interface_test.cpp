@@ -271,7 +271,8 @@ TEST_F(Interface, VerifiesAFolderWithItsReport) {
 
 TEST_F(Interface, EstimatesRareEventsAgain) {
   const Experiment experiment = small_experiment();
-  const RareRequest request{.question = {.event = {.peak_tilt = 0.1}, .relative_error = 0.5}, .particles = 20};
+  const RareRequest request{.question = {.event = {rocking::EventName::tilt, 0.1}, .relative_error = 0.5},
+                            .particles = 20};
   std::uint64_t last = 0;
   std::uint64_t known = 0;
   const Execution execution{.on_progress = [&](std::uint64_t done, std::uint64_t all) {

@@ -103,8 +103,14 @@ TEST_F(Questions, AboutFragilityHaveRareEstimatesOfOneProbabilityEach) {
        {[](Rare& r) { r[0].level.intensity = -2.0; }, "rare/0/level/intensity = -2"},
        {[](Rare& r) { r[0].level.relative_error = nan; }, "rare/0/level/relative_error = nan"},
        {[](Rare& r) { r[0].level.degrees_of_freedom = 0.0; }, "rare/0/level/degrees_of_freedom = 0"},
-       {[](Rare& r) { r[0].event.peak_tilt = nan; }, "rare/0/peak_tilt = nan"},
-       {[](Rare& r) { r[0].event.peak_tilt = 0.5; }, "rare = : has no estimate of an event that is asked for"}});
+       {[](Rare& r) {
+          r[0].event = {EventName::tilt, nan};
+        },
+        "rare/0/event = nan"},
+       {[](Rare& r) {
+          r[0].event = {EventName::tilt, 0.5};
+        },
+        "rare = : has no estimate of an event that is asked for"}});
 }
 
 TEST_F(Questions, AboutFragilityHaveNumbersInRange) {
@@ -126,7 +132,7 @@ TEST_F(Questions, AboutFragilityHaveNumbersInRange) {
 }
 
 TEST_F(Questions, AboutRareEventsHaveRepetitionsThatCanBe) {
-  RareRequest good{.question = {.event = {.peak_tilt = 0.1}, .relative_error = 0.5}, .particles = 20};
+  RareRequest good{.question = {.event = {rocking::EventName::tilt, 0.1}, .relative_error = 0.5}, .particles = 20};
   good.earlier.emplace_back().repetitions.assign(16, {.estimate = 0.5, .ancestors = 10, .work = 20.0});
   const auto ask = [&](const RareRequest& request) { check_request(experiment_, request); };
   expect_refused<RareRequest>(
@@ -140,7 +146,10 @@ TEST_F(Questions, AboutRareEventsHaveRepetitionsThatCanBe) {
        {[](auto& r) { r.earlier.resize(3); }, "earlier = 3 entries: must be at most one for each condition"},
        {[](auto& r) { r.particles = 19; }, "particles = 19: must be at least 20 and at most 100000"},
        {[](auto& r) { r.question.relative_error = nan; }, "relative_error = nan"},
-       {[](auto& r) { r.question.event.peak_tilt = nan; }, "peak_tilt = nan"},
+       {[](auto& r) {
+          r.question.event = {EventName::tilt, nan};
+        },
+        "peak_tilt = nan"},
        {[](auto& r) { r.seconds = nan; }, "seconds = nan"},
        {[](auto& r) { r.seconds = 1.0; }, "seconds = : needs a clock"}});
 }
@@ -281,7 +290,7 @@ TEST_F(Questions, AreNotAnsweredByResultsOfAnotherExperiment) {
 }
 
 TEST_F(Questions, TellTwentyProblemsAtMost) {
-  RareRequest request{.question = {.event = {.peak_tilt = 0.1}}};
+  RareRequest request{.question = {.event = {rocking::EventName::tilt, 0.1}}};
   request.earlier.emplace_back().repetitions.assign(1000, {.estimate = nan});
   try {
     check_request(experiment_, request);

@@ -31,18 +31,20 @@ std::string_view impossible_source_in_words(RateSource source) {
 }
 
 /// What the levels leave open, and what lies below the least uplift.
-std::string extrapolation_text(const AnnualRate& rate, std::optional<double> least_uplift) {
+std::string extrapolation_text(const AnnualRate& rate, const CurveSubject& subject) {
+  const std::optional<double>& least_uplift = subject.least_uplift;
+  const std::string moves = subject.event.is_of_slip() ? "move" : "lift";
   const auto share = [&rate](double part) { return rate.value > 0.0 ? per_cent(part / rate.value) : "0.0"; };
   std::string text = per_cent(rate.untested_share) + " % of the rate comes from intensities outside the levels";
   if (!least_uplift) {
-    return text + "\nthe least intensity that lifts the block is not known: all intensities are counted\n";
+    return text + "\nthe least intensity that " + moves + "s the block is not known: all intensities are counted\n";
   }
-  text += ",\n" + share(rate.below_levels) + " % from those between the least that lifts the block, " +
-          significant(*least_uplift, 4) + ", and the lowest level that can lift it\n";
+  text += ",\n" + share(rate.below_levels) + " % from those between the least that " + moves + "s the block, " +
+          significant(*least_uplift, 4) + ", and the lowest level that can " + moves + " it\n";
   if (!(rate.impossible > 0.0)) return text;
   return text + "not counted: " + significant(rate.impossible, 3) + " per year that " +
          std::string(impossible_source_in_words(rate.source)) + " below " + significant(*least_uplift, 4) +
-         ", where the block is not lifted\n";
+         ", where the block is not " + moves + (subject.event.is_of_slip() ? "d\n" : "ed\n");
 }
 
 std::string estimate_table(const SuiteRate& rate) {
@@ -159,7 +161,7 @@ static std::string rare_use_in_words(const AnnualRate& rate) {
          "no level above it has an event\n";
 }
 
-std::string annual_rate_in_words(const AnnualRate& rate, const FragilityEvent& event) {
+std::string annual_rate_in_words(const AnnualRate& rate, const ResponseEvent& event) {
   std::string text = "mean annual rate of " + words_of(event) + ": " + significant(rate.value, 3);
   if (rate.interval) text += ' ' + interval_in_words(*rate.interval);
   text += rate.value > 0.0 ? ", once in " + years_in_words(1.0 / rate.value) + " years\n" : "\n";
@@ -198,7 +200,7 @@ std::string annual_rate_table(const SuiteRate& rate, const CurveSubject& subject
 std::string annual_rate_table(const AnnualRate& rate, const CurveSubject& subject, Extent extent) {
   const std::string measure = last_key(subject.parameter);
   const bool is_extrapolated = rate.extrapolated_hazard > most_extrapolated_hazard;
-  return (extent == Extent::all ? range_table(rate, measure) : "\n") + extrapolation_text(rate, subject.least_uplift) +
+  return (extent == Extent::all ? range_table(rate, measure) : "\n") + extrapolation_text(rate, subject) +
          (is_extrapolated ? "" : extrapolated_hazard_in_words(rate) + '\n') + annual_rate_warnings(rate);
 }
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <tuple>
 
 #include "rocking/base/number_text.hpp"
 #include "rocking/look/markup.hpp"
@@ -18,14 +19,19 @@ using base::shortest;
 
 /// An event: its law, and probabilities at the levels, which do not decrease.
 struct LimitState {
-  FragilityEvent event;
+  ResponseEvent event;
   std::optional<LognormalCapacity> law;
   std::vector<double> intensities, probabilities;
 
   [[nodiscard]] std::string name() const {
-    std::string text = event.peak_tilt ? "tilt_" + shortest(*event.peak_tilt) : "overturning";
-    std::ranges::replace_if(
-        text, [](char c) { return c == '.' || c == '-' || c == '+'; }, '_');
+    std::string text;
+    for (const char c : event_text(event)) {
+      if (c == ' ' || c == '>') {
+        if (!text.ends_with('_')) text += '_';
+      } else {
+        text += c == '.' || c == '-' || c == '+' ? '_' : c;
+      }
+    }
     return text;
   }
 };
@@ -144,7 +150,9 @@ std::vector<ExportedFunction> functions_of(const std::vector<RunFragility>& runs
     const std::string id = function.id;
     for (int i = 2; !ids.insert(function.id).second; ++i) function.id = id + '_' + std::to_string(i);
     std::ranges::stable_sort(function.states, {}, [](const LimitState& state) {
-      return state.event.peak_tilt.value_or(std::numeric_limits<double>::infinity());
+      // Sliding, tilting, overturning: each from the smallest threshold on.
+      const ResponseEvent& event = state.event;
+      return std::tuple(event.is_overturning(), !event.is_of_slip(), event.name, event.threshold);
     });
   }
   return functions;

@@ -23,28 +23,42 @@ void set_ends(const OpenEnds& ends, const ReadingPlace& place, stats::Interval& 
   interval = {.low = *ends[0], .high = ends[1].value_or(std::numeric_limits<double>::infinity())};
 }
 
-/// `"overturned"`, or `{"peak_tilt": 0.5}`.
+/// Keys of the threshold, by EventName.
+constexpr std::array<std::string_view, 4> threshold_keys{"", "peak_tilt", "slip_m", "displacement_m"};
+constexpr std::array<std::string_view, 4> threshold_titles{"", "PeakTiltExceeded", "SlipExceeded",
+                                                           "DisplacementExceeded"};
+
+/// `"overturned"`, or `{"peak_tilt": 0.5}`, `{"slip_m": 0.05}`, `{"displacement_m": 0.05}`.
 class EventType final : public ValueType {
  public:
   [[nodiscard]] Json json(const void* value) const override {
-    const auto& event = *static_cast<const FragilityEvent*>(value);
-    return event.peak_tilt ? Json{{"peak_tilt", *event.peak_tilt}} : Json("overturned");
+    const auto& event = *static_cast<const ResponseEvent*>(value);
+    if (event.is_overturning()) return "overturned";
+    return {{std::string(threshold_keys[static_cast<std::size_t>(event.name)]), event.threshold}};
   }
   void read(const Json& json, const ReadingPlace& place, void* value) const override {
-    auto& event = *static_cast<FragilityEvent*>(value);
-    if (json == "overturned") return event.peak_tilt.reset();
-    const bool has_tilt = json.is_object() && json.size() == 1 && json.contains("peak_tilt") &&
-                          json["peak_tilt"].is_number() && json["peak_tilt"].get<double>() > 0.0;
-    if (!has_tilt) return place.reject(json, R"(must be "overturned" or {"peak_tilt": a positive number})");
-    event.peak_tilt = json["peak_tilt"].get<double>();
+    auto& event = *static_cast<ResponseEvent*>(value);
+    event = {};
+    if (json == "overturned") return;
+    for (std::size_t name = 1; name < threshold_keys.size() && json.is_object() && json.size() == 1; ++name) {
+      const auto number = json.find(threshold_keys[name]);
+      if (number == json.end() || !number->is_number() || !(number->get<double>() >= 0.0)) continue;
+      event = {static_cast<EventName>(name), number->get<double>()};
+      return;
+    }
+    place.reject(json, R"(must be "overturned", or an object with a number as peak_tilt, slip_m or displacement_m)");
   }
   [[nodiscard]] Json schema(const Rule&) const override {
-    const Json tilt = {{"title", "PeakTiltExceeded"},
-                       {"type", "object"},
-                       {"properties", {{"peak_tilt", {{"type", "number"}, {"exclusiveMinimum", 0}}}}},
-                       {"required", {"peak_tilt"}},
-                       {"additionalProperties", false}};
-    return {{"anyOf", {{{"const", "overturned"}}, tilt}}};
+    Json all = {{{"const", "overturned"}}};
+    for (std::size_t name = 1; name < threshold_keys.size(); ++name) {
+      const std::string key(threshold_keys[name]);
+      all.push_back({{"title", threshold_titles[name]},
+                     {"type", "object"},
+                     {"properties", {{key, {{"type", "number"}, {"minimum", 0}}}}},
+                     {"required", {key}},
+                     {"additionalProperties", false}});
+    }
+    return {{"anyOf", all}};
   }
 };
 
@@ -58,7 +72,7 @@ const ValueType& TypeOf<stats::FragilityOutcome>::get() {
   return the_only<NamedType<stats::FragilityOutcome, stats::fragility_outcome_names>>();
 }
 
-const ValueType& TypeOf<FragilityEvent>::get() { return the_only<EventType>(); }
+const ValueType& TypeOf<ResponseEvent>::get() { return the_only<EventType>(); }
 
 const StructType& fields_of(const CurveRun*) {
   static const StructType fields{
@@ -79,11 +93,13 @@ const StructType& fields_of(const CurveSubject*) {
       field<&CurveSubject::others>("others", "values of the other entries of the sweep"),
       field<&CurveSubject::confidence>("confidence", "of the intervals", rule::confidence),
       field<&CurveSubject::event>("event",
-                                  "what `overturned` counts: `\"overturned\"`, or `{\"peak_tilt\": A}`: the peak of "
-                                  "abs(theta)/psi exceeds A, or the block overturns"),
+                                  "what `overturned` counts: `\"overturned\"`; `{\"peak_tilt\": A}`: the peak of "
+                                  "abs(theta)/psi exceeds A; `{\"slip_m\": A}`: the largest slip does; "
+                                  "`{\"displacement_m\": A}`: the slip at the end does; or the block overturns"),
       field<&CurveSubject::least_uplift>(
           "least_uplift",
-          "least intensity at which the motion, or any record of a suite, lifts the block; null: not known",
+          "least intensity at which the motion, or any record of a suite, lifts the block, or of an event of slip also "
+          "makes it slide; null: not known",
           rule::not_negative),
   };
   return fields;

@@ -25,7 +25,7 @@ inline constexpr std::string_view unresolved_sentence =
 [[nodiscard]] const StructType& fields_of(const ReportedAnalysis*);
 
 template <>
-struct TypeOf<FragilityEvent> {
+struct TypeOf<ResponseEvent> {
   static const ValueType& get();
 };
 

@@ -85,7 +85,7 @@ bool is_isotonic(const FragilityCurve& curve) { return curve.outcome == stats::F
 /// The values of the other parameters, and the event unless it is an overturning; empty if there is neither.
 std::string legend_of(const CurveSubject& subject) {
   const std::string name = values_in_words(subject.others);
-  if (!subject.event.peak_tilt) return name;
+  if (subject.event.is_overturning()) return name;
   return (name.empty() ? "" : name + ", ") + event_in_words(subject.event);
 }
 
@@ -144,8 +144,8 @@ Panel panel_for(const Reported& reported) {
 
 std::string uplift_sentence(const CurveSubject& subject) {
   if (!subject.least_uplift) return "";
-  return " The block is not lifted below " + significant(*subject.least_uplift, 4) +
-         ": a probability that a law gives there is impossible.";
+  return (subject.event.is_of_slip() ? " The block does not move below " : " The block is not lifted below ") +
+         significant(*subject.least_uplift, 4) + ": a probability that a law gives there is impossible.";
 }
 
 /// `2.31 [2.20, 2.43]`.
@@ -268,9 +268,9 @@ std::string caption_of_shares(const Content& content) {
   if (!caption.empty()) caption += ' ';
   const std::string event = content.events.size() == 1 ? *content.events.begin() : "";
   caption += "Markers: share of the realisations " +
-             (event == event_in_words(FragilityEvent()) ? std::string("that overturned")
-              : event.empty()                           ? std::string("with the event of each curve")
-                                                        : "with " + event) +
+             (event == event_in_words(ResponseEvent()) ? std::string("that overturned")
+              : event.empty()                          ? std::string("with the event of each curve")
+                                                       : "with " + event) +
              ", with its exact interval.";
   if (content.has_law) {
     caption += " Lines and ribbons: the lognormal function of maximum likelihood, with its confidence band.";

@@ -18,10 +18,10 @@ namespace rocking::analysis {
 /// Points at which a law is drawn, less one.
 inline constexpr int points_of_a_law = 120;
 
-/// `overturned`, or `peak tilt > 0.5`.
-[[nodiscard]] std::string event_in_words(const FragilityEvent& event);
-/// Of what a probability is: `overturning`, or `peak tilt > 0.5`.
-[[nodiscard]] std::string probability_of(const FragilityEvent& event);
+/// `overturned`, `peak tilt > 0.5`, `slip > 0.05 m`.
+[[nodiscard]] std::string event_in_words(const ResponseEvent& event);
+/// Of what a probability is: `overturning`, or the same as event_in_words().
+[[nodiscard]] std::string probability_of(const ResponseEvent& event);
 
 /// Adds to the last panel the rare estimates of curve `number`, if it has any, with their intervals; `legend` is what the
 /// other marks of the curve are called.

@@ -103,7 +103,7 @@ FragilityCurve fragility_curve(const std::vector<stats::IntensityLevel>& levels,
   return curve;
 }
 
-FragilityCurve fragility(const StripeGroup& group, const FragilityEvent& event, std::uint64_t seed,
+FragilityCurve fragility(const StripeGroup& group, const ResponseEvent& event, std::uint64_t seed,
                          const base::ManyParts& how) {
   ROCKING_EXPECT(!group.is_suite());
   std::vector<stats::IntensityLevel> levels;

@@ -22,14 +22,14 @@ inline constexpr double fragility_significance = 0.05;
                                              std::uint64_t seed, const base::ManyParts& how = {});
 
 /// The curve of a group that is no suite. The experiment must fix the number of realisations (no `until`).
-[[nodiscard]] FragilityCurve fragility(const StripeGroup& group, const FragilityEvent& event, std::uint64_t seed,
+[[nodiscard]] FragilityCurve fragility(const StripeGroup& group, const ResponseEvent& event, std::uint64_t seed,
                                        const base::ManyParts& how = {});
 
 /// Bootstrap samples of the records of a suite, and of the test of its law.
 inline constexpr std::uint64_t suite_samples = 499;
 
 /// The curve of a group that is a suite. `seed`: of the bootstraps. `metadata`: of its records, in any order; empty: none.
-[[nodiscard]] SuiteCurve suite_curve(const StripeGroup& group, const FragilityEvent& event, std::uint64_t seed,
+[[nodiscard]] SuiteCurve suite_curve(const StripeGroup& group, const ResponseEvent& event, std::uint64_t seed,
                                      const std::vector<RecordMetadata>& metadata = {}, const base::ManyParts& how = {});
 
 /// Its parts, at most: bootstrap samples, parameters, records and measures of intensity.
@@ -56,14 +56,17 @@ inline constexpr std::uint64_t suite_samples = 499;
 /// none is known: the block does not start at rest, or the amplitude is random.
 [[nodiscard]] std::optional<double> least_uplift(const Scene& scene, double intensity);
 
+/// Least intensity at which it lifts the block, or makes it slide: abs(alpha) reaches the static friction times
+/// (1 + alpha_v). Absent also where friction may be drawn as small as one likes.
+[[nodiscard]] std::optional<double> least_sliding(const Scene& scene, double intensity);
+
 /// Levels of each record. `measure`: in place of the swept intensity.
-[[nodiscard]] stats::SuiteLevels levels_of_records(const std::vector<Stripe>& stripes, const FragilityEvent& event,
+[[nodiscard]] stats::SuiteLevels levels_of_records(const std::vector<Stripe>& stripes, const ResponseEvent& event,
                                                    std::optional<IntensityMeasure> measure = std::nullopt);
 
 /// The measures by growing dispersion of the law of the suite; of equal ones the one with the smaller deviance first.
 /// Without measures: empty. `metadata`: of every record of the stripes, or empty. A measure is a part.
-[[nodiscard]] std::vector<RankedMeasure> ranked_measures(const std::vector<Stripe>& stripes,
-                                                         const FragilityEvent& event,
+[[nodiscard]] std::vector<RankedMeasure> ranked_measures(const std::vector<Stripe>& stripes, const ResponseEvent& event,
                                                          const std::vector<RecordMetadata>& metadata = {},
                                                          const base::ManyParts& how = {});
 

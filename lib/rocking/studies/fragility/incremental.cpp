@@ -19,7 +19,7 @@ std::vector<double> tilts_of(const Stripe& stripe) {
   for (std::size_t j = 0; j < stripe.overturned.size(); ++j) {
     tilts.push_back(stripe.overturned[j]      ? beyond_every_tilt
                     : stripe.has_no_answer(j) ? not_known
-                                              : stripe.peak_tilts[j]);
+                                              : stripe.peaks[j].tilt);
   }
   return tilts;
 }

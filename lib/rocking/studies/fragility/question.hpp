@@ -104,7 +104,7 @@ struct SuiteRate {
 struct RateComparison {
   std::vector<Parameter> base;
   std::vector<Parameter> option;
-  FragilityEvent event;
+  ResponseEvent event;
   RateSource source = RateSource::isotonic;                ///< of both rates
   double difference = 0.0;                                 ///< rate of the option less that of the base [1/year]
   std::optional<stats::Interval> interval = std::nullopt;  ///< of the difference, by bootstrap over records
@@ -164,13 +164,14 @@ struct RareOfCurve {
     RareLevel level;
   };
   std::vector<Parameter> others;  ///< CurveSubject::others
-  FragilityEvent event;
+  ResponseEvent event;
   RareLevel level;                     ///< of a suite: the mean over the records
   std::vector<OfRecord> records = {};  ///< of a suite: those whose probability is not 0
 };
 
-/// What is asked of a run beside the probability of overturning.
+/// What is asked of a run.
 struct FragilityQuestion {
+  std::vector<ResponseEvent> events = {};     ///< of which the probability is asked; empty: overturning
   std::vector<double> peak_tilts = {};        ///< also the probability that abs(Theta) exceeds each; > 0
   std::optional<HazardCurve> hazard = {};     ///< gives the mean annual rates
   std::vector<RareOfCurve> rare = {};         ///< small probabilities of the same blocks under the same motions
@@ -178,8 +179,8 @@ struct FragilityQuestion {
   std::vector<RecordMetadata> metadata = {};  ///< of the records of suites; gives how sufficient measures are
 };
 
-/// Probability of overturning as a function of the swept intensity, and what else is asked. Throws base::InputError if
-/// the experiment sweeps no intensity, has no fixed number of realisations, or is not finished, or if a number is out
+/// Probability of each event as a function of the swept intensity, and what else is asked. Throws base::InputError if
+/// the experiment sweeps no intensity, if slip is asked of a block without friction, has no fixed number of realisations, or is not finished, or if a number is out
 /// of range, and base::Stopped if it is asked to stop. Uses `threads`, `on_progress` and `stop` of the execution;
 /// progress counts parts of about equal work.
 [[nodiscard]] ROCKING_API RunFragility fragility(const Experiment& experiment, const RunResult& run,

@@ -55,7 +55,7 @@ void measure(const stats::SuiteLevels& suite, const std::vector<RecordMetadata>&
 
 }  // namespace
 
-stats::SuiteLevels levels_of_records(const std::vector<Stripe>& stripes, const FragilityEvent& event,
+stats::SuiteLevels levels_of_records(const std::vector<Stripe>& stripes, const ResponseEvent& event,
                                      std::optional<IntensityMeasure> measure) {
   stats::SuiteLevels suite;
   std::map<std::string, std::size_t> places;
@@ -95,7 +95,7 @@ static std::vector<RecordMetadata> metadata_of(const std::vector<std::string>& r
   return ordered;
 }
 
-std::vector<RankedMeasure> ranked_measures(const std::vector<Stripe>& stripes, const FragilityEvent& event,
+std::vector<RankedMeasure> ranked_measures(const std::vector<Stripe>& stripes, const ResponseEvent& event,
                                            const std::vector<RecordMetadata>& metadata, const base::ManyParts& how) {
   std::vector<RankedMeasure> ranked;
   for (const IntensityMeasure each : all_intensity_measures) {

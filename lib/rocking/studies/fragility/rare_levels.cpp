@@ -155,7 +155,7 @@ std::optional<RareOfCurve> mean_over_records(const Estimates& estimates, const R
       report.suites, [&](const RareSuite& each) { return have_equal_values(each.parameters, estimates.parameters); });
   if (suite == report.suites.end() || !suite->probability || !suite->relative_error) return std::nullopt;
   RareOfCurve mean{.others = estimates.subject().others,
-                   .event = {.peak_tilt = report.question.event.peak_tilt},
+                   .event = report.question.event,
                    .level = {.intensity = estimates.intensity,
                              .probability = *suite->probability,
                              .interval = suite->interval,
@@ -197,7 +197,7 @@ std::vector<RareOfCurve> rare_levels(const std::filesystem::path& file, const Ex
       if (auto mean = mean_over_records(estimates, report, subjects, file.string())) levels.push_back(std::move(*mean));
     } else if (const RareEstimate& found = *estimates.all.front().found; is_sure(found)) {
       levels.push_back({.others = estimates.subject().others,
-                        .event = {.peak_tilt = report.question.event.peak_tilt},
+                        .event = report.question.event,
                         .level = level_of(estimates.intensity, found)});
     }
   }

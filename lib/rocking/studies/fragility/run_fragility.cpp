@@ -17,6 +17,33 @@
 namespace rocking {
 namespace {
 
+/// Without repetition, the first one first.
+std::vector<ResponseEvent> events_of(const FragilityQuestion& question) {
+  std::vector<ResponseEvent> asked = question.events;
+  if (asked.empty()) asked.emplace_back();
+  for (const double tilt : question.peak_tilts) asked.push_back({EventName::tilt, tilt});
+  std::vector<ResponseEvent> events;
+  for (const ResponseEvent& event : asked) {
+    if (std::ranges::find(events, event) == events.end()) events.push_back(event);
+  }
+  return events;
+}
+
+/// Throws where slip is asked of a block that cannot slide.
+void check_friction(const std::vector<ResponseEvent>& events, const Experiment& experiment) {
+  const auto of_slip = std::ranges::find_if(events, &ResponseEvent::is_of_slip);
+  if (of_slip == events.end()) return;
+  for (const Condition& condition : experiment.conditions) {
+    if (condition.scene.friction) continue;
+    throw base::InputError(
+        {.place = "events",
+         .value = event_text(*of_slip),
+         .reason = "cannot happen but by overturning: the block has no friction, so that it does not slide",
+         .remedy = "add `friction` to the experiment, or ask for overturning or a tilt",
+         .where = {}});
+  }
+}
+
 /// The periods of the spectral acceleration that is swept; empty: none.
 std::vector<double> measure_periods(const Scene& scene) {
   const auto* recorded = std::get_if<Recorded>(&scene.excitation);
@@ -135,7 +162,7 @@ void add_rare(const std::vector<RareOfCurve>& all, SuiteCurve& curve) {
   }
 }
 
-void add_curve(const StripeGroup& group, const FragilityEvent& event, const FragilityQuestion& question,
+void add_curve(const StripeGroup& group, const ResponseEvent& event, const FragilityQuestion& question,
                const base::ManyParts& how, RunFragility& run) {
   if (group.is_suite()) {
     ShownSuite& shown = run.suites.emplace_back(
@@ -170,12 +197,12 @@ RunFragility run_fragility(const Experiment& experiment, const std::vector<Strip
     check_intensity(*question.hazard, experiment);
     check_one_period(*question.hazard, experiment);
   }
-  std::vector<FragilityEvent> events(1);  // overturning
-  for (const double tilt : question.peak_tilts) events.push_back({.peak_tilt = tilt});
+  const std::vector<ResponseEvent> events = events_of(question);
+  check_friction(events, experiment);
   RunFragility run{.experiment = experiment};
   Progress progress(groups, events.size(), options);
   for (const StripeGroup& group : groups) {
-    for (const FragilityEvent& event : events) {
+    for (const ResponseEvent& event : events) {
       add_curve(group, event, question, progress.how(), run);
       progress.finish(group);
     }
@@ -184,8 +211,7 @@ RunFragility run_fragility(const Experiment& experiment, const std::vector<Strip
   const auto has_rare = [](const auto& shown) { return !shown.curve.rare.empty(); };
   if (!question.rare.empty() && std::ranges::none_of(run.curves, has_rare) &&
       std::ranges::none_of(run.suites, has_rare)) {
-    throw base::InputError(
-        {"rare", "", "has no estimate of an event that is asked for", "ask for the same --peak-tilt"});
+    throw base::InputError({"rare", "", "has no estimate of an event that is asked for", "ask for the same --event"});
   }
   if (question.hazard) {
     set_rates(*question.hazard, run);
@@ -223,8 +249,9 @@ void check(const FragilityQuestion& question) {
   for (std::size_t i = 0; i < question.rare.size(); ++i) {
     const RareOfCurve& rare = question.rare[i];
     const std::string place = "rare/" + std::to_string(i);
-    const double tilt = rare.event.peak_tilt.value_or(1.0);
-    check.expect(tilt > 0.0 && std::isfinite(tilt), place + "/peak_tilt", base::shortest(tilt), "must be positive");
+    const double threshold = rare.event.threshold;
+    check.expect(threshold >= 0.0 && std::isfinite(threshold), place + "/event", base::shortest(threshold),
+                 "must not be negative");
     check_level(rare.level, place + "/level", check);
     for (std::size_t k = 0; k < rare.records.size(); ++k) {
       check_level(rare.records[k].level, place + "/records/" + std::to_string(k) + "/level", check);

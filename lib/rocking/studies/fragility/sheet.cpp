@@ -43,21 +43,22 @@ std::string pdf_of(std::string_view html, analysis::Drawing& printing, base::Sto
   return printing.is_drawn() ? read_file(folder.path() / "page.pdf", most_pdf_bytes) : "";
 }
 
-/// The suites about overturning that have a rate.
+/// The suites that have a rate, about the event that is asked for first.
 std::vector<ReportedSuite> suites_with_rate(const FragilityReport& report) {
   std::vector<ReportedSuite> suites;
   for (const auto& curve : report.curves) {
     const auto* suite = std::get_if<ReportedSuite>(&curve);
-    const bool is_shown = suite != nullptr && suite->rate && !suite->curve.subject.event.peak_tilt;
-    if (is_shown) suites.push_back(*suite);
+    if (suite == nullptr || !suite->rate) continue;
+    const bool is_of_first = suites.empty() || suite->curve.subject.event == suites.front().curve.subject.event;
+    if (is_of_first) suites.push_back(*suite);
   }
   return suites;
 }
 
-std::vector<ReportedComparison> of_overturning(const FragilityReport& report) {
+std::vector<ReportedComparison> comparisons_of(const FragilityReport& report, const ResponseEvent& event) {
   std::vector<ReportedComparison> comparisons;
   for (const ReportedComparison& each : report.comparisons) {
-    if (!each.comparison.event.peak_tilt) comparisons.push_back(each);
+    if (each.comparison.event == event) comparisons.push_back(each);
   }
   return comparisons;
 }
@@ -79,6 +80,7 @@ Written write_sheet(const StoredRun& stored, const RunFragility& found, const Ha
   const FragilityReport report = fragility_report({found});
   std::vector<ReportedSuite> suites = suites_with_rate(report);
   if (suites.empty()) refuse("sheet", "", "needs a suite of ground motions and a hazard curve");
+  std::vector<ReportedComparison> comparisons = comparisons_of(report, suites.front().curve.subject.event);
   const Report run = report_of(stored.experiment, complete_result(stored.experiment, stored.run), {});
   Written written;
   const auto note = [&written](const analysis::Drawing& drawing) {
@@ -91,7 +93,7 @@ Written write_sheet(const StoredRun& stored, const RunFragility& found, const Ha
   note(drawing);
   std::string text = analysis::sheet_text({.run = run,
                                            .suites = std::move(suites),
-                                           .comparisons = of_overturning(report),
+                                           .comparisons = std::move(comparisons),
                                            .hazard = hazard,
                                            .periods = measure_periods(stored.experiment),
                                            .curve_png = std::move(picture),

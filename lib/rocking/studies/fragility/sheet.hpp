@@ -5,7 +5,7 @@
 
 namespace rocking::analysis {
 
-/// What a sheet tells. The suites are about overturning and have a rate; the first is the object as it stands.
+/// What a sheet tells. The suites are about one event and have a rate; the first is the object as it stands.
 struct SheetContent {
   const Report& run;
   std::vector<ReportedSuite> suites;

@@ -123,6 +123,9 @@ class Drawing {
 
 std::string drawing(const Report& run) { return Drawing(outline_of(run.conditions.front().asked.scene.block)).svg(); }
 
+/// What the sheet is about.
+const ResponseEvent& event_of(const SheetContent& sheet) { return sheet.suites.front().curve.subject.event; }
+
 std::string answer(const SheetContent& sheet) {
   const ReportedSuite& object = sheet.suites.front();
   const AnnualRate& rate = object.rate->chosen;
@@ -131,10 +134,9 @@ std::string answer(const SheetContent& sheet) {
                              : " (" + values_of(object.curve.subject.others) + ")";
   if (!(rate.value > 0.0)) {
     return fmt::format(
-        "<p class=\"answer\">The object{} did not overturn under any of the records at these levels. Stronger shaking "
-        "was "
+        "<p class=\"answer\">The object{} {} under none of the records at these levels. Stronger shaking was "
         "not tested: the rate may be up to once in {} years.</p>",
-        as, years_in_words(1.0 / rate.interval.value().high));
+        as, did(object.curve.subject.event), years_in_words(1.0 / rate.interval.value().high));
   }
   std::string interval;
   if (rate.interval) {
@@ -144,9 +146,9 @@ std::string answer(const SheetContent& sheet) {
         rate.interval->low > 0.0 ? to(least, years_in_words(1.0 / rate.interval->low)) : "at least " + least);
   }
   return fmt::format(
-      "<p class=\"answer\">The object{} overturns <strong>once in about {} years</strong>{}: with probability "
+      "<p class=\"answer\">The object{} {} <strong>once in about {} years</strong>{}: with probability "
       "<strong>{} %</strong> within 50 years.</p>",
-      as, years_in_words(1.0 / rate.value), interval, within(50.0, rate.value));
+      as, does(object.curve.subject.event), years_in_words(1.0 / rate.value), interval, within(50.0, rate.value));
 }
 
 /// The period of a spectral acceleration, or its range.
@@ -178,9 +180,10 @@ std::string motions(const SheetContent& sheet) {
 std::string curve(const SheetContent& sheet) {
   if (sheet.curve_png.empty()) return "";
   return fmt::format(
-      "<h2>Probability of overturning</h2>\n<div class=\"curve\"><img src=\"{}\" alt=\"Probability of "
-      "overturning as a function of the intensity\"></div>\n",
-      data_address("png", sheet.curve_png));
+      "<h2>Probability of {0}</h2>\n<div class=\"curve\"><img src=\"{1}\" alt=\"Probability of {0} as a function of "
+      "the "
+      "intensity\"></div>\n",
+      words_of(event_of(sheet)), data_address("png", sheet.curve_png));
 }
 
 /// A number with its interval below; `falls`: where the number falls with the rate.
@@ -219,8 +222,8 @@ std::string rates(const SheetContent& sheet) {
   for (std::size_t i = 0; i < std::min(sheet.suites.size(), most_options); ++i) {
     const ReportedSuite& suite = sheet.suites[i];
     const std::string values = values_of(suite.curve.subject.others);
-    rows += "<tr><th>" + (values.empty() ? "overturning" : values) + "</th>" + rate_cells(suite.rate->chosen) +
-            (has_options ? factor_cell(sheet, suite) : "") + "</tr>\n";
+    rows += "<tr><th>" + (values.empty() ? words_of(event_of(sheet)) : values) + "</th>" +
+            rate_cells(suite.rate->chosen) + (has_options ? factor_cell(sheet, suite) : "") + "</tr>\n";
   }
   const std::string omitted =
       sheet.suites.size() > most_options
@@ -311,8 +314,9 @@ std::string limits(const SheetContent& sheet) {
 
 std::string assumptions(const SheetContent& sheet) {
   const CurveSubject& subject = sheet.suites.front().curve.subject;
-  const std::string uplift = subject.least_uplift ? fmt::format("counted from {}, the least that lifts the block, on",
-                                                                significant(*subject.least_uplift, 3))
+  const std::string uplift = subject.least_uplift ? fmt::format("counted from {}, the least that {} the block, on",
+                                                                significant(*subject.least_uplift, 3),
+                                                                subject.event.is_of_slip() ? "moves" : "lifts")
                                                   : std::string("counted from its first point on");
   return fmt::format(
       "<h2>Assumptions and limits</h2>\n<ol>\n<li>One rigid block on a level, rigid floor, in one vertical "
@@ -320,9 +324,10 @@ std::string assumptions(const SheetContent& sheet) {
       "as stated in the question. Give measured values if there are any.</li>\n<li>The hazard curve is taken as exact, "
       "and {}.</li>\n<li>Intervals cover the choice of the records and the random numbers, nothing else. Records that "
       "are scaled far do not become stronger earthquakes.</li>\n<li>Earthquakes follow each other as a Poisson "
-      "process. "
-      "Damage without overturning is not counted.</li>\n</ol>\n",
-      uplift);
+      "process. {}</li>\n</ol>\n",
+      uplift,
+      subject.event.is_overturning() ? "Damage without overturning is not counted."
+                                     : "An object that overturns is counted too. Other damage is not.");
 }
 
 std::string footer(const SheetContent& sheet) {

@@ -43,21 +43,49 @@ double least_weight(const Scene& scene) {
 
 }  // namespace
 
-std::optional<double> least_uplift(const Scene& scene, double intensity) {
+namespace {
+
+/// Least intensity at which abs(alpha)/(1 + alpha_v) reaches `limit`, or tan(psi) where that is smaller. Infinite where
+/// none does; absent where none is known.
+std::optional<double> least_at(const Scene& scene, double intensity, double limit) {
   if (!starts_at_rest(scene.initial) || scene.fluctuation.amplitude > 0.0) return std::nullopt;
   const ShapeRange shapes = shapes_of(scene.block);
   const auto* recorded = std::get_if<Recorded>(&scene.excitation);
   if (recorded == nullptr) {
     // The largest abs(alpha) of the other kinds is A_h psi; the least 1 + alpha_v is 1 without vertical motion.
-    const dynamics::Geometry& block = shapes.most_slender;
     const double lightest = least_weight(scene);
     if (!(lightest > 0.0)) return std::nullopt;
-    return lightest * (block.tangent / block.shape_angle * amplitude_unit(scene, block));
+    const auto amplitude = [&](const dynamics::Geometry& block, double acceleration) {
+      return lightest * (acceleration / block.shape_angle * amplitude_unit(scene, block));
+    };
+    return std::min(amplitude(shapes.most_slender, shapes.most_slender.tangent), amplitude(shapes.squattest, limit));
   }
   if (!recorded->ground_motion || is_drawn(recorded->scale)) return std::nullopt;
-  const auto scale = least_uplift_scale(recorded->ground_motion->samples, shapes.least_tangents);
+  auto [left, right] = shapes.least_tangents;
+  const auto scale =
+      least_uplift_scale(recorded->ground_motion->samples, std::array{std::min(left, limit), std::min(right, limit)});
   if (!scale) return std::numeric_limits<double>::infinity();
   return intensity * (*scale / mean_of(recorded->scale));
+}
+
+/// Least static friction of any realisation.
+double least_friction(const Scene& scene) {
+  if (!scene.friction) return std::numeric_limits<double>::infinity();
+  const double least = reach_of(scene.friction->static_coefficient).least;
+  const double sigma = scene.fluctuation.static_friction;
+  if (sigma == 0.0) return least;
+  return scene.fluctuation.laws.static_friction == FluctuationLaw::uniform ? least - std::sqrt(3.0) * sigma : 0.0;
+}
+
+}  // namespace
+
+std::optional<double> least_uplift(const Scene& scene, double intensity) {
+  return least_at(scene, intensity, std::numeric_limits<double>::infinity());
+}
+
+std::optional<double> least_sliding(const Scene& scene, double intensity) {
+  const double friction = least_friction(scene);
+  return friction > 0.0 ? least_at(scene, intensity, friction) : std::nullopt;
 }
 
 namespace {
@@ -152,7 +180,7 @@ std::vector<Stripe> filled(const Experiment& experiment, const Store& store) {
   for (std::size_t i = 0; i < stripes.size(); ++i) {
     const std::uint64_t realisations = effective_realisations(experiment.conditions[i]);
     stripes[i].overturned.resize(realisations);
-    stripes[i].peak_tilts.resize(realisations);
+    stripes[i].peaks.resize(realisations);
     stripes[i].without_answer.resize(realisations);
     missing += realisations;
   }
@@ -160,7 +188,7 @@ std::vector<Stripe> filled(const Experiment& experiment, const Store& store) {
     if (key.condition >= stripes.size() || key.realisation >= stripes[key.condition].overturned.size()) return;
     Stripe& stripe = stripes[key.condition];
     stripe.overturned[key.realisation] = summary.mode.kind == section::ResponseKind::overturned;
-    stripe.peak_tilts[key.realisation] = summary.peaks.tilt;
+    stripe.peaks[key.realisation] = summary.peaks;
     stripe.without_answer[key.realisation] = summary.has_no_answer();
     --missing;
   });
@@ -197,27 +225,29 @@ std::vector<std::span<const Stripe>> StripeGroup::by_record() const {
   return records;
 }
 
-std::optional<double> StripeGroup::least_uplift() const {
+std::optional<double> StripeGroup::least_uplift(const ResponseEvent& event) const {
   double least = std::numeric_limits<double>::infinity();
   for (const Stripe& stripe : stripes) {
-    if (!stripe.uplift) return std::nullopt;
-    least = std::min(least, *stripe.uplift);
+    const std::optional<double>& of_stripe = event.is_of_slip() ? stripe.sliding : stripe.uplift;
+    if (!of_stripe) return std::nullopt;
+    least = std::min(least, *of_stripe);
   }
   return std::isinf(least) ? std::nullopt : std::optional(least);
 }
 
-CurveSubject subject_of(const StripeGroup& group, const FragilityEvent& event) {
+CurveSubject subject_of(const StripeGroup& group, const ResponseEvent& event) {
   return {.parameter = group.parameter,
           .others = group.others,
           .confidence = group.confidence,
           .event = event,
-          .least_uplift = group.least_uplift()};
+          .least_uplift = group.least_uplift(event)};
 }
 
-stats::IntensityLevel level_of(const Stripe& stripe, const FragilityEvent& event) {
+stats::IntensityLevel level_of(const Stripe& stripe, const ResponseEvent& event) {
   stats::IntensityLevel level{.intensity = stripe.intensity, .happened = stripe.overturned};
-  for (std::size_t j = 0; event.peak_tilt && j < level.happened.size(); ++j) {
-    level.happened[j] = level.happened[j] || stripe.peak_tilts[j] > *event.peak_tilt;
+  for (std::size_t j = 0; j < level.happened.size() && !event.is_overturning(); ++j) {
+    const bool is_known = event.name != EventName::displacement || !stripe.has_no_answer(j);
+    level.happened[j] = level.happened[j] || (is_known && event.is_exceeded(stripe.peaks[j]));
   }
   for (std::size_t j = 0; j < stripe.without_answer.size(); ++j) {
     level.unresolved += stripe.without_answer[j] && !level.happened[j] ? 1 : 0;
@@ -258,6 +288,7 @@ std::vector<StripeGroup> stripes_of(const Experiment& experiment, const Store& s
     // Another level has other records: this one says nothing of it.
     if (intensity != level_pointer) {
       stripes[i].uplift = least_uplift(experiment.conditions[i].scene, place.intensity);
+      stripes[i].sliding = least_sliding(experiment.conditions[i].scene, place.intensity);
     }
     set_measures(experiment.conditions[i].scene, intensity, spectra, stripes[i]);
     group->stripes.push_back(std::move(stripes[i]));

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "rocking/realisation/response_event.hpp"
 #include "rocking/scene/experiment.hpp"
 #include "rocking/scene/shaking.hpp"
 #include "rocking/stats/fragility.hpp"
@@ -17,19 +18,12 @@ namespace rocking {
 
 class Store;
 
-/// What a fragility function is the probability of: overturning, or a peak tilt above a value.
-struct FragilityEvent {
-  std::optional<double> peak_tilt = std::nullopt;  ///< largest abs(Theta) [-]; absent: overturning
-
-  friend bool operator==(const FragilityEvent&, const FragilityEvent&) = default;
-};
-
 /// What a fragility function is about.
 struct CurveSubject {
   std::string parameter;               ///< JSON pointer to the intensity
   std::vector<Parameter> others;       ///< the rest of the sweep, without the ground motion
   double confidence = 0.95;            ///< that the experiment asks for
-  FragilityEvent event;                ///< what is counted as overturned
+  ResponseEvent event;                 ///< what is counted as overturned
   std::optional<double> least_uplift;  ///< StripeGroup::least_uplift; not of the curve of one record
 };
 
@@ -62,10 +56,11 @@ struct Stripe {
   double intensity = 0.0;  ///< value of the swept intensity, > 0
   std::array<std::optional<double>, all_intensity_measures.size()> measures = {};  ///< by IntensityMeasure
   std::vector<bool> overturned;                                                    ///< by number of the realisation
-  std::vector<double> peak_tilts;                                                  ///< likewise
+  std::vector<PeakValues> peaks;                                                   ///< likewise
   std::vector<bool> without_answer = {};          ///< likewise: Summary::has_no_answer; empty: none
   std::optional<Shaking> shaking = std::nullopt;  ///< of its scene
   std::optional<double> uplift = std::nullopt;    ///< rocking::least_uplift of its scene
+  std::optional<double> sliding = std::nullopt;   ///< rocking::least_sliding of its scene
 
   [[nodiscard]] bool has_no_answer(std::size_t realisation) const {
     return !without_answer.empty() && without_answer[realisation];
@@ -85,16 +80,17 @@ struct StripeGroup {
   [[nodiscard]] bool is_suite() const { return !stripes.empty() && !stripes.front().record.empty(); }
   /// The stripes of each ground motion, in the order of the sweep.
   [[nodiscard]] std::vector<std::span<const Stripe>> by_record() const;
-  /// The least intensity at which any of the motions lifts the block; absent where none is known for one of them, or
-  /// where no intensity does.
-  [[nodiscard]] std::optional<double> least_uplift() const;
+  /// The least intensity at which any of the motions lifts the block, or of an event of slip lifts it or makes it slide;
+  /// absent where none is known for one of them, or where no intensity does.
+  [[nodiscard]] std::optional<double> least_uplift(const ResponseEvent& event) const;
 };
 
-[[nodiscard]] CurveSubject subject_of(const StripeGroup& group, const FragilityEvent& event);
+[[nodiscard]] CurveSubject subject_of(const StripeGroup& group, const ResponseEvent& event);
 
-/// Outcomes of a stripe. An overturned block has exceeded every peak tilt. A realisation without an answer had the event
-/// if its tilt exceeded that of the event before it ended; else its outcome is not known.
-[[nodiscard]] stats::IntensityLevel level_of(const Stripe& stripe, const FragilityEvent& event);
+/// Outcomes of a stripe. An overturned block has every event. A realisation without an answer had the event if its tilt, or
+/// its slip, exceeded that of the event before it ended; else, and for a displacement at the end, its outcome is not
+/// known.
+[[nodiscard]] stats::IntensityLevel level_of(const Stripe& stripe, const ResponseEvent& event);
 
 /// The one of them that an experiment sweeps, or the level of its records; empty where it has none.
 [[nodiscard]] std::string_view intensity_of(const Experiment& experiment);

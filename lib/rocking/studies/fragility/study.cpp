@@ -7,6 +7,7 @@
 #include "rocking/api/run_store.hpp"
 #include "rocking/base/error.hpp"
 #include "rocking/base/number_text.hpp"
+#include "rocking/fields/container_types.hpp"
 #include "rocking/output/ground_motion_facts.hpp"
 #include "rocking/studies/fragility/figure.hpp"
 #include "rocking/studies/fragility/fragility.hpp"
@@ -25,6 +26,13 @@ const StructType& fields_of(const FragilityQuestion*) {
   using Type = FragilityQuestion;
   static const StructType fields{
       "FragilityQuestion",
+      asked(field<&Type::events>(
+                "events",
+                "What the probability is of: overturning (default), tilt > X (the peak of "
+                "abs(theta)/psi), slip > X m (the largest), displacement > X m (the slip at the end); an "
+                "overturned block has every event; several between commas",
+                the_only<ListType<std::vector<ResponseEvent>, 0, event_text_type>>()),
+            {.names = "--event", .letter = "EVENT,EVENT", .kind = FlagKind::commas}, "event"),
       asked(field<&Type::peak_tilts>(
                 "peak_tilts", "Also the probability that the peak of abs(theta)/psi exceeds A; several: 0.3,0.5,1",
                 tilt_rule),
@@ -244,6 +252,7 @@ More sheet_of(const NamedRun& run, const RunsQuestion& question, const RunFragil
     again += " --site " + base::shortest(question.site[0]) + ',' + base::shortest(question.site[1]);
   }
   if (question.statistic) again += " --statistic " + shell_word(*question.statistic);
+  for (const ResponseEvent& event : question.question.events) again += " --event " + shell_word(event_text(event));
   again += " --sheet " + shell_word(*question.sheet);
   Written sheet = write_sheet(run.stored, found, *question.question.hazard, *question.sheet, again, execution);
   const bool is_written = !sheet.files.empty();
@@ -303,7 +312,7 @@ constexpr StudyFunctions<RunsQuestion> functions{
 const Study& fragility_study() {
   static const Study study = study_of<RunsQuestion, functions>({
       .name = "fragility",
-      .sentence = "Fit the probability of overturning as a function of intensity",
+      .sentence = "Fit the probability of overturning, or of another event, as a function of intensity",
       .example = "out -o out",
       .text = "counts for each amplitude (or scale of a ground motion) the realisations that overturned, with exact "
               "intervals, and fits a lognormal fragility function with its band. A grid has one curve for each "

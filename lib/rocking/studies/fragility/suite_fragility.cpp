@@ -132,7 +132,7 @@ void set_isotonic(const stats::SuiteLevels& suite, SuiteCurve& curve) {
   }
 }
 
-std::vector<RecordCurve> curves_of_records(const StripeGroup& group, const FragilityEvent& event, std::uint64_t seed,
+std::vector<RecordCurve> curves_of_records(const StripeGroup& group, const ResponseEvent& event, std::uint64_t seed,
                                            const base::ManyParts& how) {
   const std::vector<std::span<const Stripe>> records = group.by_record();
   std::vector<RecordCurve> curves(records.size());
@@ -180,7 +180,7 @@ std::uint64_t parts_of_suite_curve(const StripeGroup& group) {
   return 2 * suite_samples + quantities + group.by_record().size() + all_intensity_measures.size();
 }
 
-SuiteCurve suite_curve(const StripeGroup& group, const FragilityEvent& event, std::uint64_t seed,
+SuiteCurve suite_curve(const StripeGroup& group, const ResponseEvent& event, std::uint64_t seed,
                        const std::vector<RecordMetadata>& metadata, const base::ManyParts& how) {
   ROCKING_EXPECT(group.is_suite());
   SuiteCurve curve;

@@ -10,12 +10,12 @@
 
 namespace rocking::analysis {
 
-std::string event_in_words(const FragilityEvent& event) {
-  return event.peak_tilt ? "peak tilt > " + significant(*event.peak_tilt, 4) : "overturned";
+std::string event_in_words(const ResponseEvent& event) {
+  return (event.name == EventName::tilt ? "peak " : "") + column_of(event);
 }
 
-std::string probability_of(const FragilityEvent& event) {
-  return event.peak_tilt ? event_in_words(event) : "overturning";
+std::string probability_of(const ResponseEvent& event) {
+  return event.is_overturning() ? "overturning" : event_in_words(event);
 }
 
 namespace {

@@ -18,32 +18,33 @@ using look::percentage;
 using stats::FragilityOutcome;
 
 /// The words that replace a fit.
-std::string_view words_for(FragilityOutcome outcome) {
+std::string words_for(FragilityOutcome outcome, const ResponseEvent& event) {
   switch (outcome) {
     case FragilityOutcome::fitted: return "";
     case FragilityOutcome::never_happened:
-      return "no function is fitted: the block never overturned; add higher intensities";
+      return "no function is fitted: the block never " + did(event) + "; add higher intensities";
     case FragilityOutcome::always_happened:
-      return "no function is fitted: the block always overturned; add lower intensities";
+      return "no function is fitted: the block always " + did(event) + "; add lower intensities";
     case FragilityOutcome::separated:
-      return "no function is fitted: the block never overturned below an intensity and always above it; add "
-             "intensities between";
+      return "no function is fitted: the block never " + did(event) +
+             " below an intensity and always above it; add intensities between";
     case FragilityOutcome::does_not_rise:
-      return "no function is fitted: the share of overturned realisations does not clearly increase with intensity, "
-             "or too\nfew realisations differ to show it";
+      return "no function is fitted: the share of realisations that " + did(event) +
+             " does not clearly increase with intensity, or too\nfew realisations differ to show it";
     case FragilityOutcome::no_scatter:
-      return "no function is fitted: the realisations overturn at the same levels, or differ in one way only, so the "
-             "uncertainty\ncannot be estimated; make more parameters random, or add realisations and intensities";
+      return "no function is fitted: the realisations " + to_do(event) +
+             " at the same levels, or differ in one way only, so the uncertainty\ncannot be estimated; make more "
+             "parameters random, or add realisations and intensities";
     case FragilityOutcome::rejected:
       return "the lognormal function is rejected; the isotonic estimate and its band, of all levels at once, take its "
              "place";
     case FragilityOutcome::not_monotone:
-      return "no function describes these levels: the share of overturned realisations falls as the intensity "
-             "increases,\nwhich contradicts the lognormal function and every other that only rises";
+      return "no function describes these levels: the share of realisations that " + did(event) +
+             " falls as the intensity increases,\nwhich contradicts the lognormal function and every other that only "
+             "rises";
     case FragilityOutcome::unresolved:
-      return "no function is fitted: some realisations ended without an answer, and whether they overturn is not "
-             "known; "
-             "the\nintervals of the levels cover both";
+      return "no function is fitted: some realisations ended without an answer, and whether they " + to_do(event) +
+             " is not known; the\nintervals of the levels cover both";
     case FragilityOutcome::too_little: break;
   }
   return "no function is fitted: this requires two intensities, and two realisations with different random numbers";
@@ -78,7 +79,7 @@ look::Row row_of(const FragilityLevel& level) {
 std::string law_in_words(const FragilityCurve& curve) {
   const std::string law =
       curve.law ? "median " + median_in_words(curve) + ", dispersion " + bounded_in_words(curve.law->dispersion)
-                : std::string(words_for(curve.outcome));
+                : words_for(curve.outcome, curve.subject.event);
   return law + '\n' + (curve.test ? test_in_words(*curve.test) : "");
 }
 
@@ -222,14 +223,16 @@ std::string curve_tables(const FragilityReport& report, const Content& content) 
 
 /// A line for each reason why curves of one motion have no function.
 std::string reasons_in(const FragilityReport& report) {
-  std::set<FragilityOutcome> outcomes;
+  std::set<std::pair<FragilityOutcome, std::string>> reasons;
   for (const auto& curve : report.curves) {
     const auto* one = std::get_if<ReportedCurve>(&curve);
-    if (one != nullptr && !one->curve.law) outcomes.insert(one->curve.outcome);
+    if (one != nullptr && !one->curve.law) {
+      reasons.insert({one->curve.outcome, words_for(one->curve.outcome, one->curve.subject.event)});
+    }
   }
   std::string text;
-  for (const FragilityOutcome outcome : outcomes) {
-    text += std::string(to_string(outcome)) + ": " + std::string(words_for(outcome)) + '\n';
+  for (const auto& [outcome, reason] : reasons) {
+    text += std::string(to_string(outcome)) + ": " + reason + '\n';
   }
   return text;
 }
@@ -248,9 +251,9 @@ std::string warnings_in(const FragilityReport& report) {
     std::visit(
         [&all](const auto& reported) {
           if (!reported.rate) return;
-          const FragilityEvent& event = reported.curve.subject.event;
+          const ResponseEvent& event = reported.curve.subject.event;
           const std::string name =
-              curve_name(reported) + (event.peak_tilt ? ", " + column_of(event) : std::string()) + ": ";
+              curve_name(reported) + (event.is_overturning() ? std::string() : ", " + column_of(event)) + ": ";
           std::string lines = annual_rate_warnings(*reported.rate);
           for (std::size_t end = lines.find('\n'); end != std::string::npos; end = lines.find('\n')) {
             all.push_back(name + lines.substr(0, end + 1));

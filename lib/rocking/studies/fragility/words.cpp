@@ -10,14 +10,6 @@ namespace rocking {
 
 using look::number;
 
-std::string words_of(const FragilityEvent& event) {
-  return event.peak_tilt ? "a peak tilt above " + significant(*event.peak_tilt, 6) : "overturning";
-}
-
-std::string column_of(const FragilityEvent& event) {
-  return event.peak_tilt ? "tilt > " + significant(*event.peak_tilt, 6) : "overturned";
-}
-
 look::Cell estimate_cell(double value, const std::optional<stats::Interval>& interval) {
   return number(value, interval, 3);
 }

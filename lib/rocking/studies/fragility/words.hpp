@@ -4,6 +4,7 @@
 
 #include "rocking/look/table.hpp"
 #include "rocking/look/text_table.hpp"
+#include "rocking/output/response_event_text.hpp"
 #include "rocking/studies/fragility/fragility.hpp"
 #include "rocking/studies/fragility/fragility_curve.hpp"
 #include "rocking/studies/fragility/stripes.hpp"
@@ -12,10 +13,6 @@
 /// Words that the curves of one motion and of a suite share.
 namespace rocking {
 
-/// `overturning`, or `a peak tilt above 0.5`.
-[[nodiscard]] std::string words_of(const FragilityEvent& event);
-/// Heading of the column of shares: `overturned`, or `tilt > 0.5`.
-[[nodiscard]] std::string column_of(const FragilityEvent& event);
 /// `2.31 [2.20, 2.43]`.
 [[nodiscard]] look::Cell estimate_cell(double value, const std::optional<stats::Interval>& interval);
 [[nodiscard]] std::string bounded_in_words(const stats::Bounded& bounded);
@@ -43,7 +40,7 @@ void add_unresolved(const Levels& levels, std::size_t step, look::Table& table) 
 [[nodiscard]] std::string heading_of_curve(const std::string& title, const std::vector<Parameter>& others);
 
 /// The rate in a line, `mean annual rate of overturning: 5.0e-4 [..], once in 2000 years`, and where it comes from.
-[[nodiscard]] std::string annual_rate_in_words(const AnnualRate& rate, const FragilityEvent& event);
+[[nodiscard]] std::string annual_rate_in_words(const AnnualRate& rate, const ResponseEvent& event);
 
 /// What the rate consists of; on one screen without its parts by range of intensity.
 [[nodiscard]] std::string annual_rate_table(const AnnualRate& rate, const CurveSubject& subject, Extent extent);

@@ -14,10 +14,10 @@ using random::Source;
 
 const lanes::Kernels& fastest_kernels() { return lanes::available_kernels().back(); }
 
-Image::Fate fate_of(const Motion& motion, const Event& event) {
-  const double psi = motion.setting().block.shape_angle;
+/// A displacement is that where the motion is now: at the end of the horizon.
+Image::Fate fate_of(const Motion& motion, const ResponseEvent& event) {
   if (motion.termination() == dynamics::Termination::overturned) return Image::Fate::event;
-  if (event.peak_tilt && motion.peaks().tilt / psi > *event.peak_tilt) return Image::Fate::event;
+  if (event.is_exceeded(peaks_of(motion, motion.setting().block))) return Image::Fate::event;
   const bool goes_on = !motion.ended() || motion.termination() == dynamics::Termination::reached_horizon;
   return goes_on ? Image::Fate::moves_on : Image::Fate::ends;
 }
@@ -104,7 +104,7 @@ class NodeRuns {
     const dynamics::Excitation& excitation = excitation_.of(condition.scene, beginning);
     auto motion = std::make_unique<StrobedMotion>(
         [&](dynamics::Observer& observer) { return motion_of(beginning, observer, excitation); });
-    if (!paths_->event.peak_tilt) motion->motion().ignore_peaks();
+    if (paths_->event.is_overturning()) motion->motion().ignore_peaks();
     return motion;
   }
 
@@ -175,7 +175,7 @@ std::vector<double> BlockPoints::scores(const std::vector<Point>& points) const 
       const Image::Fate fate = fate_of(ended, paths_->event);
       scores.push_back(fate == Image::Fate::event  ? event_score
                        : fate == Image::Fate::ends ? unresolved_score
-                                                   : ended.peaks().tilt / ended.setting().block.shape_angle);
+                                                   : paths_->event.measured(peaks_of(ended, ended.setting().block)));
     }
   }
   return scores;
@@ -211,7 +211,7 @@ BlockPopulation::Particle BlockPopulation::begin(std::size_t i, SharedExcitation
   const dynamics::Excitation& shaking = excitation.of(condition.scene, beginning);
   particle.motion = std::make_unique<StrobedMotion>(
       [&](dynamics::Observer& observer) { return motion_of(beginning, observer, shaking); });
-  if (!paths_->event.peak_tilt) particle.motion->motion().ignore_peaks();
+  if (paths_->event.is_overturning()) particle.motion->motion().ignore_peaks();
   return particle;
 }
 

@@ -24,7 +24,7 @@ struct Guide {
 struct BlockPaths {
   const Condition* condition;
   std::uint64_t seed;
-  Event event;
+  ResponseEvent event;
   Halt halt;
   DrawnNumbers numbers = drawn_numbers(condition->scene);
   /// Called by any thread with the simulated time since it called last, in realisations to the horizon.
@@ -55,7 +55,7 @@ class BlockPoints {
   explicit BlockPoints(const BlockPaths& paths) : paths_(&paths) {}
 
   [[nodiscard]] std::size_t dimensions() const { return paths_->numbers.once.size(); }
-  /// Largest abs(Theta).
+  /// What the threshold is compared with: the largest abs(Theta), or slip [m].
   [[nodiscard]] std::vector<double> scores(const std::vector<Point>& points) const;
 
  private:

@@ -184,7 +184,8 @@ class TwistedEstimator final : public Estimator {
     const bool slips = reach.slip_rate > least_slip_rate;
     const std::size_t inner = !is_fine ? 12 : slips ? 17 : 34;
     const std::size_t outer = !is_fine || slips ? 3 : 6;
-    const double farthest = paths_->event.peak_tilt ? std::min(overturned, *paths_->event.peak_tilt) : overturned;
+    const double farthest =
+        paths_->event.name == EventName::tilt ? std::min(overturned, paths_->event.threshold) : overturned;
     return {{.inner = reach.tilt,
              .outer = std::max(farthest, 1.2 * reach.tilt),
              .inner_cells = inner,

@@ -22,7 +22,8 @@ constexpr std::array<ShadeClass, 7> classes{{{0.5, "0.5 to 1"},
                                              {1e-6, "1e-6 to 1e-5"}}};
 
 std::string event_words(const RareQuestion& question) {
-  return question.event.peak_tilt ? "reach |Θ| = " + number_text(*question.event.peak_tilt) : std::string("overturn");
+  if (question.event.name == EventName::tilt) return "reach |Θ| = " + number_text(question.event.threshold);
+  return to_do(question.event);
 }
 
 std::string title_of(const ReportedRare& condition) {

@@ -54,6 +54,29 @@ class TotalProgress {
   double earlier_ = 0.0;
 };
 
+/// Throws where slip is asked of a block that cannot slide, or of one whose slip no strobe point foretells.
+void check_slip(const Experiment& experiment, const ResponseEvent& event) {
+  if (!event.is_of_slip()) return;
+  for (const Condition& condition : experiment.conditions) {
+    if (!condition.scene.friction) {
+      throw base::InputError({.place = "event",
+                              .value = event_text(event),
+                              .reason = "cannot happen but by overturning: the block has no friction",
+                              .remedy = "add `friction` to the experiment, or ask for overturning or a tilt",
+                              .where = {}});
+    }
+    if (rare::method_of(condition.scene) != RareMethod::importance_sampling) {
+      throw base::InputError(
+          {.place = "event",
+           .value = event_text(event),
+           .reason = "is estimated only where all numbers are drawn once: the slip up to a strobe point is "
+                     "not part of what steers a particle run",
+           .remedy = "use `rocking run` and `rocking fragility`, or leave out `fluctuation`",
+           .where = {}});
+    }
+  }
+}
+
 }  // namespace
 
 void check_request(const Experiment& experiment, const RareRequest& request) {
@@ -70,6 +93,7 @@ void check_request(const Experiment& experiment, const RareRequest& request) {
   }
   check.finish();
   check_rare(experiment);
+  check_slip(experiment, request.question.event);
 }
 
 std::vector<RareEstimate> rare_probabilities(const Experiment& experiment, const RareRequest& request,

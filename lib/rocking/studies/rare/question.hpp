@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "rocking/api/checks.hpp"
+#include "rocking/realisation/response_event.hpp"
 #include "rocking/scene/experiment.hpp"
 #include "rocking/stats/interval.hpp"
 
@@ -18,11 +19,6 @@
 namespace rocking {
 
 namespace rare {
-
-/// The event: the block overturns, or abs(Theta) exceeds `peak_tilt` (also if it overturns).
-struct Event {
-  std::optional<double> peak_tilt;  ///< [-]
-};
 
 /// One unbiased estimate.
 struct Repetition {
@@ -71,7 +67,7 @@ struct CommittorMap {
 
 /// What is asked for each condition.
 struct RareQuestion {
-  rare::Event event;
+  ResponseEvent event;          ///< within the horizon; of slip where all numbers are drawn once
   double relative_error = 0.1;  ///< standard error over the probability that is aimed at; > 0
 };
 
@@ -151,10 +147,11 @@ struct RareRequest {
   std::function<void(const std::function<std::vector<RareEstimate>()>& so_far)> keep = {};
 };
 
-/// Throws base::InputError if nothing in a condition is random or a number is out of range.
+/// Throws base::InputError if nothing in a condition is random, if a number is out of range, or if slip is asked of a block
+/// without friction or with numbers drawn along the way.
 ROCKING_API void check_request(const Experiment& experiment, const RareRequest& request);
 
-/// Estimates the probability of overturning, or of a large tilt, one entry for each condition, by a particle run that
+/// Estimates the probability of an event, one entry for each condition, by a particle run that
 /// the committor steers or by importance sampling. Uses `threads`, `on_progress` and `stop` of the execution; progress
 /// counts simulated time in realisations to the horizon. Their number is estimated; it is 0, not known, up to the end of
 /// the pilot runs of the first condition. Throws as check_request, and base::Stopped if it is asked to stop. Source:

@@ -225,15 +225,31 @@ static const StructType& fields_of(const RareSuite*) {
 
 namespace {
 
+/// By EventName.
+constexpr std::array<std::string_view, 4> event_keys{"overturned", "peak_tilt", "slip", "displacement"};
+
+/// A threshold that stands in the file only where it is that of the event.
+template <EventName name>
+Field threshold_field(std::string_view key, std::string_view sentence) {
+  Field made = field<&RareReport::question, &RareQuestion::event>(key, sentence, threshold_type(name),
+                                                                  Rule{.above = 0.0}, WithoutValue::omitted);
+  made.has_value = [](const void* owner) { return static_cast<const RareReport*>(owner)->question.event.name == name; };
+  return made;
+}
+
 const StructType& question_fields() {
   using File = RareReport;
   static const StructType fields{
       "RareQuestion",
       derived<[](const File& report) {
-        return std::string(report.question.event.peak_tilt ? "peak_tilt" : "overturned");
-      }>("event", "`overturned` or `peak_tilt`"),
-      field<&File::question, &RareQuestion::event, &rare::Event::peak_tilt>(
-          "peak_tilt", "that abs(Theta) exceeds within the horizon; null: overturning", rule::not_negative),
+        return std::string(event_keys[static_cast<std::size_t>(report.question.event.name)]);
+      }>("event", "`overturned`, `peak_tilt`, `slip` or `displacement`"),
+      field<&File::question, &RareQuestion::event>("peak_tilt",
+                                                   "that abs(Theta) exceeds within the horizon; null: another event",
+                                                   threshold_type(EventName::tilt), rule::not_negative),
+      threshold_field<EventName::slip>("slip_m", "that the largest slip exceeds, where that is the event"),
+      threshold_field<EventName::displacement>("displacement_m",
+                                               "that the slip at the end exceeds, where that is the event"),
       field<&File::question, &RareQuestion::relative_error>(
           "relative_error", "standard error over the probability that was aimed at", rule::not_negative),
   };
@@ -317,7 +333,7 @@ std::vector<RareEstimate> estimates_for(const RareReport& asked, const RareRepor
   if (asked.input.sha256 != earlier.input.sha256) differ("/input");
   if (asked.seed != earlier.seed) differ("/settings/seed");
   if (asked.particles != earlier.particles) differ("/settings/particles");
-  if (asked.question.event.peak_tilt != earlier.question.event.peak_tilt) differ("/question/peak_tilt");
+  if (asked.question.event != earlier.question.event) differ("/question/event");
   std::vector<RareEstimate> all;
   for (const ReportedRare& condition : earlier.conditions) all.push_back(condition.estimate);
   return all;

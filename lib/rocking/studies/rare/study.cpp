@@ -37,10 +37,17 @@ const StructType& fields_of(const RareRequest*) {
                 "relative_error", "Standard error over the probability that is aimed at",
                 Rule{.least = 1e-3, .most = 1.0}),
             {.names = "--relative-error", .letter = "E"}),
-      asked(field<&Type::question, &RareQuestion::event, &rare::Event::peak_tilt>(
-                "peak_tilt", "Ask for abs(Theta) > A instead of overturning; 1 is the unstable equilibrium",
-                Rule{.least = 0.0, .most = 100.0}),
-            {.names = "--peak-tilt", .letter = "A"}),
+      asked(field<&Type::question, &RareQuestion::event>(
+                "event",
+                "What the probability is of: overturning, tilt > X (the largest abs(Theta); 1 is the unstable "
+                "equilibrium); where all numbers are drawn once also slip > X m (the largest), displacement > X m (the "
+                "slip at the end); an overturned block has every event",
+                event_text_type()),
+            {.names = "--event", .letter = "EVENT"}),
+      asked(field<&Type::question, &RareQuestion::event>("peak_tilt", "The same as --event 'tilt > A'",
+                                                         threshold_type(EventName::tilt),
+                                                         Rule{.least = 0.0, .most = 100.0}),
+            {.names = "--peak-tilt", .letter = "A", .excludes = "--event"}),
       asked(field<&Type::seconds>("seconds",
                                   "Stop after this time for all conditions together, e.g. 10min; what is finished then "
                                   "counts, so that the result depends on the time",

@@ -5,6 +5,7 @@
 #include "rocking/fields/struct_type.hpp"
 #include "rocking/figures/figure.hpp"
 #include "rocking/output/provenance.hpp"
+#include "rocking/output/response_event_text.hpp"
 #include "rocking/studies/rare/rare.hpp"
 #include "rocking/studies/rare/summarise.hpp"
 #include "rocking/study/study.hpp"

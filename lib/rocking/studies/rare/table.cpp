@@ -10,9 +10,9 @@ namespace {
 using look::number;
 
 std::string event_words(const RareQuestion& question) {
-  if (!question.event.peak_tilt) return "the block overturns within the horizon";
+  if (question.event.name != EventName::tilt) return "the block " + does(question.event) + " within the horizon";
   return "within the horizon the largest abs(Theta), tilt over psi of its side, exceeds " +
-         significant(*question.event.peak_tilt, 6);
+         significant(question.event.threshold, 6);
 }
 
 look::Cell in_per_cent(const std::optional<double>& relative) {

@@ -107,7 +107,6 @@ Path path_of(const BlockPaths& paths, std::uint64_t number, const random::DrawHi
   }
   const random::BranchedDraws draws(random::Draws(paths.seed, number), &history);
   const Start start = start_of(condition.scene, draws);
-  const double psi = start.geometry.shape_angle;
   const Beginning beginning = begin_realisation(condition, draws, start, Strobe::poincare, paths.periods());
   SectionKeeper section(start.geometry);
   const dynamics::Excitation shaking = excitation_of(condition.scene, beginning);
@@ -116,7 +115,8 @@ Path path_of(const BlockPaths& paths, std::uint64_t number, const random::DrawHi
   TiltSampler sampler(motion, beginning.clock.period_length() / path.samples_per_period);
   for (integrate::LoopCounts counts; !sampler.ended(); integrate::step(sampler, counts)) {
     paths.halt.check();
-    if (paths.event.peak_tilt && motion.peaks().tilt / psi > *paths.event.peak_tilt) break;
+    const bool is_at_end = paths.event.name == EventName::displacement;
+    if (!is_at_end && paths.event.is_exceeded(peaks_of(motion, start.geometry))) break;
   }
   for (const double tilt : sampler.tilts()) {
     const bool is_full = path.tilts.empty() || std::ssize(path.tilts.back()) == path.samples_per_period;

@@ -97,7 +97,7 @@ TEST(ExportToNrml, HasSharesWhereTheLawIsRejected) {
 TEST(ExportToNrml, HasAllEventsOfABlockFromTheMildest) {
   RunFragility run = exported_run(exported_suite(stats::FragilityOutcome::fitted, rejected_shares));
   ShownSuite tilt = exported_suite(stats::FragilityOutcome::rejected, {0.3, 0.4, 0.5, 1.0});
-  tilt.curve.subject.event.peak_tilt = 0.5;
+  tilt.curve.subject.event = {EventName::tilt, 0.5};
   run.suites.push_back(tilt);
   pugi::xml_document document;
   const pugi::xml_node function = function_in(document, exported({run}, ExportFormat::nrml).text);

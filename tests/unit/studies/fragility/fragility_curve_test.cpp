@@ -151,12 +151,30 @@ TEST(FragilityCurve, KnowsTheEventOfARealisationThatExceededTheTiltBeforeItEnded
   const Stripe stripe{.record = "",
                       .intensity = 1.0,
                       .overturned = {false, false, true, false},
-                      .peak_tilts = {0.6, 0.2, 3.0, 0.4},
+                      .peaks = {{.tilt = 0.6}, {.tilt = 0.2}, {.tilt = 3.0}, {.tilt = 0.4}},
                       .without_answer = {true, true, false, false}};
   EXPECT_EQ(level_of(stripe, {}).unresolved, 2U);
-  const stats::IntensityLevel tilted = level_of(stripe, {.peak_tilt = 0.5});
+  const stats::IntensityLevel tilted = level_of(stripe, {EventName::tilt, 0.5});
   EXPECT_EQ(tilted.unresolved, 1U);
   EXPECT_EQ(stats::proportion_at(tilted).successes, 2U);
+}
+
+// The slip at the end is not known without an end; an overturned block is lost, whatever its slip.
+TEST(FragilityCurve, CountsSlipInMetresAndOverturnedBlocksWithEveryEvent) {
+  const Stripe stripe{.record = "",
+                      .intensity = 1.0,
+                      .overturned = {false, false, true, false},
+                      .peaks = {{.slip = 9.0, .slip_m = 0.06, .final_slip_m = -0.06},
+                                {.slip = 9.0, .slip_m = 0.06, .final_slip_m = -0.06},
+                                {.slip_m = 0.0},
+                                {.slip_m = 0.07, .final_slip_m = 0.01}},
+                      .without_answer = {true, false, false, false}};
+  const stats::IntensityLevel slip = level_of(stripe, {EventName::slip, 0.05});
+  EXPECT_EQ(slip.happened, std::vector<bool>(4, true));
+  EXPECT_EQ(slip.unresolved, 0U);
+  const stats::IntensityLevel displacement = level_of(stripe, {EventName::displacement, 0.05});
+  EXPECT_EQ(displacement.happened, (std::vector<bool>{false, true, true, false}));
+  EXPECT_EQ(displacement.unresolved, 1U);
 }
 
 }  // namespace

@@ -19,7 +19,6 @@
 namespace {
 
 using namespace rocking::analysis;
-using rocking::FragilityEvent;
 using rocking::FragilityLevel;
 using rocking::FragilityReport;
 using rocking::Json;
@@ -27,6 +26,7 @@ using rocking::PooledSuite;
 using rocking::RecordCurve;
 using rocking::ReportedCurve;
 using rocking::ReportedSuite;
+using rocking::ResponseEvent;
 using rocking::SuiteLevel;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -41,7 +41,7 @@ const Layer* layer_of(const Figure& figure, LayerKind kind) {
 }
 
 /// A suite with the law of median 0.5 and dispersion 0.5.
-ReportedSuite suite(const FragilityEvent& event) {
+ReportedSuite suite(const ResponseEvent& event) {
   ReportedSuite reported{.run = {.title = "five sines"}, .curve = {}, .rate = {}};
   reported.curve.subject = {.parameter = "/excitation/pga_g", .others = {}, .event = event, .least_uplift = {}};
   PooledSuite& pooled = reported.curve.pooled.emplace();
@@ -74,8 +74,8 @@ Figure figure_of(const Reported&... curves) {
   return fragility_figure(report);
 }
 
-constexpr FragilityEvent overturning_event;
-constexpr FragilityEvent tilt_event{.peak_tilt = 0.5};
+constexpr ResponseEvent overturning_event;
+constexpr ResponseEvent tilt_event{rocking::EventName::tilt, 0.5};
 
 TEST(SuiteFigure, ShowsTheObservedSharesBesideASmoothLaw) {
   const Figure figure = figure_of(suite(overturning_event));

@@ -8,10 +8,10 @@ namespace rocking {
 namespace {
 
 Stripe stripe_of(const std::string& record, double intensity, const std::vector<double>& tilts) {
-  Stripe stripe{.record = record, .intensity = intensity, .measures = {}, .overturned = {}, .peak_tilts = {}};
+  Stripe stripe{.record = record, .intensity = intensity, .measures = {}, .overturned = {}, .peaks = {}};
   for (const double tilt : tilts) {
     stripe.overturned.push_back(tilt > 5.0);
-    stripe.peak_tilts.emplace_back(tilt);
+    stripe.peaks.push_back({.tilt = tilt});
   }
   return stripe;
 }

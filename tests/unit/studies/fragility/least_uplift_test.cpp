@@ -48,6 +48,24 @@ TEST(LeastUplift, OfAnAmplitudeIsInItsUnit) {
   EXPECT_NEAR(least_uplift(scene_of(pulse), 3.0).value(), tangent, 1e-14);
 }
 
+// Where the static friction is below tan(psi) it slides first; a record moves it at 0.15 g.
+TEST(LeastSliding, IsWhereTheAccelerationReachesTheLeastFrictionOrLiftsTheBlock) {
+  Scene scene = scene_of(recorded(-0.3, 0.0, 2.0));
+  EXPECT_EQ(least_sliding(scene, 0.6), least_uplift(scene, 0.6));
+  scene.friction = Friction{.static_coefficient = Uniform{.low = 0.15, .high = 0.4}, .kinetic_coefficient = 0.1};
+  EXPECT_NEAR(least_sliding(scene, 0.6).value(), 0.15, 1e-15);
+  EXPECT_NEAR(least_uplift(scene, 0.6).value(), tangent, 1e-15);
+  scene.friction->static_coefficient = 0.5;
+  EXPECT_EQ(least_sliding(scene, 0.6), least_uplift(scene, 0.6));
+  scene.fluctuation.static_friction = 0.1;
+  EXPECT_FALSE(least_sliding(scene, 0.6));
+  Pulse pulse;
+  pulse.physical_amplitude = PhysicalAmplitude{.value = 3.0, .unit = AccelerationUnit::m_s2};
+  scene = scene_of(pulse);
+  scene.friction = Friction{.static_coefficient = 0.1, .kinetic_coefficient = 0.1};
+  EXPECT_NEAR(least_sliding(scene, 3.0).value(), 0.1 * 9.81, 1e-14);
+}
+
 TEST(LeastUplift, IsThatOfTheMostSlenderBlockThatMayBeDrawn) {
   Scene scene = scene_of(recorded(0.3, 0.0, 1.0));
   scene.block.width = Uniform{.low = 0.3, .high = 0.4};
@@ -81,7 +99,7 @@ TEST(LeastUplift, OfAGroupIsTheLeastOfItsMotions) {
   const auto of = [](const std::vector<std::optional<double>>& uplifts) {
     StripeGroup group;
     for (const auto& uplift : uplifts) group.stripes.emplace_back().uplift = uplift;
-    return group.least_uplift();
+    return group.least_uplift({});
   };
   EXPECT_EQ(of({0.3, 0.2, never}), 0.2);
   EXPECT_EQ(of({0.3, std::nullopt}), std::nullopt);

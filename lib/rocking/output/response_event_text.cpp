@@ -1,0 +1,163 @@
+#include "rocking/output/response_event_text.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+#include "rocking/base/number_text.hpp"
+#include "rocking/fields/container_types.hpp"
+#include "rocking/fields/written_types.hpp"
+#include "rocking/input/line_problems.hpp"
+
+namespace rocking {
+namespace {
+
+struct Described {
+  std::string_view name;
+  std::string_view unit;                  ///< of the threshold; empty: none
+  std::array<std::string_view, 3> verbs;  ///< does, do, did
+  std::string_view beyond;                ///< between the verb and the threshold
+  std::string_view after;                 ///< the threshold, with the verb
+  std::string_view noun;                  ///< before the threshold
+};
+
+/// By EventName.
+constexpr std::array described{
+    Described{"overturning", "", {"overturns", "overturn", "overturned"}, "", "", "overturning"},
+    Described{"tilt", "", {"tilts", "tilt", "tilted"}, " beyond ", " psi", "a peak tilt above "},
+    Described{"slip", "m", {"slides", "slide", "slid"}, " more than ", " m", "sliding more than "},
+    Described{"displacement", "m", {"ends", "end", "ended"}, " more than ", " m away", "a displacement above "},
+};
+
+const Described& description_of(const ResponseEvent& event) { return described[static_cast<std::size_t>(event.name)]; }
+
+/// The threshold with its unit.
+std::string threshold_in_words(const ResponseEvent& event) {
+  const std::string_view unit = description_of(event).unit;
+  return base::significant(event.threshold, 6) + (unit.empty() ? "" : ' ' + std::string(unit));
+}
+
+std::string with_verb(const ResponseEvent& event, std::size_t form) {
+  const Described& words = description_of(event);
+  const std::string verb(words.verbs[form]);
+  if (event.is_overturning()) return verb;
+  return verb + std::string(words.beyond) + base::significant(event.threshold, 6) + std::string(words.after);
+}
+
+std::string example_of(const Described& words) {
+  if (words.beyond.empty()) return std::string(words.name);
+  return std::string(words.name) + (words.unit.empty() ? " > 0.5" : " > 0.05 " + std::string(words.unit));
+}
+
+std::string all_examples() {
+  std::string text;
+  for (const Described& words : described) text += (text.empty() ? "" : ", ") + ('`' + example_of(words) + '`');
+  return text;
+}
+
+bool is_threshold(double number) { return number >= 0.0 && number <= 1e9; }
+
+/// Reads what follows `>`.
+std::variant<ResponseEvent, NoEvent> with_threshold(EventName name, std::string_view text) {
+  const Described& words = described[static_cast<std::size_t>(name)];
+  const std::string remedy = "write `" + example_of(words) + '`';
+  double threshold = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), threshold);
+  if (error != std::errc()) return NoEvent{"lacks a number after >", remedy};
+  if (!is_threshold(threshold)) return NoEvent{"must exceed a number of at least 0, at most 1e9", remedy};
+  const std::string_view unit = trimmed(text.substr(static_cast<std::size_t>(end - text.data())));
+  if (unit == words.unit) return ResponseEvent{name, threshold};
+  if (unit.empty()) return NoEvent{"lacks its unit, m", remedy};
+  return NoEvent{
+      words.unit.empty() ? "has no unit: the tilt is counted in psi, at which the block is in balance" : "must be in m",
+      remedy};
+}
+
+class EventTextType final : public ValueType {
+ public:
+  [[nodiscard]] Json json(const void* value) const override {
+    return event_text(*static_cast<const ResponseEvent*>(value));
+  }
+  void read(const Json& json, const ReadingPlace& place, void* value) const override {
+    if (!json.is_string()) return place.reject(json, "must be a text", "write " + all_examples());
+    const auto found = read_event(json.get<std::string>());
+    if (const auto* wrong = std::get_if<NoEvent>(&found)) return place.reject(json, wrong->reason, wrong->remedy);
+    *static_cast<ResponseEvent*>(value) = std::get<ResponseEvent>(found);
+  }
+  void check(const void* value, const ReadingPlace& place) const override {
+    const auto& event = *static_cast<const ResponseEvent*>(value);
+    if (!event.is_overturning() && !is_threshold(event.threshold))
+      place.reject(Json(base::shortest(event.threshold)), "must be at least 0, at most 1e9");
+  }
+  [[nodiscard]] Json schema(const Rule&) const override { return {{"type", "string"}}; }
+};
+
+template <EventName name>
+class ThresholdType final : public ValueType {
+ public:
+  [[nodiscard]] Json json(const void* value) const override {
+    const auto& event = *static_cast<const ResponseEvent*>(value);
+    return event.name == name ? Json(event.threshold) : Json();
+  }
+  void read(const Json& json, const ReadingPlace& place, void* value) const override {
+    std::optional<double> threshold;
+    type_of<std::optional<double>>().read(json, place, &threshold);
+    if (threshold) *static_cast<ResponseEvent*>(value) = {name, *threshold};
+  }
+  void check(const void* value, const ReadingPlace& place) const override {
+    const auto& event = *static_cast<const ResponseEvent*>(value);
+    if (event.name == name) type_of<double>().check(&event.threshold, place);
+  }
+  [[nodiscard]] Json schema(const Rule& rule) const override { return type_of<std::optional<double>>().schema(rule); }
+};
+
+}  // namespace
+
+std::string event_text(const ResponseEvent& event) {
+  const Described& words = description_of(event);
+  if (event.is_overturning()) return std::string(words.name);
+  return std::string(words.name) + " > " + base::shortest(event.threshold) +
+         (words.unit.empty() ? "" : ' ' + std::string(words.unit));
+}
+
+std::variant<ResponseEvent, NoEvent> read_event(std::string_view text) {
+  const std::size_t sign = text.find('>');
+  const std::string_view name = trimmed(text.substr(0, sign));
+  const auto* const found = std::ranges::find(described, name, &Described::name);
+  if (found == described.end()) return NoEvent{"is no event", "write one of " + all_examples()};
+  const auto event = static_cast<EventName>(found - described.begin());
+  const bool has_threshold = sign != std::string_view::npos;
+  if (event == EventName::overturning) {
+    if (has_threshold) return NoEvent{"has no threshold", "write `overturning`, or `tilt > 0.5`"};
+    return ResponseEvent{};
+  }
+  if (!has_threshold) return NoEvent{"lacks its threshold", "write `" + example_of(*found) + '`'};
+  return with_threshold(event, trimmed(text.substr(sign + 1)));
+}
+
+const ValueType& event_text_type() { return the_only<EventTextType>(); }
+
+const ValueType& threshold_type(EventName name) {
+  switch (name) {
+    case EventName::slip: return the_only<ThresholdType<EventName::slip>>();
+    case EventName::displacement: return the_only<ThresholdType<EventName::displacement>>();
+    default: break;
+  }
+  return the_only<ThresholdType<EventName::tilt>>();
+}
+
+std::string words_of(const ResponseEvent& event) {
+  const std::string noun(description_of(event).noun);
+  return event.is_overturning() ? noun : noun + threshold_in_words(event);
+}
+
+std::string column_of(const ResponseEvent& event) {
+  if (event.is_overturning()) return "overturned";
+  return std::string(description_of(event).name) + " > " + threshold_in_words(event);
+}
+
+std::string does(const ResponseEvent& event) { return with_verb(event, 0); }
+std::string to_do(const ResponseEvent& event) { return with_verb(event, 1); }
+std::string did(const ResponseEvent& event) { return with_verb(event, 2); }
+
+}  // namespace rocking

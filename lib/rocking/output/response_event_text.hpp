@@ -1,0 +1,40 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "rocking/fields/value_type.hpp"
+#include "rocking/realisation/response_event.hpp"
+
+/// Events as people write and read them.
+namespace rocking {
+
+/// `overturning`, `tilt > 0.5`, `slip > 0.05 m`, `displacement > 0.05 m`, as read_event() takes it.
+[[nodiscard]] std::string event_text(const ResponseEvent& event);
+
+/// What is wrong with a text, and what would do.
+struct NoEvent {
+  std::string reason;
+  std::string remedy;
+};
+[[nodiscard]] std::variant<ResponseEvent, NoEvent> read_event(std::string_view text);
+
+/// In questions: the same text.
+[[nodiscard]] const ValueType& event_text_type();
+/// The threshold of a peak tilt, slip or displacement; null: the event is another one. Sets the event where it is read.
+[[nodiscard]] const ValueType& threshold_type(EventName name);
+
+/// `overturning`, `a peak tilt above 0.5`, `sliding more than 0.05 m`, `a displacement above 0.05 m`: what has a
+/// probability or a rate.
+[[nodiscard]] std::string words_of(const ResponseEvent& event);
+/// `overturned`, `tilt > 0.5`, `slip > 0.05 m`: heading of a column.
+[[nodiscard]] std::string column_of(const ResponseEvent& event);
+
+/// What the block does: `overturns`, `tilts beyond 0.5 psi`, `slides more than 0.05 m`, `ends more than 0.05 m away`.
+[[nodiscard]] std::string does(const ResponseEvent& event);
+/// The same without the third person, `overturn`, and in the past, `overturned`.
+[[nodiscard]] std::string to_do(const ResponseEvent& event);
+[[nodiscard]] std::string did(const ResponseEvent& event);
+
+}  // namespace rocking

@@ -80,9 +80,10 @@ CLI::Option* add_list(CLI::App& command, const Field& field, const std::string& 
                                          : add_value<std::vector<double>>(command, field, question);
   if (field.flag.kind == FlagKind::words) option->delimiter(',');
   if (field.flag.count > 0) option->expected(field.flag.count);
-  if (field.flag.kind == FlagKind::commas) {
-    option->delimiter(',')->expected(1)->allow_extra_args(false)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  if (field.flag.kind == FlagKind::commas || field.flag.kind == FlagKind::repeated) {
+    option->expected(1)->allow_extra_args(false)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   }
+  if (field.flag.kind == FlagKind::commas) option->delimiter(',');
   return option;
 }
 

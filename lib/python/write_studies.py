@@ -17,7 +17,7 @@ import os
 from typing import Optional, Sequence, Tuple, Union
 
 from . import documents
-from .asking import Path, Source, answer, ends, paths, words
+from .asking import Path, Source, answer, ends, numbers, paths, words
 from .experiments import ExperimentLike
 from .running import Progress
 
@@ -73,7 +73,7 @@ class Parameter:
             return f"Optional[Sequence[{simple}]]", "None", convert
         if self.is_list:
             values = tuple(default) if default else ()
-            return f"Sequence[{simple}]", repr(values), f"[{simple}(each) for each in {self.name}]"
+            return f"Union[{simple}, Sequence[{simple}]]", repr(values), f"numbers({simple}, {self.name})"
         if self.is_path:
             annotation = "Path" if self.is_required else "Optional[Path]"
             return annotation, "None", f"None if {self.name} is None else os.fspath({self.name})"

@@ -6,7 +6,7 @@ import json
 import math
 import os
 import platform
-from typing import Any, Dict, List, Optional, Sequence, Tuple, Union
+from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
 
 from . import _core
 from .experiments import ExperimentLike, experiment
@@ -17,14 +17,21 @@ Path = Union[str, "os.PathLike[str]"]
 Source = Union[Result, ExperimentLike]
 
 
-def words(given: Union[str, Sequence[str]]) -> List[str]:
+def words(given: Union[str, Sequence[str], None]) -> List[str]:
     """One word, or several, as a list."""
-    return [given] if isinstance(given, str) else list(given)
+    return [given] if isinstance(given, str) else list(given or ())
 
 
-def paths(given: Union[Path, Sequence[Path]]) -> List[str]:
+def numbers(kind: Callable[[Any], Any], given: Any) -> List[Any]:
+    """One number, or several, as a list of this kind."""
+    if given is None:
+        return []
+    return [kind(each) for each in given] if hasattr(given, "__iter__") else [kind(given)]
+
+
+def paths(given: Union[Path, Sequence[Path], None]) -> List[str]:
     """One path, or several, as a list."""
-    return [os.fspath(given)] if isinstance(given, (str, os.PathLike)) else [os.fspath(each) for each in given]
+    return [os.fspath(given)] if isinstance(given, (str, os.PathLike)) else [os.fspath(each) for each in given or ()]
 
 
 def ends(name: str, given: Tuple[Optional[float], Optional[float]]) -> Dict[str, Optional[float]]:

@@ -30,6 +30,7 @@ enum class FlagKind : std::uint8_t {
   words,     ///< the same of a list whose words may be parted by commas too, and are not checked
   new_file,  ///< a path that must not exist
   commas,    ///< `--flag X,X`
+  repeated,  ///< a list: `--flag X --flag X`
   duration,  ///< `--flag 10min` [s]
   on,        ///< `--flag` alone: true
   off,       ///< `--no-flag` alone: false; what the field says is then not done

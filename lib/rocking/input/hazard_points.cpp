@@ -73,7 +73,8 @@ void HazardPoints::set_measure(const std::string& place, const std::optional<Haz
 
 void HazardPoints::set_kind(const std::string& place, const std::string& word, const HazardKind& kind) {
   if (!kind.is_probability) {
-    if (reading_.years) reject(place, word, "is no probability, so that --years means nothing", "omit --years");
+    if (reading_.years && !reading_.are_years_spare)
+      reject(place, word, "is no probability, so that --years means nothing", "omit --years");
     return;
   }
   curve_.years = kind.years ? kind.years : reading_.years;
@@ -81,7 +82,7 @@ void HazardPoints::set_kind(const std::string& place, const std::string& word, c
     return reject(place, word, "is a probability in a time that is not stated",
                   "state the years, as --years 50, or name the column \"poe[50]\"");
   }
-  if (reading_.years && *reading_.years != *curve_.years) {
+  if (!reading_.are_years_spare && reading_.years && *reading_.years != *curve_.years) {
     reject(place, word, "states another time than --years " + base::shortest(*reading_.years), "omit --years");
   }
 }

@@ -42,7 +42,8 @@ struct HazardCurve {
 
 /// What is said of a hazard file beside its text: what it leaves open, and which of its curves is meant.
 struct HazardReading {
-  std::optional<double> years = std::nullopt;           ///< of its probabilities of exceedance
+  std::optional<double> years = std::nullopt;  ///< of its probabilities of exceedance
+  bool are_years_spare = false;                ///< rates, and probabilities whose time the file states, do without them
   std::optional<std::string> measure = std::nullopt;    ///< of its intensities: `PGA`, `sa_g[1]`
   std::optional<HazardSite> site = std::nullopt;        ///< to a tenth of a thousandth of a degree
   std::optional<std::string> statistic = std::nullopt;  ///< `mean`, `quantile-0.84`

@@ -29,6 +29,17 @@ static const StructType& fields_of(const RateInRange*) {
   return fields;
 }
 
+static const StructType& fields_of(const RateInYears*) {
+  static const StructType fields{
+      "RateInYears",
+      field<&RateInYears::years>("years", "as asked", Rule{.above = 0.0}),
+      field<&RateInYears::probability>("probability", "that the event happens in these years: 1 - exp(-value years)",
+                                       rule::share),
+      field<&RateInYears::interval>("interval", "of it; null: that of the rate is", rule::share),
+  };
+  return fields;
+}
+
 const StructType& fields_of(const AnnualRate*) {
   using Rate = AnnualRate;
   static const StructType fields{
@@ -69,6 +80,7 @@ const StructType& fields_of(const AnnualRate*) {
       field<&Rate::within_hazard>("within_hazard", "the rest of `value`, without that share [1/year]",
                                   rule::not_negative),
       field<&Rate::by_level>("by_level", "disaggregation by intensity"),
+      field<&Rate::in_years>("in_years", "probabilities of the event, with `--years`", {}, WithoutValue::omitted),
   };
   return fields;
 }
@@ -145,6 +157,47 @@ const StructType& fields_of(const RateComparison*) {
                                 rule::not_negative),
       field<&Comparison::ratio_interval>("ratio_interval", "of it likewise; null: without an upper bound",
                                          open_interval_type(), rule::not_negative),
+  };
+  return fields;
+}
+
+static const StructType& fields_of(const SurvivingBlock*) {
+  using Block = SurvivingBlock;
+  static const StructType fields{
+      "SurvivingBlock",
+      field<&Block::name>("name", "values of the rest of the sweep, title or folder of the run"),
+      field<&Block::rate>("rate", "mean annual rate of the event [1/year]", rule::not_negative),
+      field<&Block::rate_interval>("rate_interval", "of it; null: unknown", rule::not_negative),
+      field<&Block::probability>("probability", "that the event has not happened: exp(-rate years)", rule::share),
+      field<&Block::interval>("interval", "of it; null: that of the rate is", rule::share),
+  };
+  return fields;
+}
+
+static const StructType& fields_of(const SurvivalBranch*) {
+  using Branch = SurvivalBranch;
+  static const StructType fields{
+      "SurvivalBranch",
+      field<&Branch::hazard>("hazard", "file of the hazard curve"),
+      field<&Branch::all>("all",
+                          "that no block has had the event, `rate` that any has it; `probability` is the "
+                          "likelihood of the branch"),
+      field<&Branch::independent>("independent", "product of the probabilities of the blocks, without what they share",
+                                  rule::share),
+      field<&Branch::weight>("weight", "likelihood over the sum over the branches; 0: all are 0", rule::share),
+      field<&Branch::blocks>("blocks", "each by itself"),
+  };
+  return fields;
+}
+
+const StructType& fields_of(const Survival*) {
+  static const StructType fields{
+      "Survival",
+      field<&Survival::event>("event", "as of a curve"),
+      field<&Survival::years>("years", "that have passed", Rule{.above = 0.0}),
+      field<&Survival::source>("from",
+                               "`law`, if it holds for every block and for all together; else `levels` or `isotonic`"),
+      field<&Survival::branches>("branches", "one for each hazard curve"),
   };
   return fields;
 }

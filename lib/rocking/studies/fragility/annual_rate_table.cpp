@@ -165,6 +165,10 @@ std::string annual_rate_in_words(const AnnualRate& rate, const ResponseEvent& ev
   std::string text = "mean annual rate of " + words_of(event) + ": " + significant(rate.value, 3);
   if (rate.interval) text += ' ' + interval_in_words(*rate.interval);
   text += rate.value > 0.0 ? ", once in " + years_in_words(1.0 / rate.value) + " years\n" : "\n";
+  for (const auto& [years, probability, interval] : rate.in_years) {
+    text += "probability of " + words_of(event) + " in " + base::shortest(years) +
+            (years == 1.0 ? " year: " : " years: ") + plain_text(estimate_cell(probability, interval)) + '\n';
+  }
   if (rate.source == RateSource::levels) {
     text +=
         "no function is fitted: the rate is that of the levels, interpolated; its interval assumes that the "

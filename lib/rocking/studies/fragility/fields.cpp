@@ -315,6 +315,8 @@ struct TypeOf<std::variant<ReportedCurve, ReportedSuite>> {
 const StructType& fields_of(const FragilityReport*) {
   static const StructType fields{
       "Fragility",
+      field<&FragilityReport::survival>("survival", "with `--survived`: whether the blocks still stand", {},
+                                        WithoutValue::omitted),
       field<&FragilityReport::curves>("curves", "of one motion, or of a suite, which has `pooled`"),
       field<&FragilityReport::comparisons>("comparisons",
                                            "with `--hazard`: suites with other values of the rest of the sweep", {},
@@ -386,6 +388,7 @@ FragilityReport fragility_report(const std::vector<RunFragility>& runs) {
     for (const auto& [curve, rate] : found.curves) report.curves.emplace_back(ReportedCurve{run, curve, rate});
     for (const auto& [curve, rate] : found.suites) report.curves.emplace_back(ReportedSuite{run, curve, rate});
     for (const RateComparison& comparison : found.comparisons) report.comparisons.push_back({run, comparison});
+    if (found.survival) report.survival = found.survival;
     for (const IncrementalAnalysis& analysis : found.incremental) report.incremental.push_back({run, analysis});
   }
   return report;

@@ -21,6 +21,7 @@ inline constexpr std::string_view unresolved_sentence =
 [[nodiscard]] const StructType& fields_of(const AnnualRate*);
 [[nodiscard]] const StructType& fields_of(const SuiteRate*);
 [[nodiscard]] const StructType& fields_of(const RateComparison*);
+[[nodiscard]] const StructType& fields_of(const Survival*);
 [[nodiscard]] const StructType& fields_of(const ReportedSuite*);
 [[nodiscard]] const StructType& fields_of(const ReportedAnalysis*);
 

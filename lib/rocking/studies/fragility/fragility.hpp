@@ -1,5 +1,7 @@
 #pragma once
 
+#include <variant>
+
 #include "rocking/base/many_parts.hpp"
 #include "rocking/ensemble/run.hpp"
 #include "rocking/stats/fit_suite.hpp"
@@ -46,6 +48,26 @@ inline constexpr std::uint64_t suite_samples = 499;
 /// the options; progress counts parts of about equal work, most of them bootstrap samples.
 [[nodiscard]] RunFragility run_fragility(const Experiment& experiment, const std::vector<StripeGroup>& groups,
                                          const FragilityQuestion& question, const RunOptions& options);
+
+/// The probabilities of an event with this rate within each of these times.
+[[nodiscard]] std::vector<RateInYears> in_years(const AnnualRate& rate, const std::vector<double>& years);
+
+/// Throws base::InputError where the hazard curve is one of another intensity than that of the run, or of one period where
+/// its sweep has several.
+void check_hazard(const HazardCurve& hazard, const Experiment& experiment);
+
+/// A block of a run: its curve of the event, and the stripes from which it follows.
+struct BlockCurve {
+  std::string name;
+  std::variant<const FragilityCurve*, const SuiteCurve*> curve;
+  const StripeGroup* group;
+};
+
+/// Whether the blocks still stand after `years` [years], > 0, under each of the hazard curves, at least one. Several blocks
+/// must have the same levels of the same motions. `seed`: of the bootstraps of all together. Throws base::InputError.
+[[nodiscard]] Survival survival(const std::vector<BlockCurve>& blocks, double years,
+                                const std::vector<HazardCurve>& hazards, std::uint64_t seed,
+                                const base::ManyParts& how = {});
 
 /// The least intensity at which the excitation of a scene lifts a block that is at rest: abs(alpha) reaches
 /// tan(psi) (1 + alpha_v) at some instant, for the most slender block that the scene may draw. `intensity`: that of the

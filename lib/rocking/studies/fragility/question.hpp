@@ -21,6 +21,13 @@ struct RateInRange {
   bool is_tested = false;    ///< lies between the lowest level that can lift the block and the highest level
 };
 
+/// Probability that the event happens within a time, if earthquakes follow each other as a Poisson process.
+struct RateInYears {
+  double years = 0.0;
+  double probability = 0.0;                 ///< 1 - exp(-rate years)
+  std::optional<stats::Interval> interval;  ///< that of the rate; absent where it is
+};
+
 /// Where the probabilities of a rate come from.
 enum class RateSource : std::uint8_t {
   law,       ///< the fitted function
@@ -52,9 +59,10 @@ struct AnnualRate {
   double probability_at_first = 0.0;  ///< at the lowest intensity of the hazard curve, below which nothing is counted
   /// Below this intensity rare estimates give the probabilities, on a probit scale linear in ln x; absent: nowhere.
   std::optional<double> rare_below;
-  std::optional<RareUse> rare_use;   ///< absent: there are no rare estimates
-  double extrapolated_hazard = 0.0;  ///< share of `value` from beyond the last point of the hazard curve
-  double within_hazard = 0.0;        ///< the rest of `value` [1/year]
+  std::optional<RareUse> rare_use;         ///< absent: there are no rare estimates
+  double extrapolated_hazard = 0.0;        ///< share of `value` from beyond the last point of the hazard curve
+  double within_hazard = 0.0;              ///< the rest of `value` [1/year]
+  std::vector<RateInYears> in_years = {};  ///< in the order in which they are asked for
 };
 
 /// A rate of a suite by one way of taking the probabilities from its outcomes.
@@ -148,13 +156,42 @@ struct ShownSuite {
   std::optional<SuiteRate> rate = std::nullopt;
 };
 
+/// A block that has survived, under one hazard curve.
+struct SurvivingBlock {
+  std::string name;
+  double rate = 0.0;  ///< of the event [1/year]
+  std::optional<stats::Interval> rate_interval;
+  double probability = 0.0;  ///< that it has not had the event: exp(-rate years)
+  std::optional<stats::Interval> interval;
+};
+
+/// A hazard curve, and how likely it makes that all blocks still stand.
+struct SurvivalBranch {
+  std::string hazard;  ///< name of its file
+  std::vector<SurvivingBlock> blocks;
+  /// That none of them has had the event: that of the rate at which any has it, whose probability at a level is, record by
+  /// record, 1 - prod(1 - P of a block). Its probability is the likelihood of the branch.
+  SurvivingBlock all;
+  double independent = 0.0;  ///< product of the probabilities of the blocks, as if each had earthquakes of its own
+  double weight = 0.0;       ///< likelihood over the sum over the branches; 0 where all are 0
+};
+
+/// The probability that blocks still stand after a time, or have not had another event.
+struct Survival {
+  ResponseEvent event;
+  double years = 0.0;
+  RateSource source = RateSource::law;  ///< of all rates of a branch
+  std::vector<SurvivalBranch> branches;
+};
+
 /// The curves of a run.
 struct RunFragility {
   Experiment experiment;
   std::vector<ShownCurve> curves = {};
   std::vector<ShownSuite> suites = {};
   std::vector<IncrementalAnalysis> incremental = {};
-  std::vector<RateComparison> comparisons = {};  ///< of suites with a hazard curve, with the first of each event
+  std::vector<RateComparison> comparisons = {};     ///< of suites with a hazard curve, with the first of each event
+  std::optional<Survival> survival = std::nullopt;  ///< where it is asked for, of this run or of all together
 };
 
 /// A rare estimate, and the curve to which it belongs.
@@ -174,6 +211,7 @@ struct FragilityQuestion {
   std::vector<ResponseEvent> events = {};     ///< of which the probability is asked; empty: overturning
   std::vector<double> peak_tilts = {};        ///< also the probability that abs(Theta) exceeds each; > 0
   std::optional<HazardCurve> hazard = {};     ///< gives the mean annual rates
+  std::vector<double> years = {};             ///< also the probabilities within these times; > 0
   std::vector<RareOfCurve> rare = {};         ///< small probabilities of the same blocks under the same motions
   bool incremental = false;                   ///< also the peak tilt against intensity for each record
   std::vector<RecordMetadata> metadata = {};  ///< of the records of suites; gives how sufficient measures are

@@ -191,12 +191,14 @@ std::string swept_measure(const Experiment& experiment) {
   return periods.empty() ? text : text + ']';
 }
 
+void check_hazard(const HazardCurve& hazard, const Experiment& experiment) {
+  check_intensity(hazard, experiment);
+  check_one_period(hazard, experiment);
+}
+
 RunFragility run_fragility(const Experiment& experiment, const std::vector<StripeGroup>& groups,
                            const FragilityQuestion& question, const RunOptions& options) {
-  if (question.hazard) {
-    check_intensity(*question.hazard, experiment);
-    check_one_period(*question.hazard, experiment);
-  }
+  if (question.hazard) check_hazard(*question.hazard, experiment);
   const std::vector<ResponseEvent> events = events_of(question);
   check_friction(events, experiment);
   RunFragility run{.experiment = experiment};
@@ -216,6 +218,8 @@ RunFragility run_fragility(const Experiment& experiment, const std::vector<Strip
   if (question.hazard) {
     set_rates(*question.hazard, run);
     compare(*question.hazard, run);
+    for (ShownCurve& shown : run.curves) shown.rate->in_years = in_years(*shown.rate, question.years);
+    for (ShownSuite& shown : run.suites) shown.rate->chosen.in_years = in_years(shown.rate->chosen, question.years);
   }
   if (!question.metadata.empty() && run.suites.empty()) {
     throw base::InputError({"metadata", "", "needs a suite of ground motions", "omit it, or give a run of a suite"});

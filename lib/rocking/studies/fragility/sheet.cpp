@@ -96,6 +96,7 @@ Written write_sheet(const StoredRun& stored, const RunFragility& found, const Ha
                                            .comparisons = std::move(comparisons),
                                            .hazard = hazard,
                                            .periods = measure_periods(stored.experiment),
+                                           .survival = found.survival,
                                            .curve_png = std::move(picture),
                                            .program = base::code_identity(),
                                            .command = command});

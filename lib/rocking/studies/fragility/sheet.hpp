@@ -12,9 +12,10 @@ struct SheetContent {
   std::vector<ReportedComparison> comparisons;
   const HazardCurve& hazard;
   std::vector<double> periods;  ///< of the spectral acceleration [s]; empty: none
-  std::string curve_png;        ///< picture of the curve; empty if it could not be drawn
-  std::string program;          ///< version and revision
-  std::string command;          ///< that makes the sheet again
+  std::optional<Survival> survival;
+  std::string curve_png;  ///< picture of the curve; empty if it could not be drawn
+  std::string program;    ///< version and revision
+  std::string command;    ///< that makes the sheet again
 };
 
 /// One page of A4 as HTML without scripts and external resources: the object to scale, the question, the hazard and the

@@ -18,7 +18,7 @@
 namespace rocking::analysis {
 namespace {
 
-constexpr std::array horizons{1.0, 50.0, 475.0};  // [years]
+const std::vector<double> usual_horizons{1.0, 50.0, 475.0};  // [years]
 constexpr std::size_t most_records_named = 30;
 constexpr std::size_t most_options = 5;
 
@@ -151,6 +151,19 @@ std::string answer(const SheetContent& sheet) {
       as, does(object.curve.subject.event), years_in_words(1.0 / rate.value), interval, within(50.0, rate.value));
 }
 
+/// Whether the blocks still stand, where that is asked.
+std::string survived(const SheetContent& sheet) {
+  if (!sheet.survival) return "";
+  std::string text = fmt::format("<p class=\"answer\">{}.</p>\n", escaped(survival_in_words(*sheet.survival)));
+  if (sheet.survival->branches.size() < 2) return text;
+  text += "<p class=\"small\">Weights of the hazard curves:";
+  for (const SurvivalBranch& branch : sheet.survival->branches) {
+    text += fmt::format(" {} {}{}", escaped(last_part(branch.hazard)), two_digits(branch.weight),
+                        &branch == &sheet.survival->branches.back() ? ".</p>\n" : ",");
+  }
+  return text;
+}
+
 /// The period of a spectral acceleration, or its range.
 std::string periods_sentence(const std::vector<double>& periods) {
   if (periods.empty()) return "";
@@ -198,7 +211,14 @@ std::string cell(double value, const std::optional<stats::Interval>& interval, S
   return "<td>" + text + "</td>";
 }
 
-std::string rate_cells(const AnnualRate& rate) {
+/// Those that are asked for, or the usual ones [years].
+std::vector<double> horizons(const SheetContent& sheet) {
+  std::vector<double> years;
+  for (const RateInYears& each : sheet.suites.front().rate->chosen.in_years) years.push_back(each.years);
+  return years.empty() ? usual_horizons : years;
+}
+
+std::string rate_cells(const AnnualRate& rate, const std::vector<double>& horizons) {
   const auto years = [](double value) { return value > 0.0 ? years_in_words(1.0 / value) : std::string("&infin;"); };
   std::string cells = cell(rate.value, rate.interval, power_of_ten) + cell(rate.value, rate.interval, years, true);
   for (const double horizon : horizons) {
@@ -218,12 +238,16 @@ std::string factor_cell(const SheetContent& sheet, const ReportedSuite& suite) {
 
 std::string rates(const SheetContent& sheet) {
   const bool has_options = !sheet.comparisons.empty();
-  std::string rows;
+  std::string rows, headings;
+  for (const double years : horizons(sheet)) {
+    headings += fmt::format("<th>in {} {} [%]</th>", significant(years, 6), years == 1.0 ? "year" : "years");
+  }
   for (std::size_t i = 0; i < std::min(sheet.suites.size(), most_options); ++i) {
     const ReportedSuite& suite = sheet.suites[i];
     const std::string values = values_of(suite.curve.subject.others);
     rows += "<tr><th>" + (values.empty() ? words_of(event_of(sheet)) : values) + "</th>" +
-            rate_cells(suite.rate->chosen) + (has_options ? factor_cell(sheet, suite) : "") + "</tr>\n";
+            rate_cells(suite.rate->chosen, horizons(sheet)) + (has_options ? factor_cell(sheet, suite) : "") +
+            "</tr>\n";
   }
   const std::string omitted =
       sheet.suites.size() > most_options
@@ -231,10 +255,9 @@ std::string rates(const SheetContent& sheet) {
                         sheet.suites.size() - most_options)
           : "";
   return fmt::format(
-             "<h2>Rate</h2>\n<table><thead><tr><th></th><th>per year</th><th>return period [years]</th><th>in 1 year "
-             "[%]</th><th>in 50 years [%]</th><th>in 475 years "
-             "[%]</th>{}</tr></thead>\n<tbody>\n{}</tbody></table>\n{}",
-             has_options ? "<th>factor</th>" : "", rows,
+             "<h2>Rate</h2>\n<table><thead><tr><th></th><th>per year</th><th>return period "
+             "[years]</th>{}{}</tr></thead>\n<tbody>\n{}</tbody></table>\n{}",
+             headings, has_options ? "<th>factor</th>" : "", rows,
              has_options
                  ? fmt::format("<p class=\"small\">Factor: rate over that of the first row, with the same records and "
                                "random numbers, by {} as the rates.</p>\n",
@@ -347,10 +370,10 @@ std::string sheet_text(const SheetContent& sheet) {
              "http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src {}; img-src data:\">\n"
              "<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n<h1>{}</h1>\n",
              policy_hash(sheet_style()), escaped(title), sheet_style(), escaped(title)) +
-         answer(sheet) + "<div class=\"top\">\n<div class=\"object\">\n" + drawing(sheet.run) + motions(sheet) +
-         limits(sheet) + "</div>\n<div class=\"question\">\n<h2>Question</h2>\n" + question_in_brief(sheet.run) +
-         basis(sheet) + "</div>\n</div>\n" + curve(sheet) + rates(sheet) + assumptions(sheet) + footer(sheet) +
-         "</body>\n</html>\n";
+         answer(sheet) + survived(sheet) + "<div class=\"top\">\n<div class=\"object\">\n" + drawing(sheet.run) +
+         motions(sheet) + limits(sheet) + "</div>\n<div class=\"question\">\n<h2>Question</h2>\n" +
+         question_in_brief(sheet.run) + basis(sheet) + "</div>\n</div>\n" + curve(sheet) + rates(sheet) +
+         assumptions(sheet) + footer(sheet) + "</body>\n</html>\n";
 }
 
 }  // namespace rocking::analysis

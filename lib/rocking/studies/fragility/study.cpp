@@ -9,6 +9,7 @@
 #include "rocking/base/number_text.hpp"
 #include "rocking/fields/container_types.hpp"
 #include "rocking/output/ground_motion_facts.hpp"
+#include "rocking/output/parameter_text.hpp"
 #include "rocking/studies/fragility/figure.hpp"
 #include "rocking/studies/fragility/fragility.hpp"
 #include "rocking/studies/fragility/question.hpp"
@@ -38,6 +39,12 @@ const StructType& fields_of(const FragilityQuestion*) {
                 tilt_rule),
             {.names = "--peak-tilt", .letter = "A,A", .kind = FlagKind::commas}),
       asked(
+          field<&Type::years>("years",
+                              "With --hazard: also the probabilities within these years, 1,50,475; one number is also "
+                              "the time of the file's probabilities of exceedance, where it does not state it",
+                              rule::positive),
+          {.names = "--years", .letter = "T,T", .kind = FlagKind::commas, .needs = "--hazard"}),
+      asked(
           field<&Type::incremental>(
               "incremental",
               "Incremental dynamic analysis: quantiles of the peak tilt at each intensity, of each record and of all, "
@@ -52,8 +59,9 @@ namespace {
 /// A question, with the files that it is read from, and how the answer is shown.
 struct RunsQuestion {
   FragilityQuestion question;
-  std::optional<std::string> hazard;
-  std::optional<double> years;
+  std::vector<std::string> hazards;  ///< files; the first is that of the rates
+  std::vector<HazardCurve> branches = {};
+  std::optional<double> survived;  ///< [years]
   std::optional<std::string> imt;
   std::vector<double> site;  ///< longitude and latitude [degrees]; empty: not asked for
   std::optional<std::string> statistic;
@@ -71,15 +79,16 @@ const StructType& fields_of(const RunsQuestion*) {
   static const StructType fields{
       "RunsQuestion",
       inlined<&Type::question>(),
-      asked(field<&Type::hazard>(
+      asked(field<&Type::hazards>(
                 "hazard",
                 "Hazard curve (CSV: intensity, annual_rate or poe; its header names measure and kind; or "
-                "of OpenQuake or the USGS): gives the mean annual rate"),
-            {.names = "--hazard", .letter = "FILE"}),
-      asked(field<&Type::years>(
-                "years",
-                "With --hazard: the years of its probabilities of exceedance, where the file does not state them"),
-            {.names = "--years", .letter = "T", .needs = "--hazard"}),
+                "of OpenQuake or the USGS): gives the mean annual rate; with --survived several, each a branch"),
+            {.names = "--hazard", .letter = "FILE", .kind = FlagKind::repeated}),
+      asked(field<&Type::survived>("survived",
+                                   "With --hazard: the probability that the block, or all blocks of the sweep and the "
+                                   "runs together, still stand after T years, and how likely each branch makes it",
+                                   Rule{.above = 0.0, .most = 1e9}),
+            {.names = "--survived", .letter = "T", .needs = "--hazard"}),
       asked(field<&Type::imt>("imt",
                               "With --hazard: the intensity measure, where the file has several or does not name it, "
                               "such as PGA or SA(0.5)"),
@@ -136,14 +145,18 @@ ExportFormat export_format(const RunsQuestion& question) {
 }
 
 void expect_sensible(const Subject& subject, const RunsQuestion& question) {
-  if (!question.hazard && (question.years || question.imt || !question.site.empty() || question.statistic)) {
-    throw UnfitQuestion(
-        "years, intensity measure, site and statistic say how a hazard curve is read, which is missing");
+  const bool has_hazard = !question.hazards.empty();
+  if (!has_hazard && (!question.question.years.empty() || question.survived || question.imt || !question.site.empty() ||
+                      question.statistic)) {
+    throw UnfitQuestion("years, survival, intensity measure, site and statistic need a hazard curve, which is missing");
   }
-  if (!question.hazard && question.suggest) throw UnfitQuestion("--suggest: needs a rate; add --hazard FILE");
+  if (question.hazards.size() > 1 && !question.survived) {
+    throw UnfitQuestion("--hazard: several hazard curves are branches of --survived T; give one, or add it");
+  }
+  if (!has_hazard && question.suggest) throw UnfitQuestion("--suggest: needs a rate; add --hazard FILE");
   if (question.export_file) static_cast<void>(export_format(question));
   if (!question.sheet) return;
-  if (!question.hazard) throw UnfitQuestion("--sheet: needs a rate; add --hazard FILE");
+  if (!has_hazard) throw UnfitQuestion("--sheet: needs a rate; add --hazard FILE");
   if (subject.runs.size() > 1) throw UnfitQuestion("--sheet: is about one run; name one folder");
   const std::string ending = std::filesystem::path(*question.sheet).extension().string();
   if (ending != ".pdf" && ending != ".html") {
@@ -153,12 +166,16 @@ void expect_sensible(const Subject& subject, const RunsQuestion& question) {
 
 void check(const Subject& subject, RunsQuestion& question) {
   expect_sensible(subject, question);
-  if (question.hazard) {
-    question.question.hazard = hazard_curve(*question.hazard, {.years = question.years,
-                                                               .measure = question.imt,
-                                                               .site = hazard_site(question.site),
-                                                               .statistic = question.statistic});
+  const std::vector<double>& years = question.question.years;
+  question.branches.clear();
+  for (const std::string& file : question.hazards) {
+    question.branches.push_back(hazard_curve(file, {.years = years.size() == 1 ? std::optional(years[0]) : std::nullopt,
+                                                    .are_years_spare = true,
+                                                    .measure = question.imt,
+                                                    .site = hazard_site(question.site),
+                                                    .statistic = question.statistic}));
   }
+  if (!question.branches.empty()) question.question.hazard = question.branches.front();
   if (question.metadata) question.question.metadata = record_metadata(*question.metadata);
 }
 
@@ -196,6 +213,45 @@ RunFragility curves_of(const NamedRun& run, const RunsQuestion& asked, const Exe
     if (!problem.place.starts_with('/')) throw;                         // of the hazard curve or the metadata
     throw UnfitQuestion(run.folder + ": " + base::to_string(problem));  // the run answers another question
   }
+}
+
+/// The curves of the event that is asked for first, as the blocks that have survived.
+std::vector<BlockCurve> blocks_of(const RunFragility& found, const std::string& run,
+                                  const std::vector<StripeGroup>& groups) {
+  std::vector<BlockCurve> blocks;
+  const auto add = [&](const auto& shown) {
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+      const auto& curve = shown[i * (shown.size() / groups.size())].curve;
+      const std::string values = values_of(groups[i].others);
+      blocks.push_back(
+          {.name = run + (run.empty() || values.empty() ? "" : ", ") + values, .curve = &curve, .group = &groups[i]});
+    }
+  };
+  if (!found.suites.empty()) add(found.suites);
+  if (!found.curves.empty()) add(found.curves);
+  return blocks;
+}
+
+/// Of the blocks of all runs together.
+Survival survival_of(const Subject& subject, const RunsQuestion& question, const std::vector<RunFragility>& found,
+                     const Execution& execution) {
+  std::vector<std::vector<StripeGroup>> groups;
+  std::vector<BlockCurve> blocks;
+  for (const NamedRun& run : subject.runs) {
+    for (const HazardCurve& hazard : question.branches) check_hazard(hazard, run.stored.experiment);
+    groups.push_back(stripes_of(run.stored.experiment, store_of(run.stored.run)));
+  }
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    const std::string run = subject.runs.size() > 1 ? subject.runs[i].folder : "";
+    const std::vector<BlockCurve> of_run = blocks_of(found[i], run, groups[i]);
+    blocks.insert(blocks.end(), of_run.begin(), of_run.end());
+  }
+  if (blocks.size() > 1 && question.rare) {
+    throw UnfitQuestion("--survived: takes rare estimates of one block, not of several; omit --rare");
+  }
+  const OptionsOfExecution options(execution);
+  return survival(blocks, *question.survived, question.branches, subject.runs.front().stored.experiment.seed,
+                  {.threads = options.options().threads, .stop = options.options().stop_requested});
 }
 
 /// A command for a run that its suites need more levels of; empty: none is needed.
@@ -245,8 +301,12 @@ std::vector<analysis::Figure> figures_of(const FragilityReport& report) {
 /// Writes the sheet of the only run.
 More sheet_of(const NamedRun& run, const RunsQuestion& question, const RunFragility& found,
               const Execution& execution) {
-  std::string again = "rocking fragility " + shell_word(run.folder) + " --hazard " + shell_word(*question.hazard);
-  if (question.years) again += " --years " + base::shortest(*question.years);
+  std::string again = "rocking fragility " + shell_word(run.folder);
+  for (const std::string& hazard : question.hazards) again += " --hazard " + shell_word(hazard);
+  std::string years;
+  for (const double each : question.question.years) years += (years.empty() ? " --years " : ",") + base::shortest(each);
+  again += years;
+  if (question.survived) again += " --survived " + base::shortest(*question.survived);
   if (question.imt) again += " --imt " + shell_word(*question.imt);
   if (!question.site.empty()) {
     again += " --site " + base::shortest(question.site[0]) + ',' + base::shortest(question.site[1]);
@@ -264,6 +324,7 @@ More sheet_of(const NamedRun& run, const RunsQuestion& question, const RunFragil
 Answer find(const Subject& subject, const RunsQuestion& question, const Circumstances& circumstances) {
   std::vector<RunFragility> found;
   for (const NamedRun& run : subject.runs) found.push_back(curves_of(run, question, circumstances.execution));
+  if (question.survived) found.front().survival = survival_of(subject, question, found, circumstances.execution);
   const FragilityReport report = fragility_report(found);
   Answer answer{.document = fragility_document().text(report)};
   if (question.suggest) {
@@ -271,7 +332,8 @@ Answer find(const Subject& subject, const RunsQuestion& question, const Circumst
     answer.is_alone = true;
   } else {
     const RecordTable records = question.per_record ? RecordTable::shown : RecordTable::omitted;
-    answer.table = fragility_table(report, records, circumstances.extent) + as_read(subject, question);
+    answer.table = (report.survival ? survival_table(*report.survival) + '\n' : "") +
+                   fragility_table(report, records, circumstances.extent) + as_read(subject, question);
   }
   if (circumstances.draws) answer.figures = figures_of(report);
   ExportedFragility out;

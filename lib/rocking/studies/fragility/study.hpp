@@ -49,6 +49,7 @@ struct FragilityReport {
   std::vector<std::variant<ReportedCurve, ReportedSuite>> curves;
   std::vector<ReportedAnalysis> incremental;
   std::vector<ReportedComparison> comparisons;
+  std::optional<Survival> survival = std::nullopt;  ///< of the blocks of all runs
 };
 
 [[nodiscard]] FragilityReport fragility_report(const std::vector<RunFragility>& runs);

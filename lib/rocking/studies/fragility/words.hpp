@@ -42,6 +42,11 @@ void add_unresolved(const Levels& levels, std::size_t step, look::Table& table) 
 /// The rate in a line, `mean annual rate of overturning: 5.0e-4 [..], once in 2000 years`, and where it comes from.
 [[nodiscard]] std::string annual_rate_in_words(const AnnualRate& rate, const ResponseEvent& event);
 
+/// Whether the blocks still stand: how likely, by block and by hazard curve.
+[[nodiscard]] std::string survival_table(const Survival& survival);
+/// The first line of it.
+[[nodiscard]] std::string survival_in_words(const Survival& survival);
+
 /// What the rate consists of; on one screen without its parts by range of intensity.
 [[nodiscard]] std::string annual_rate_table(const AnnualRate& rate, const CurveSubject& subject, Extent extent);
 [[nodiscard]] std::string annual_rate_table(const SuiteRate& rate, const CurveSubject& subject, Extent extent);

@@ -15,7 +15,7 @@ struct NamedKind {
 
 /// Every kind but `periodic`, whose modes are named by their numbers.
 constexpr auto named_kinds =
-    std::to_array<NamedKind>({{ResponseKind::quasi_periodic, "quasi-periodic", "rocks in two rhythms that never meet"},
+    std::to_array<NamedKind>({{ResponseKind::quasi_periodic, "quasi-periodic", "rocks with two frequencies that have no common period"},
                               {ResponseKind::chaotic, "chaotic", "rocks without ever repeating"},
                               {ResponseKind::overturned, "overturned", "overturns"},
                               {ResponseKind::rest, "rest", "does not rock, or stops rocking"},

@@ -13,7 +13,7 @@ from routes import stable_intervals  # noqa: E402
 FILES = {("without sliding", None): "no_sliding", ("consistent", "0.40/0.35"): "consistent_040_035", ("consistent", "0.35/0.30"): "consistent_035_030",
          ("as-plotted", "0.40/0.35"): "as_plotted_040_035", ("as-plotted", "0.35/0.30"): "as_plotted_035_030"}
 WORDS = {"fold": "fold", "grazing": "grazing", "contact_change": "change of the order of contacts",
-         "symmetry_breaking": "loss of symmetry", "period_doubling": "period doubling", "range": "end of the range",
+         "symmetry_breaking": "loss of symmetry", "period_doubling": "period doubling", "neimark_sacker": "Neimark-Sacker bifurcation", "range": "end of the range",
          "joins": "branches off", "last_point": "last point followed", "torus": "a complex pair of multipliers",
          "unknown": "unknown"}
 CRISIS = 0.001  # distance of attractor and saddle at the last amplitude with chaos, in Theta and Theta'

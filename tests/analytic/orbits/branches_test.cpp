@@ -3,6 +3,8 @@
 #include "rocking/studies/orbits/orbits.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -70,6 +72,48 @@ TEST(Branches, BranchOffWhereSymmetryBreaks) {
   EXPECT_EQ(child->ends[0], BranchEnd::joins);
   EXPECT_EQ(mode_from(child->points.back().orbit.points.front().point, child->points.back().value),
             section::periodic(1, 5));
+}
+
+/// Friction 0.35/0.30, with the inertia about the edge and signed slip at impacts.
+Condition as_plotted(double amplitude) {
+  Condition condition = shaken(amplitude, Friction{.static_coefficient = 0.35, .kinetic_coefficient = 0.30});
+  condition.scene.slide_inertia = dynamics::SlideInertia::edge;
+  condition.scene.impact_slip_rule = dynamics::ImpactSlipRule::signed_ratio;
+  return condition;
+}
+
+// The symmetric (1,3) attracts up to A_h = 6.58. A run that starts on it below that stays (1,3); above, it moves away to
+// three closed curves.
+TEST(Branches, GiveWayToATorusWhereAPairOfMultipliersPassesTheUnitCircle) {
+  std::vector<OrbitsOfCondition> found{orbits_of(as_plotted(6.6), 3)};
+  const BranchStudy study = branches_of({.conditions = [](double value) { return std::optional(as_plotted(value)); },
+                                         .values = {6.6},
+                                         .range = {.low = 6.5, .high = 6.65},
+                                         .most_points = 1000,
+                                         .most_branches = 20},
+                                        found, {});
+  const Bifurcation* torus = find(study, BifurcationKind::neimark_sacker);
+  ASSERT_NE(torus, nullptr);
+  EXPECT_LE(torus->error, 1e-8);
+  EXPECT_EQ(torus->orbit->period, 3);
+  const auto& multipliers = torus->orbit->stability.multipliers;
+  EXPECT_NE(multipliers.at(0).imag(), 0.0);
+  EXPECT_NEAR(std::abs(multipliers.at(0)), 1.0, 1e-6);
+  // The branch has saddles beside these orbits, up to a fold.
+  for (const BranchPoint& point : study.branches.at(torus->branch).points) {
+    const Stability& stability = point.orbit.stability;
+    if (point.value == torus->value || stability.multipliers.front().imag() == 0.0) continue;
+    EXPECT_EQ(stability.is_stable(), point.value < torus->value) << point.value;
+  }
+  const auto mode_at = [&](double amplitude) {
+    Condition condition = as_plotted(amplitude);
+    const section::StrobePoint& start = torus->orbit->points.front().point;
+    condition.scene.initial = {.tilt = start.tilt, .tilt_rate = start.tilt_rate, .slip_rate = start.slip_rate};
+    condition.horizon = {.transient_periods = 6000, .sampled_periods = 120};
+    return realise(condition, 0, 0).classification.mode;
+  };
+  EXPECT_EQ(mode_at(torus->value - 0.005), section::periodic(1, 3));
+  EXPECT_EQ(mode_at(torus->value + 0.02).kind, section::ResponseKind::quasi_periodic);
 }
 
 TEST(Branches, AreNotTracedTwiceAndFindTheOrbitsOfOtherConditions) {

@@ -19,13 +19,14 @@ enum class BifurcationKind : std::uint8_t {
   period_doubling,    ///< a multiplier passes -1; a branch of twice the period begins
   symmetry_breaking,  ///< symmetric orbits: a multiplier of the mirrored map over half the period passes -1; two
                       ///< branches begin, each the mirror image of the other
+  neimark_sacker,     ///< a complex pair of multipliers passes the unit circle; a torus begins
   grazing,            ///< the contact sequence changes by a guard that is reached at a rate of 0
   contact_change      ///< the contact sequence changes otherwise
 };
 
 /// Their names, in their order.
-inline constexpr std::array<std::string_view, 5> bifurcation_kind_names{"fold", "period_doubling", "symmetry_breaking",
-                                                                        "grazing", "contact_change"};
+inline constexpr std::array<std::string_view, 6> bifurcation_kind_names{
+    "fold", "period_doubling", "symmetry_breaking", "neimark_sacker", "grazing", "contact_change"};
 [[nodiscard]] constexpr std::string_view to_string(BifurcationKind kind) {
   return bifurcation_kind_names[static_cast<std::size_t>(kind)];
 }

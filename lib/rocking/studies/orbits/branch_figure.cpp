@@ -24,13 +24,15 @@ constexpr double near_attractors = 0.25;  ///< of an unstable orbit that is show
 constexpr double least_room = 0.05;
 
 /// With the marker of each.
-constexpr std::array<std::pair<BifurcationKind, int>, 5> markers{{{BifurcationKind::fold, 9},
+constexpr std::array<std::pair<BifurcationKind, int>, 6> markers{{{BifurcationKind::fold, 9},
                                                                   {BifurcationKind::period_doubling, 5},
                                                                   {BifurcationKind::symmetry_breaking, 13},
+                                                                  {BifurcationKind::neimark_sacker, 7},
                                                                   {BifurcationKind::grazing, 2},
                                                                   {BifurcationKind::contact_change, 1}}};
 
 std::string words_of(BifurcationKind kind) {
+  if (kind == BifurcationKind::neimark_sacker) return "Neimark-Sacker";
   std::string words(to_string(kind));
   std::ranges::replace(words, '_', ' ');
   return words;

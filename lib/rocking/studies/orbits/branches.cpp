@@ -210,11 +210,13 @@ class BranchSearch {
     return false;
   }
 
-  /// Whether the orbit of a bracket has nearly the multiplier of a fold or flip: where it has not, the test function jumps
-  /// at a change of contact, or the curve has a corner there.
+  /// Whether the orbit of a bracket has nearly the critical multiplier: where it has not, the test function jumps at a
+  /// change of contact, or the curve has a corner there.
   static bool is_nearly_critical(const LocatedBifurcation& located) {
+    const bool is_pair = located.kind == BifurcationKind::neimark_sacker;
     const double critical = located.kind == BifurcationKind::fold ? 1.0 : -1.0;
-    return std::ranges::any_of(stability_of(located.point.image).multipliers, [critical](const auto& multiplier) {
+    return std::ranges::any_of(stability_of(located.point.image).multipliers, [=](const auto& multiplier) {
+      if (is_pair) return multiplier.imag() != 0.0 && std::abs(std::abs(multiplier) - 1.0) < nearly_critical;
       return std::abs(multiplier - critical) < nearly_critical;
     });
   }

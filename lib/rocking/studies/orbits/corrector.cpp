@@ -46,6 +46,7 @@ bool complete(const MapFamily& family, const Hyperplane& plane, CurvePoint& poin
   const double rounding = rounding_of_map * amplification(point.image.derivative);
   point.error = condition_of(derivative, point.tangent) * std::max(point.residual, rounding);
   point.flip = flip_determinant(point.image.derivative);
+  point.pair = pair_growth(point.image.derivative);
   point.asymmetry = family.asymmetry(point.at, point.image);
   return true;
 }

@@ -12,6 +12,7 @@ struct CurvePoint {
   double residual = 0.0;
   double error = 0.0;                                  ///< distance from the curve: residual times condition
   double flip = 0.0;                                   ///< det(I + M): 0 at a period doubling, or where symmetry breaks
+  std::optional<double> pair = {};                     ///< pair_growth: 0 at a Neimark-Sacker bifurcation
   std::optional<section::StrobePoint> asymmetry = {};  ///< MapFamily::asymmetry
   int steps = 0;                                       ///< of Newton's method
 

@@ -221,6 +221,7 @@ std::vector<CriticalOrbits> critical_orbits(BifurcationKind kind, const OrbitFam
       }
       return found;
     }
+    case BifurcationKind::neimark_sacker:
     case BifurcationKind::grazing:
     case BifurcationKind::contact_change: break;
   }

@@ -75,6 +75,14 @@ double flip_determinant(const SectionMatrix& matrix) {
   return (Eigen::Matrix3d::Identity() + eigen(matrix)).determinant();
 }
 
+std::optional<double> pair_growth(const SectionMatrix& matrix) {
+  const Eigen::Vector3cd values = eigen(matrix).eigenvalues();
+  const auto of_pair =
+      std::find_if(values.begin(), values.end(), [](const auto& one) { return one.imag() != 0.0; });
+  if (of_pair == values.end()) return std::nullopt;
+  return std::norm(*of_pair) - 1.0;
+}
+
 std::array<double, 3> flip_direction(const SectionMatrix& matrix) {
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(Eigen::Matrix3d::Identity() + eigen(matrix), Eigen::ComputeFullV);
   const Eigen::VectorXd last = svd.matrixV().col(2);

@@ -59,6 +59,9 @@ template <std::size_t size>
 /// det(I + M), 0 where -1 is an eigenvalue.
 [[nodiscard]] double flip_determinant(const SectionMatrix& matrix);
 
+/// abs(mu)^2 - 1 of the complex pair of eigenvalues, 0 where it is on the unit circle; absent where all are real.
+[[nodiscard]] std::optional<double> pair_growth(const SectionMatrix& matrix);
+
 /// The vector of norm 1 that belongs to the smallest singular value of I + M: the eigenvector for -1.
 [[nodiscard]] std::array<double, 3> flip_direction(const SectionMatrix& matrix);
 

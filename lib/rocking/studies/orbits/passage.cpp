@@ -187,6 +187,8 @@ class PassageSearch {
     auto flip = locate(
         a, b, is_symmetric ? BifurcationKind::symmetry_breaking : BifurcationKind::period_doubling,
         [](const CurvePoint& point) { return std::optional(point.flip); }, passage);
+    auto pair = locate(
+        a, b, BifurcationKind::neimark_sacker, [](const CurvePoint& point) { return point.pair; }, passage);
     if (fold) {
       add_wanted(a, fold->point, passage.points);
       passage.points.push_back(fold->point);
@@ -196,6 +198,7 @@ class PassageSearch {
       add_wanted(a, b, passage.points);
     }
     if (flip) passage.bifurcations.push_back(std::move(*flip));
+    if (pair) passage.bifurcations.push_back(std::move(*pair));
     passage.points.push_back(b);
   }
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes tall.json, flat.json and leaning.json: the experiment of rock.json for three made-up rocks.
+"""Writes tall.json, flat.json and leaning.json: the experiment of rock.json.in for three made-up rocks.
 
 usage: rocks.py [FOLDER]
 """
@@ -18,7 +18,7 @@ ROCKS = {
 
 def main():
     folder = sys.argv[1] if len(sys.argv) > 1 else "."
-    with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), "rock.json"), encoding="utf-8") as file:
+    with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), "rock.json.in"), encoding="utf-8") as file:
         rock = json.load(file)
     for name, (edges, height, radius) in ROCKS.items():
         rock["title"] = name

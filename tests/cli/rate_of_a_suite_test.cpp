@@ -109,7 +109,7 @@ TEST_F(RateOfASuite, ReadsProbabilitiesInATimeAndRefusesThemWithout) {
   EXPECT_THAT(rocking("fragility out --hazard poe.csv --years 50").output,
               HasSubstr("hazard: probabilities of exceedance in 50 years of pga_g at 3 points"));
   for (const auto& [flags, what] :
-       {std::pair{"--hazard poe.csv", "--years 50"}, std::pair{"--hazard hazard.csv --years 50", "omit --years"},
+       {std::pair{"--hazard poe.csv", "--years 50"}, std::pair{"--hazard poe.csv --years 1,50", "poe[50]"},
         std::pair{"--hazard bare.csv --years 50", "--imt pga_g"}, std::pair{"--hazard bare.csv", "--imt pga_g"},
         std::pair{"--hazard hazard.csv --imt PGV", "omit --imt"}}) {
     const auto refused = rocking(std::string("fragility out ") + flags);
@@ -117,6 +117,13 @@ TEST_F(RateOfASuite, ReadsProbabilitiesInATimeAndRefusesThemWithout) {
     EXPECT_THAT(refused.errors, HasSubstr(what)) << flags;
   }
   EXPECT_EQ(rocking("fragility out --years 50").exit_code, 64);
+  // A file that does without them leaves the years to what is asked.
+  write("stated.csv", "PGA, poe[50]\n" + lines);
+  for (const char* file : {"hazard.csv", "stated.csv"}) {
+    const Json found = fragility(std::string("--hazard ") + file + " --years 1,475")["curves"][0]["annual_rate"];
+    EXPECT_NEAR(found["value"].get<double>(), rate, 1e-10 * rate) << file;
+    EXPECT_NEAR(found["in_years"][1]["probability"].get<double>(), -std::expm1(-475.0 * rate), 1e-9 * rate) << file;
+  }
   EXPECT_EQ(rocking("fragility out --hazard poe.csv --years soon").exit_code, 64);
   // As of another command, and on the sheet, which says how to make it again.
   ASSERT_EQ(rocking("report out --format html --hazard poe.csv --years 50").exit_code, 0);

@@ -229,6 +229,15 @@ class AgainstTheProgram(unittest.TestCase):
         self.assertEqual(len(ours.curves), 2)
         self.assertEqual([curve.annual_rate.data for curve in ours.curves], [c["annual_rate"] for c in theirs["curves"]])
         self.assertEqual(ours.curves[1].event.peak_tilt, 0.5)
+        same = rocking.fragility(self.out, event=["overturning", "tilt > 0.5"], hazard=hazard)
+        self.assertEqual(same.data, ours.data)
+        self.assertEqual(rocking.fragility(self.out, event="tilt > 0.5").data["curves"][0]["event"], {"peak_tilt": 0.5})
+        still = rocking.fragility(self.out, hazard=[hazard, hazard], years=[1, 50], survived=100)
+        rate = still.curves[0].annual_rate
+        self.assertEqual([each.years for each in rate.in_years], [1, 50])
+        self.assertAlmostEqual(rate.in_years[1].probability, -math.expm1(-50 * rate.value), 12)
+        self.assertAlmostEqual(still.survival.branches[1].all.probability, math.exp(-100 * rate.value), 12)
+        self.assertEqual([branch.weight for branch in still.survival.branches], [0.5, 0.5])
         probabilities = os.path.join(self.folder.name, "poe.csv")
         with open(probabilities, "w") as file:
             file.write(f"0.5,{-math.expm1(-0.5)!r}\n20,{-math.expm1(-0.005)!r}\n")
@@ -241,7 +250,7 @@ class AgainstTheProgram(unittest.TestCase):
             rocking.fragility(self.out, years=50)
         with open(hazard, "w") as file:
             file.write("pga_g,rate\n0.5,1e-2\n20,1e-4\n")
-        for wrong in ({"hazard": hazard}, {"peak_tilts": [0.0]}):
+        for wrong in ({"hazard": hazard}, {"peak_tilts": [0.0]}, {"event": "slip > 0.05"}, {"event": "slip > 0.05 m"}):
             with self.assertRaises(rocking.InputError):
                 rocking.fragility(self.out, **wrong)
         with self.assertRaises(FileNotFoundError):

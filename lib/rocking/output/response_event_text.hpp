@@ -5,7 +5,7 @@
 #include <variant>
 
 #include "rocking/fields/value_type.hpp"
-#include "rocking/realisation/response_event.hpp"
+#include "rocking/realisation/measures.hpp"
 
 /// Events as people write and read them.
 namespace rocking {

@@ -134,9 +134,9 @@ std::string answer(const SheetContent& sheet) {
                              : " (" + values_of(object.curve.subject.others) + ")";
   if (!(rate.value > 0.0)) {
     return fmt::format(
-        "<p class=\"answer\">The object{} {} under none of the records at these levels. Stronger shaking was "
-        "not tested: the rate may be up to once in {} years.</p>",
-        as, did(object.curve.subject.event), years_in_words(1.0 / rate.interval.value().high));
+        "<p class=\"answer\">The object{} did not {} under any of the records at these levels. Stronger "
+        "shaking was not tested: the rate may be up to once in {} years.</p>",
+        as, to_do(object.curve.subject.event), years_in_words(1.0 / rate.interval.value().high));
   }
   std::string interval;
   if (rate.interval) {
@@ -154,7 +154,9 @@ std::string answer(const SheetContent& sheet) {
 /// Whether the blocks still stand, where that is asked.
 std::string survived(const SheetContent& sheet) {
   if (!sheet.survival) return "";
-  std::string text = fmt::format("<p class=\"answer\">{}.</p>\n", escaped(survival_in_words(*sheet.survival)));
+  std::string words = survival_in_words(*sheet.survival);
+  words.front() = 'P';
+  std::string text = fmt::format("<p class=\"answer\">{}.</p>\n", escaped(words));
   if (sheet.survival->branches.size() < 2) return text;
   text += "<p class=\"small\">Weights of the hazard curves:";
   for (const SurvivalBranch& branch : sheet.survival->branches) {

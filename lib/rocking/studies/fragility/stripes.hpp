@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "rocking/realisation/response_event.hpp"
+#include "rocking/realisation/measures.hpp"
 #include "rocking/scene/experiment.hpp"
 #include "rocking/scene/shaking.hpp"
 #include "rocking/stats/fragility.hpp"

@@ -43,7 +43,7 @@ const StructType& fields_of(const FragilityQuestion*) {
                               "With --hazard: also the probabilities within these years, 1,50,475; one number is also "
                               "the time of the file's probabilities of exceedance, where it does not state it",
                               rule::positive),
-          {.names = "--years", .letter = "T,T", .kind = FlagKind::commas, .needs = "--hazard"}),
+          {.names = "--years", .letter = "T,T", .kind = FlagKind::commas}),
       asked(
           field<&Type::incremental>(
               "incremental",

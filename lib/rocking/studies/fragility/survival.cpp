@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "rocking/api/refuse.hpp"
 #include "rocking/base/number_text.hpp"
@@ -139,6 +140,18 @@ AnnualRate rate_of(const AnyCurve& curve, const HazardCurve& hazard, RateBasis b
   return std::visit([&](const auto* one) { return rate_by(one, hazard, basis); }, curve);
 }
 
+/// Of the rate at which any has the event, from the intervals of each: at least the largest, at most the sum. Under one
+/// motion the combinations share their realisations, and are no sample.
+std::optional<stats::Interval> bounds_of_any(const std::vector<SurvivingBlock>& blocks) {
+  stats::Interval bounds{.low = 0.0, .high = 0.0};
+  for (const SurvivingBlock& block : blocks) {
+    if (!block.rate_interval) return std::nullopt;
+    bounds.low = std::max(bounds.low, block.rate_interval->low);
+    bounds.high += block.rate_interval->high;
+  }
+  return bounds;
+}
+
 void set_weights(std::vector<SurvivalBranch>& branches) {
   double sum = 0.0;
   for (const SurvivalBranch& branch : branches) sum += branch.all.probability;
@@ -185,7 +198,8 @@ Survival survival(const std::vector<BlockCurve>& blocks, double years, const std
       branch.blocks.push_back(survivor(block.name, rate_of(block.curve, hazard, basis), years));
       branch.independent *= branch.blocks.back().probability;
     }
-    const AnnualRate rate = rate_of(all, hazard, basis);
+    AnnualRate rate = rate_of(all, hazard, basis);
+    if (joint_of_motion) rate.interval = bounds_of_any(branch.blocks);
     branch.all = survivor("", rate, years);
     found.source = rate.source;
   }
@@ -194,6 +208,13 @@ Survival survival(const std::vector<BlockCurve>& blocks, double years, const std
 }
 
 namespace {
+
+/// The last part of the name of its file; the whole where another branch has the same.
+std::string hazard_name(const Survival& survival, const SurvivalBranch& branch) {
+  const auto last = [](const SurvivalBranch& each) { return std::filesystem::path(each.hazard).filename().string(); };
+  const std::string name = last(branch);
+  return std::ranges::count(survival.branches, name, last) == 1 ? name : branch.hazard;
+}
 
 std::string with_interval(const SurvivingBlock& block) {
   return plain_text(estimate_cell(block.probability, block.interval));
@@ -212,11 +233,11 @@ std::string survival_in_words(const Survival& survival) {
   std::string text = "probability that ";
   text += blocks == 1 ? "the block has not " : "none of " + std::to_string(blocks) + " blocks has ";
   text += did(survival.event) + " in " + years_in_words(survival.years) + " years";
-  if (survival.branches.size() > 1) text += " under " + first.hazard;
+  if (survival.branches.size() > 1) text += " under " + hazard_name(survival, first);
   text += ": " + with_interval(first.all);
   if (survival.branches.size() < 2) return text;
   const auto best = std::ranges::max_element(survival.branches, {}, &SurvivalBranch::weight);
-  return text + "; of " + std::to_string(survival.branches.size()) + " hazard curves " + best->hazard +
+  return text + "; of " + std::to_string(survival.branches.size()) + " hazard curves " + hazard_name(survival, *best) +
          " makes it likeliest, with the weight " + significant(best->weight, 3);
 }
 
@@ -229,16 +250,17 @@ std::string survival_table(const Survival& survival) {
   add_columns(table, {"hazard", "block", "per year", "interval", "survival", "interval", "weight"});
   for (const SurvivalBranch& branch : survival.branches) {
     if (has_blocks) {
-      for (const SurvivingBlock& block : branch.blocks) add_row(branch.hazard, block, look::Cell(), table);
+      for (const SurvivingBlock& block : branch.blocks)
+        add_row(hazard_name(survival, branch), block, look::Cell(), table);
     }
     SurvivingBlock all = branch.all;
     all.name = has_blocks ? "all" : "";
-    add_row(branch.hazard, all, has_branches ? look::number(branch.weight, 3) : look::Cell(), table);
+    add_row(hazard_name(survival, branch), all, has_branches ? look::number(branch.weight, 3) : look::Cell(), table);
   }
   text += to_terminal(table);
   if (has_blocks) {
-    text += "all: `per year` is the rate at which any block " + does(survival.event) +
-            ", record by record; without shared earthquakes the survival would be " +
+    text += "rates by " + source_in_words(survival.source) + "; all: the rate at which any block " +
+            does(survival.event) + ", record by record; without shared earthquakes the survival would be " +
             significant(first.independent, 3) + (has_branches ? " under the first hazard curve" : "") + '\n';
   }
   if (has_branches)

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "rocking/api/checks.hpp"
-#include "rocking/realisation/response_event.hpp"
+#include "rocking/realisation/measures.hpp"
 #include "rocking/scene/experiment.hpp"
 #include "rocking/stats/interval.hpp"
 

@@ -35,7 +35,7 @@ using rocking::support::rare::fluctuating;
 constexpr std::uint64_t rare_seed = 0x2012;
 
 BlockPaths paths_of(const Condition& condition) {
-  return {.condition = &condition, .seed = rare_seed, .event = {EventName::tilt, 0.9}, .halt = {}};
+  return {.condition = &condition, .seed = rare_seed, .event = {rocking::EventName::tilt, 0.9}, .halt = {}};
 }
 
 void run_to_horizon(BlockPopulation& population, const BlockPaths& paths) {

@@ -213,6 +213,20 @@ def attractors_table(data):
     return table(("reading", "start", "friction", "A_h", *(f"chaotic, sigma {sigma:g}" for sigma in OF_ATTRACTORS)), rows)
 
 
+def quasi_periodic_words(data):
+    """Where fixed friction gives a quasi-periodic response, by reading, friction and amplitude."""
+    parts = []
+    for reading, pair in itertools.product(READINGS, FRICTIONS):
+        found = {}
+        for start in STARTS:
+            for amplitude, modes in data.series(reading, start, pair).items():
+                if "quasi-periodic" in modes:
+                    count = f"{modes.count('quasi-periodic')} of {len(modes)} " if start == "any" else ""
+                    found.setdefault(amplitude, []).append(f"{count}from {start}" + (" start" if start == "any" else ""))
+        parts += [f"`{reading}`, {pair}, A_h = {amplitude:g} ({'; '.join(told)})" for amplitude, told in sorted(found.items())]
+    return f"Quasi-periodic, and not chaotic, with fixed friction: {'; '.join(parts) or 'nowhere'}"
+
+
 def recurrence_table(data):
     """How often two runs differ, by amplitude: the mean over the amplitudes, and the largest."""
     rows = []

@@ -62,7 +62,8 @@ def answers(data, findings):
         told = "; ".join(f"{verdict}: {numbers(findings, reading, verdict)}" for verdict in tables.VERDICTS)
         lines.append(f"{words} (`{reading}`), claims with one verdict from all starts: {told}. The others depend on the start.")
     lines[-1] += " Claims marked ‡ below are no evidence for this reading."
-    lines += [f"{tables.independent_words(findings)}.", chaos_words(data), energy_words(data)]
+    lines += [f"{tables.independent_words(findings)}.", chaos_words(data), f"{tables.quasi_periodic_words(data)}.",
+              energy_words(data)]
     return "\n".join("- " + line for line in lines)
 
 

@@ -48,9 +48,7 @@ ExponentRun exponent_run_of(Motion motion, std::int64_t times = 1) {
   TangentRun run(motion, shape_angle, sampled_periods);
   std::int64_t left = times;
   section::PendingClassification pending;
-  pending.may_be_decided_later = [&left](const section::ExponentEstimate&, std::span<const section::StrobePoint>) {
-    return (left /= 2) > 0;
-  };
+  pending.may_be_decided_later = [&left](const section::ExponentEstimate&) { return (left /= 2) > 0; };
   run_alone(run, pending);
   return run.result();
 }

@@ -37,7 +37,7 @@ section::Classification LongRun::name(const Window& window, int exponent_periods
       section::classify({.periods = sampled, .random = random_, .resolution = resolution_, .thresholds = thresholds});
   if (pending.classification) return *pending.classification;
   const ExponentRun run = exponent(exponent_periods, pending);
-  return pending.with_exponent(run.exponent, run.points);
+  return pending.with_exponent(run.exponent, {.points = run.points, .exponent = run.over_all});
 }
 
 ExponentRun LongRun::exponent(int periods, const section::PendingClassification& pending) const {

@@ -107,9 +107,7 @@ void print(const Scene& scene) {
     std::printf(" %.2f |", zero_one(x));
   }
   section::PendingClassification longest;
-  longest.may_be_decided_later = [](const section::ExponentEstimate&, std::span<const section::StrobePoint>) {
-    return true;
-  };
+  longest.may_be_decided_later = [](const section::ExponentEstimate&) { return true; };
   const auto exponent = run.exponent(300, longest).exponent;
   if (exponent) std::printf(" %.4f +- %.4f |", exponent->exponent, exponent->standard_error);
   std::printf(" %s |\n", to_string(run.name({500, 2400}, 300).mode).c_str());

@@ -87,9 +87,15 @@ void TangentRun::strobe(const dynamics::State& state) {
 
 bool TangentRun::go_on(const section::PendingClassification& pending) {
   if (motion_.termination() != dynamics::Termination::reached_horizon) return false;
-  exponent_ = estimate_from(growths_);
-  is_undecided_ = !exponent_ || pending.may_be_decided_later(*exponent_, points_);
-  if (!is_undecided_ || goal_ >= longest_run * window_) return false;
+  over_all_ = estimate_from(growths_);
+  if (is_undecided_) {
+    exponent_ = over_all_;
+    is_undecided_ = !exponent_ || pending.may_be_decided_later(*exponent_);
+  }
+  const auto wants_points = [&] {
+    return pending.may_be_quasi_periodic && pending.may_be_quasi_periodic({.points = points_, .exponent = over_all_});
+  };
+  if (goal_ >= longest_run * window_ || !(is_undecided_ || wants_points())) return false;
   motion_.extend(goal_);
   goal_ *= 2;
   return true;
@@ -97,6 +103,7 @@ bool TangentRun::go_on(const section::PendingClassification& pending) {
 
 ExponentRun TangentRun::result() {
   return {.exponent = exponent_,
+          .over_all = over_all_,
           .points = std::move(points_),
           .stayed_unclear = goal_ >= longest_run * window_ && is_undecided_};
 }

@@ -13,7 +13,8 @@ namespace rocking {
 
 /// Result and cost of a run with tangent vectors.
 struct ExponentRun {
-  std::optional<section::ExponentEstimate> exponent;  ///< absent if the run ended too early
+  std::optional<section::ExponentEstimate> exponent;  ///< of the periods that its sign needed; absent: too few
+  std::optional<section::ExponentEstimate> over_all;  ///< of all periods
   std::vector<section::StrobePoint> points;           ///< of its excitation periods
   bool stayed_unclear = false;                        ///< the longest run that is made did not decide
 };
@@ -39,7 +40,7 @@ class TangentRun final : private dynamics::Observer {
 
   [[nodiscard]] Motion& motion() { return motion_; }
 
-  /// To be called when the motion has ended. True if it continues, because the exponent does not decide `pending` yet.
+  /// To be called when the motion has ended. True if it continues, because that does not decide `pending` yet.
   [[nodiscard]] bool go_on(const section::PendingClassification& pending);
 
   /// The result, to be called when go_on() has returned false.
@@ -56,6 +57,7 @@ class TangentRun final : private dynamics::Observer {
   std::vector<section::StrobePoint> points_;
   std::vector<double> growths_;  ///< ln of its growth, for each period in which it was measured
   std::optional<section::ExponentEstimate> exponent_;
+  std::optional<section::ExponentEstimate> over_all_;
   bool is_undecided_ = true;
   Motion motion_;
 };

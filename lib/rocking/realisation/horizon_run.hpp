@@ -159,8 +159,9 @@ inline TangentRun* HorizonRun::classify() {
 
 inline section::PendingClassification HorizonRun::classification_without_exponent() const {
   const auto is = [](const section::Classification& classification) {
-    return section::PendingClassification{
-        .classification = classification, .with_exponent = {}, .may_be_decided_later = {}};
+    section::PendingClassification found;
+    found.classification = classification;
+    return found;
   };
   const auto termination = motion_.termination().value_or(dynamics::Termination::stopped);
   if (termination == dynamics::Termination::overturned) {
@@ -193,8 +194,9 @@ inline void HorizonRun::take_exponent() {
   result_.operations.exponent_periods += run.points.size();
   const bool is_of_long_run = settling_ && settling_->has_only_long_run();
   if (run.exponent && !is_of_long_run) result_.exponent = run.exponent;
-  take(pending_.with_exponent(run.exponent, run.points));
+  take(pending_.with_exponent(run.exponent, {.points = run.points, .exponent = run.over_all}));
   const bool is_quasi_periodic = newest_mode_.kind == section::ResponseKind::quasi_periodic;
+  if (is_quasi_periodic && !is_of_long_run) result_.exponent = run.over_all;
   if (settling_ && run.stayed_unclear && !is_quasi_periodic) settling_->pause_exponents();
 }
 

@@ -71,24 +71,34 @@ PendingClassification by_exponent(const ClassifierInput& input, DecisiveSigns de
   const auto window = static_cast<double>(input.periods.size());
   const Thresholds& thresholds = input.thresholds;
   const double resolution = input.resolution;
+  const auto may_be_closed = [](const LongSection& all) {
+    return all.exponent && may_be_zero(*all.exponent, all.points.size());
+  };
   const auto with_exponent = [=](const std::optional<ExponentEstimate>& estimate,
-                                 std::span<const StrobePoint> points) -> Classification {
-    const ExponentFinding judged = judge(estimate, window, thresholds);
-    const Classification decided = decide(judged);
-    const bool is_open = decided.mode.kind == ResponseKind::unresolved && judged.sign == Sign::unclear;
-    if (!is_open || !estimate || !may_be_zero(*estimate, points.size())) return decided;
-    const auto curves = find_closed_curves(points, resolution, thresholds);
+                                 const LongSection& all) -> Classification {
+    const Classification decided = decide(judge(estimate, window, thresholds));
+    const bool is_open =
+        decided.mode.kind == ResponseKind::unresolved && judge(all.exponent, window, thresholds).sign == Sign::unclear;
+    if (!is_open || !may_be_closed(all)) return decided;
+    const auto curves = find_closed_curves(all.points, resolution, thresholds);
     return curves ? quasi_periodic(*curves) : decided;
   };
-  const auto later = [=](const ExponentEstimate& estimate, std::span<const StrobePoint> points) {
-    if (may_be_decided_later(estimate, decisive, window, thresholds)) return true;
-    return may_be_zero(estimate, points.size()) && may_be_closed_curves(points, resolution, thresholds);
+  const auto later = [=](const ExponentEstimate& estimate) {
+    return may_be_decided_later(estimate, decisive, window, thresholds);
   };
-  return {.classification = std::nullopt, .with_exponent = with_exponent, .may_be_decided_later = later};
+  const auto more_points = [=](const LongSection& all) {
+    return may_be_closed(all) && may_be_closed_curves(all.points, resolution, thresholds);
+  };
+  return {.classification = std::nullopt,
+          .with_exponent = with_exponent,
+          .may_be_decided_later = later,
+          .may_be_quasi_periodic = more_points};
 }
 
 PendingClassification classified(const Classification& classification) {
-  return {.classification = classification, .with_exponent = {}, .may_be_decided_later = {}};
+  PendingClassification found;
+  found.classification = classification;
+  return found;
 }
 
 Classification chaotic(const ExponentFinding& exponent) {
@@ -166,7 +176,8 @@ Classification classify(const ClassifierInput& input, const ExponentSource& expo
   if (found.classification) return *found.classification;
   std::vector<StrobePoint> points;
   std::ranges::transform(input.periods, std::back_inserter(points), &Period::point);
-  return found.with_exponent(exponent(), points);
+  const std::optional<ExponentEstimate> estimate = exponent();
+  return found.with_exponent(estimate, {.points = points, .exponent = estimate});
 }
 
 }  // namespace rocking::section

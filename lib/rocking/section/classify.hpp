@@ -18,15 +18,22 @@ struct ExponentEstimate {
 /// Returns the exponent of the response, or nothing if it could not be computed. Expensive.
 using ExponentSource = std::function<std::optional<ExponentEstimate>()>;
 
-/// A classification, or functions that complete it once the exponent is known. Their points are those of the motion over
-/// which the exponent was computed, from the beginning of the window on.
+/// The strobe points of the whole run with tangent vectors, from the beginning of the window on. It may go on beyond the
+/// periods whose exponent answers the question of its sign.
+struct LongSection {
+  std::span<const StrobePoint> points;
+  std::optional<ExponentEstimate> exponent;  ///< over all of them
+};
+
+/// A classification, or functions that complete it once the exponent is known.
 struct PendingClassification {
   std::optional<Classification> classification;  ///< absent if `with_exponent` must be called
-  std::function<Classification(const std::optional<ExponentEstimate>&, std::span<const StrobePoint>)> with_exponent;
+  std::function<Classification(const std::optional<ExponentEstimate>&, const LongSection&)> with_exponent;
   /// Whether the exponent of more periods is wanted: this estimate has a sign that would decide, but is not far enough
-  /// from zero; or the points may lie on closed curves. A motion may diverge or converge for the length of a window and
-  /// do the opposite later.
-  std::function<bool(const ExponentEstimate&, std::span<const StrobePoint>)> may_be_decided_later;
+  /// from zero. A motion may diverge or converge for the length of a window and do the opposite later.
+  std::function<bool(const ExponentEstimate&)> may_be_decided_later;
+  /// Whether more points are wanted, because these may lie on closed curves. May be empty: never.
+  std::function<bool(const LongSection&)> may_be_quasi_periodic;
 };
 
 struct ClassifierInput {

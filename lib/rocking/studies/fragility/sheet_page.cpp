@@ -366,7 +366,8 @@ std::string footer(const SheetContent& sheet) {
 }  // namespace
 
 std::string sheet_text(const SheetContent& sheet) {
-  const std::string title = sheet.run.title().empty() ? "How often does it overturn?" : sheet.run.title();
+  const std::string title =
+      sheet.run.title().empty() ? "How often does it " + to_do(event_of(sheet)) + "?" : sheet.run.title();
   return fmt::format(
              "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta "
              "http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src {}; img-src data:\">\n"

@@ -210,7 +210,8 @@ RunFragility curves_of(const NamedRun& run, const RunsQuestion& asked, const Exe
     return fragility(experiment, run.stored.run, question, execution);
   } catch (const base::InputError& error) {
     const base::Problem& problem = error.problems().front();
-    if (!problem.place.starts_with('/')) throw;                         // of the hazard curve or the metadata
+    const bool is_of_question = problem.place.starts_with('/') || problem.place == "events";
+    if (!is_of_question) throw;                                         // of the hazard curve or the metadata
     throw UnfitQuestion(run.folder + ": " + base::to_string(problem));  // the run answers another question
   }
 }

@@ -14,12 +14,12 @@ struct NamedKind {
 };
 
 /// Every kind but `periodic`, whose modes are named by their numbers.
-constexpr auto named_kinds =
-    std::to_array<NamedKind>({{ResponseKind::quasi_periodic, "quasi-periodic", "rocks with two frequencies that have no common period"},
-                              {ResponseKind::chaotic, "chaotic", "rocks without ever repeating"},
-                              {ResponseKind::overturned, "overturned", "overturns"},
-                              {ResponseKind::rest, "rest", "does not rock, or stops rocking"},
-                              {ResponseKind::unresolved, "unresolved", "could not be classified"}});
+constexpr auto named_kinds = std::to_array<NamedKind>(
+    {{ResponseKind::quasi_periodic, "quasi-periodic", "rocks with two frequencies that have no common period"},
+     {ResponseKind::chaotic, "chaotic", "rocks without ever repeating"},
+     {ResponseKind::overturned, "overturned", "overturns"},
+     {ResponseKind::rest, "rest", "does not rock, or stops rocking"},
+     {ResponseKind::unresolved, "unresolved", "could not be classified"}});
 static_assert(named_kinds.size() == static_cast<std::size_t>(ResponseKind::unresolved), "a kind has no name");
 
 }  // namespace

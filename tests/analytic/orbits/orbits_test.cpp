@@ -203,9 +203,7 @@ TEST(Orbits, HaveTheExponentOfTheirMotion) {
     integrate::advance(motion);
     TangentRun run(motion, beginning.setting.block.shape_angle, 400);
     section::PendingClassification pending;
-    pending.may_be_decided_later = [](const section::ExponentEstimate&) {
-      return false;
-    };
+    pending.may_be_decided_later = [](const section::ExponentEstimate&) { return false; };
     run_alone(run, pending);
     const auto exponent = run.result().exponent;
     ASSERT_TRUE(exponent);

@@ -77,8 +77,7 @@ double flip_determinant(const SectionMatrix& matrix) {
 
 std::optional<double> pair_growth(const SectionMatrix& matrix) {
   const Eigen::Vector3cd values = eigen(matrix).eigenvalues();
-  const auto of_pair =
-      std::find_if(values.begin(), values.end(), [](const auto& one) { return one.imag() != 0.0; });
+  const auto of_pair = std::find_if(values.begin(), values.end(), [](const auto& one) { return one.imag() != 0.0; });
   if (of_pair == values.end()) return std::nullopt;
   return std::norm(*of_pair) - 1.0;
 }

@@ -149,7 +149,7 @@ TEST_F(Questions, AboutRareEventsHaveRepetitionsThatCanBe) {
        {[](auto& r) {
           r.question.event = {EventName::tilt, nan};
         },
-        "peak_tilt = nan"},
+        "event = \"nan\""},
        {[](auto& r) { r.seconds = nan; }, "seconds = nan"},
        {[](auto& r) { r.seconds = 1.0; }, "seconds = : needs a clock"}});
 }

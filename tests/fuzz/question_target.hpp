@@ -177,9 +177,15 @@ class QuestionTarget {
             .degrees_of_freedom = choose_.number()};
   }
 
+  ResponseEvent event() {
+    constexpr std::array names{EventName::overturning, EventName::tilt, EventName::slip, EventName::displacement};
+    return {names[choose_.below(names.size())], choose_.number()};
+  }
+
   void ask_fragility() {
     const StoredRun& of = small_run(choose_.below(2));
     FragilityQuestion question{.peak_tilts = choose_.list(2, [&] { return choose_.number(); })};
+    question.events = choose_.list(2, [&] { return event(); });
     question.incremental = choose_.yes();
     question.hazard = choose_.maybe([&] {
       return HazardCurve{.name = "h", .intensity = "", .points = choose_.list(4, [&] {
@@ -187,7 +193,7 @@ class QuestionTarget {
                          })};
     });
     question.rare = choose_.list(2, [&] {
-      RareOfCurve rare{.others = {}, .event = {choose_.maybe([&] { return choose_.number(); })}, .level = level()};
+      RareOfCurve rare{.others = {}, .event = event(), .level = level()};
       rare.records = choose_.list(2, [&] { return RareOfCurve::OfRecord{.name = choose_.text(), .level = level()}; });
       return rare;
     });
@@ -210,7 +216,7 @@ class QuestionTarget {
 
   void ask_rare() {
     const Experiment& experiment = small_run(0).experiment;
-    RareRequest request{.question = {.event = {choose_.maybe([&] { return choose_.number(); })}}};
+    RareRequest request{.question = {.event = event()}};
     request.question.relative_error = choose_.number();
     request.particles = choose_.whole();
     request.seconds = choose_.maybe([&] { return choose_.number(); });

@@ -13,6 +13,7 @@
 
 #include "evidence/long_run.hpp"
 #include "rocking/input/read_experiment.hpp"
+#include "rocking/output/parameter_text.hpp"
 #include "rocking/stats/interval.hpp"
 
 namespace rocking::evidence {
@@ -64,7 +65,7 @@ bool is_classified(const ResponseMode& mode) { return mode.kind != section::Resp
 
 std::string description_of(const Condition& condition) {
   std::string text;
-  for (const auto& parameter : condition.parameters) text += (text.empty() ? "" : ", ") + parameter.value;
+  for (const auto& parameter : condition.parameters) text += (text.empty() ? "" : ", ") + short_value(parameter);
   return text;
 }
 

@@ -10,7 +10,7 @@ LongRun::LongRun(const Condition& condition, const random::Draws& draws, int per
     : shape_angle_(dynamics::geometry_of(mean_block(condition.scene)).shape_angle),
       resolution_(std::max(1e-9, 1e3 * condition.tolerance)),
       random_(is_random(condition.scene)),
-      recorder_(shape_angle_, periods) {
+      recorder_(dynamics::geometry_of(mean_block(condition.scene)), periods) {
   const Start start = start_of(condition.scene, draws);
   const int transient = condition.horizon.transient_periods;
   const auto beginning = begin_realisation(condition, draws, start, Strobe::poincare, transient);

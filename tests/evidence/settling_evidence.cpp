@@ -15,6 +15,7 @@
 
 #include "rocking/input/read_experiment.hpp"
 #include "rocking/integrate/hybrid.hpp"
+#include "rocking/output/parameter_text.hpp"
 #include "rocking/realisation/horizon_run.hpp"
 #include "rocking/stats/interval.hpp"
 
@@ -86,7 +87,7 @@ void add_row(const Condition& condition, std::uint64_t seed, std::uint64_t reali
   std::vector<std::vector<ResponseMode>> runs;
   for (std::uint64_t number = 0; number < realisations; ++number) runs.push_back(modes_of(condition, seed, number));
   std::string name;
-  for (const auto& parameter : condition.parameters) name += (name.empty() ? "" : ", ") + parameter.value;
+  for (const auto& parameter : condition.parameters) name += (name.empty() ? "" : ", ") + short_value(parameter);
   for (std::size_t held = 1; held <= 3; ++held) {
     std::uint64_t settled = 0;
     std::uint64_t known = 0;

@@ -149,12 +149,14 @@ class AgainstTheProgram(unittest.TestCase):
         path = os.path.join(self.folder.name, "pulse.txt")
         with open(path, "w") as file:
             file.write("".join(f"{0.01 * i} {4 * np.sin(0.3 * i)}\n" for i in range(200)))
+        one, list_of_one = (rocking.motion(path, units="m/s2", periods=given) for given in (0.5, [0.5]))
+        self.assertEqual(one.text, list_of_one.text)
         with self.assertRaises(rocking.InputError):
             rocking.motion(path, units="ft")
         with self.assertRaises(FileNotFoundError):
             rocking.motion(path + ".none")
         for wrong in ({"files": 3}, {"files": [3]}, {"vertical": 3}, {"format": None}, {"format": 3}, {"units": b"g "[0]},
-                      {"units": ["g"]}, {"gravity": [1]}, {"damping": {}}, {"periods": 3},
+                      {"units": ["g"]}, {"gravity": [1]}, {"damping": {}},
                       {"periods": [None]}, {"block": 3}, {"block": (None, 1)}):
             with self.assertRaises((TypeError, ValueError), msg=wrong):
                 rocking.motion(**{"files": path, **wrong})

@@ -89,6 +89,24 @@ TEST(TangentRun, GoesOnForEightTimesAsLongWhereNothingMoves) {
   EXPECT_EQ(run.points.size(), 8U * sampled_periods);
 }
 
+// The points of more periods are wanted for another question than the sign.
+TEST(TangentRun, KeepsTheExponentThatDecidedWhileItCollectsMorePoints) {
+  CountedImpacts impacts;
+  const Motion motion = after_transient(rocking_block(4.0), impacts);
+  TangentRun run(motion, motion.setting().block.shape_angle, sampled_periods);
+  section::PendingClassification pending;
+  pending.may_be_decided_later = [](const section::ExponentEstimate&) { return false; };
+  pending.may_be_quasi_periodic = [](const section::LongSection&) { return true; };
+  run_alone(run, pending);
+  const ExponentRun found = run.result();
+  const ExponentRun decided = exponent_run_of(motion, 1);
+  EXPECT_EQ(found.points.size(), 8U * sampled_periods);
+  EXPECT_FALSE(found.stayed_unclear);
+  EXPECT_EQ(found.exponent->exponent, decided.exponent->exponent);
+  EXPECT_EQ(found.exponent->standard_error, decided.exponent->standard_error);
+  EXPECT_NE(found.over_all->exponent, decided.exponent->exponent);
+}
+
 TEST(TangentRun, GoesOnWhileTheExponentDecidesNothing) {
   CountedImpacts impacts;
   const Motion motion = after_transient(rocking_block(4.0), impacts);

@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include "support/split_mix.hpp"
+
 namespace rocking::section {
 namespace {
 
@@ -49,6 +51,17 @@ TEST(ClosedCurves, AreNotFoundInALongPeriod) {
   const auto captured = [=](double turn) { return locked * turn + 0.01 * std::exp(-0.02 * turn); };
   EXPECT_FALSE(find_closed_curves(on_ellipses(3, 480, periodic), 1e-9));
   EXPECT_FALSE(find_closed_curves(on_ellipses(3, 480, captured), 1e-9));
+}
+
+// Noise hides that the points of a period come back exactly: no return of it is wider than the noise.
+TEST(ClosedCurves, AreNotFoundInALongPeriodWithNoise) {
+  support::SplitMix draw(31);
+  auto points = on_ellipses(1, 480, [](double turn) { return 12.0 / 31.0 * turn; });
+  for (StrobePoint& p : points) {
+    p.tilt += 1e-4 * draw.normal();
+    p.tilt_rate += 1e-4 * draw.normal();
+  }
+  EXPECT_FALSE(find_closed_curves(points, 1e-9));
 }
 
 TEST(ClosedCurves, NeedFortyPointsEach) {

@@ -234,4 +234,27 @@ TEST_F(SuiteFragility, RefusesBadFlagsAndHazardCurves) {
   EXPECT_EQ(rocking("fragility out --hazard short.csv").exit_code, 65);
 }
 
+TEST_F(SuiteFragility, HasASurfaceOverTwoMeasures) {
+  run();
+  write("joint.csv", "pga_g,pgv_over_pga_s,annual_rate\n0.3,0.1,1e-3\n0.6,0.12,1e-4\n9,0.1,1e-4\n");
+  const std::string flags = "--surface pga_g,pgv_over_pga_s --joint-hazard joint.csv";
+  const Json surface = fragility(flags)["surfaces"][0];
+  EXPECT_EQ(surface["outcome"], "fitted");
+  EXPECT_EQ(surface["tested"].size(), records * 7);
+  EXPECT_GT(surface["annual_rate"]["value"].get<double>(), 1e-4);
+  const auto shown = rocking("fragility out -o out " + flags);
+  EXPECT_EQ(shown.exit_code, 0) << shown.errors;
+  EXPECT_THAT(shown.output, HasSubstr("surface of overturning: pgv_over_pga_s "));
+  EXPECT_THAT(shown.output, HasSubstr("warning: "));
+  EXPECT_TRUE(rocking("figure out/fragility.json -o figures").exit_code == 0 && exists("figures/surface.svg"));
+  const auto unknown = rocking("fragility out --surface pga_g,pgx");
+  EXPECT_EQ(unknown.exit_code, 64);
+  EXPECT_THAT(unknown.errors, HasSubstr("pgv_over_pga_s"));
+  EXPECT_EQ(rocking("fragility out --surface pga_g,pga_g").exit_code, 64);
+  write("joint.csv", "pga_g,pgv_over_pga_s,annual_rate\n0.3,0.1,x\n");
+  const auto bad = rocking("fragility out " + flags);
+  EXPECT_EQ(bad.exit_code, 65);
+  EXPECT_THAT(bad.errors, HasSubstr("joint.csv, line 2"));
+}
+
 }  // namespace

@@ -152,4 +152,24 @@ struct RecordBootstrap {
   std::vector<std::vector<double>> with_unseen;
 };
 
+/// Coefficients of a probit regression on two regressors.
+using SurfaceCoefficients = std::array<double, 4>;
+
+/// c0 + c1 u + c2 v + c3 u v.
+[[nodiscard]] constexpr double surface_probit(const SurfaceCoefficients& c, double u, double v) {
+  return c[0] + c[1] * u + (c[2] + c[3] * u) * v;
+}
+
+/// Wald test that some coefficients are zero, with the covariance of trials that are independent between records only
+/// (Liang and Zeger 1986, Biometrika 73, 13-22). Its p-value is by bootstrap over records of the same statistic about the
+/// estimates (Cameron, Gelbach and Miller 2008, Rev. Econ. Stat. 90, 414-427): with few records it is not chi^2.
+struct SurfaceTest {
+  double wald = 0.0;
+  std::uint64_t samples = 0;                     ///< in which the likelihood has a maximum
+  std::uint64_t as_large = 0;                    ///< of them
+  std::optional<double> p_value = std::nullopt;  ///< (as_large + 1)/(samples + 1); absent: too few samples
+};
+
+inline constexpr double surface_significance = 0.05;
+
 }  // namespace rocking::stats

@@ -321,6 +321,8 @@ const StructType& fields_of(const FragilityReport*) {
       field<&FragilityReport::comparisons>("comparisons",
                                            "with `--hazard`: suites with other values of the rest of the sweep", {},
                                            WithoutValue::omitted),
+      field<&FragilityReport::surfaces>("surfaces", "with `--surface`: of suites, over two measures of intensity", {},
+                                        WithoutValue::omitted),
       field<&FragilityReport::incremental>("incremental", "incremental dynamic analyses, with `--ida`", {},
                                            WithoutValue::omitted),
   };
@@ -386,7 +388,10 @@ FragilityReport fragility_report(const std::vector<RunFragility>& runs) {
                        .experiment = base::sha256(found.experiment.canonical_text),
                        .left_out = found.experiment.left_out};
     for (const auto& [curve, rate] : found.curves) report.curves.emplace_back(ReportedCurve{run, curve, rate});
-    for (const auto& [curve, rate] : found.suites) report.curves.emplace_back(ReportedSuite{run, curve, rate});
+    for (const ShownSuite& suite : found.suites) {
+      report.curves.emplace_back(ReportedSuite{run, suite.curve, suite.rate});
+      if (suite.surface) report.surfaces.push_back({run, *suite.surface});
+    }
     for (const RateComparison& comparison : found.comparisons) report.comparisons.push_back({run, comparison});
     if (found.survival) report.survival = found.survival;
     for (const IncrementalAnalysis& analysis : found.incremental) report.incremental.push_back({run, analysis});

@@ -24,6 +24,7 @@ inline constexpr std::string_view unresolved_sentence =
 [[nodiscard]] const StructType& fields_of(const Survival*);
 [[nodiscard]] const StructType& fields_of(const ReportedSuite*);
 [[nodiscard]] const StructType& fields_of(const ReportedAnalysis*);
+[[nodiscard]] const StructType& fields_of(const ReportedSurface*);
 
 template <>
 struct TypeOf<ResponseEvent> {

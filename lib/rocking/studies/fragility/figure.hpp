@@ -15,6 +15,10 @@ namespace rocking::analysis {
 /// a flat line above all tilts. Absent if the report has no such analysis.
 [[nodiscard]] std::optional<Figure> incremental_figure(const FragilityReport& report);
 
+/// The figure `surface`: for each fitted surface a panel with its probability over both measures, and one with the width
+/// of its interval. Absent without one.
+[[nodiscard]] std::optional<Figure> surface_figure(const FragilityReport& report);
+
 /// Points at which a law is drawn, less one.
 inline constexpr int points_of_a_law = 120;
 

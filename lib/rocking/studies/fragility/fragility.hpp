@@ -42,6 +42,13 @@ inline constexpr std::uint64_t suite_samples = 499;
 [[nodiscard]] RateComparison compared_rates(const SuiteCurve& base, const SuiteCurve& option, const HazardCurve& hazard,
                                             RateBasis basis = RateBasis::law_if_fitted);
 
+/// The surface over two different measures, of surface_measure_names, with the bootstrap samples of the records that the
+/// curve of the same group has. Throws base::InputError if a measure is not known of a motion.
+[[nodiscard]] FragilitySurface fragility_surface(const StripeGroup& group, const SuiteCurve& curve,
+                                                 const std::vector<std::string>& measures,
+                                                 const std::optional<JointHazard>& hazard = std::nullopt,
+                                                 const base::ManyParts& how = {});
+
 /// The curves of a run from its stripes: for each group, for each event. Throws base::InputError if the hazard curve is one
 /// of another intensity, or if metadata are given without a suite or not for each of its records, and base::Stopped if
 /// it is asked to stop. Uses `threads`, `stop_requested` and `on_progress` of

@@ -154,6 +154,7 @@ struct ShownCurve {
 struct ShownSuite {
   SuiteCurve curve;
   std::optional<SuiteRate> rate = std::nullopt;
+  std::optional<FragilitySurface> surface = std::nullopt;  ///< where one is asked for
 };
 
 /// A block that has survived, under one hazard curve.
@@ -215,6 +216,8 @@ struct FragilityQuestion {
   std::vector<RareOfCurve> rare = {};         ///< small probabilities of the same blocks under the same motions
   bool incremental = false;                   ///< also the peak tilt against intensity for each record
   std::vector<RecordMetadata> metadata = {};  ///< of the records of suites; gives how sufficient measures are
+  std::vector<std::string> surface = {};      ///< two of surface_measure_names: also the surface of suites over both
+  std::optional<JointHazard> joint_hazard = std::nullopt;  ///< of these two; gives the annual rate of the surface
 };
 
 /// Probability of each event as a function of the swept intensity, and what else is asked. Throws base::InputError if
@@ -253,5 +256,11 @@ struct FragilityQuestion {
 /// `distance_km`, of which the first names the columns. Throws base::InputError with the place of each fault, and
 /// std::system_error where the file cannot be read.
 [[nodiscard]] ROCKING_API std::vector<RecordMetadata> record_metadata(const std::filesystem::path& file);
+
+/// Reads rates of occurrence over two measures: lines of both and `annual_rate`, of which the first names the columns.
+/// `measures`: as they are asked for, x and y. Throws base::InputError with the line of a fault, and std::system_error
+/// where the file cannot be read.
+[[nodiscard]] ROCKING_API JointHazard joint_hazard(const std::filesystem::path& file,
+                                                   const std::vector<std::string>& measures);
 
 }  // namespace rocking

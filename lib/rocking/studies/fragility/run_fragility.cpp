@@ -168,6 +168,10 @@ void add_curve(const StripeGroup& group, const ResponseEvent& event, const Fragi
     ShownSuite& shown = run.suites.emplace_back(
         ShownSuite{.curve = suite_curve(group, event, run.experiment.seed, question.metadata, how)});
     add_rare(question.rare, shown.curve);
+    if (!question.surface.empty()) {
+      shown.surface = fragility_surface(group, shown.curve, question.surface, question.joint_hazard,
+                                        {.threads = how.threads, .stop = how.stop});
+    }
   } else {
     ShownCurve& shown = run.curves.emplace_back(ShownCurve{.curve = fragility(group, event, run.experiment.seed, how)});
     add_rare(question.rare, shown.curve);
@@ -224,6 +228,9 @@ RunFragility run_fragility(const Experiment& experiment, const std::vector<Strip
   if (!question.metadata.empty() && run.suites.empty()) {
     throw base::InputError({"metadata", "", "needs a suite of ground motions", "omit it, or give a run of a suite"});
   }
+  if (!question.surface.empty() && run.suites.empty()) {
+    throw base::InputError({"surface", "", "needs a suite of ground motions", "omit it, or give a run of a suite"});
+  }
   return run;
 }
 
@@ -269,6 +276,14 @@ void check(const FragilityQuestion& question) {
     const double distance = distance_km.value_or(1.0);
     check.expect(distance > 0.0 && std::isfinite(distance), place + "/distance_km", base::shortest(distance),
                  "must be positive");
+  }
+  const std::vector<std::string>& measures = question.surface;
+  check.expect(measures.empty() || (measures.size() == 2 && measures[0] != measures[1]), "surface", "",
+               "must be two different measures");
+  check.expect(!question.joint_hazard || !measures.empty(), "joint_hazard", "", "needs a surface");
+  for (const JointCell& cell : question.joint_hazard ? question.joint_hazard->cells : std::vector<JointCell>{}) {
+    check.expect(is_sensible(cell), "joint_hazard", base::shortest(cell.rate),
+                 "must have positive measures, and rates that are not negative");
   }
   check.finish();
   if (const auto second = second_estimate(question.rare)) {

@@ -158,6 +158,8 @@ void set_measures(const Scene& scene, std::string_view intensity, Spectra& spect
   const double pga = scale * peak_acceleration(recorded->ground_motion->samples);
   const double pgv = scale * peak_velocity(recorded->ground_motion->samples, block.gravity);
   const GroundMotion& motion = *recorded->ground_motion;
+  stripe.pgv_over_pga =
+      peak_velocity(motion.samples, block.gravity) / (peak_acceleration(motion.samples) * block.gravity);
   const double own = 2.0 * std::numbers::pi / shape.frequency_parameter;
   const std::vector<double>& periods = recorded->measure_periods;
   const bool has_range = periods.size() == 2;

@@ -55,12 +55,13 @@ struct Stripe {
   std::string record;      ///< name of the ground motion; empty: the experiment has one only
   double intensity = 0.0;  ///< value of the swept intensity, > 0
   std::array<std::optional<double>, all_intensity_measures.size()> measures = {};  ///< by IntensityMeasure
-  std::vector<bool> overturned;                                                    ///< by number of the realisation
-  std::vector<PeakValues> peaks;                                                   ///< likewise
-  std::vector<bool> without_answer = {};          ///< likewise: Summary::has_no_answer; empty: none
-  std::optional<Shaking> shaking = std::nullopt;  ///< of its scene
-  std::optional<double> uplift = std::nullopt;    ///< rocking::least_uplift of its scene
-  std::optional<double> sliding = std::nullopt;   ///< rocking::least_sliding of its scene
+  std::optional<double> pgv_over_pga = std::nullopt;  ///< of the motion, whatever its scale [s]
+  std::vector<bool> overturned;                       ///< by number of the realisation
+  std::vector<PeakValues> peaks;                      ///< likewise
+  std::vector<bool> without_answer = {};              ///< likewise: Summary::has_no_answer; empty: none
+  std::optional<Shaking> shaking = std::nullopt;      ///< of its scene
+  std::optional<double> uplift = std::nullopt;        ///< rocking::least_uplift of its scene
+  std::optional<double> sliding = std::nullopt;       ///< rocking::least_sliding of its scene
 
   [[nodiscard]] bool has_no_answer(std::size_t realisation) const {
     return !without_answer.empty() && without_answer[realisation];

@@ -50,6 +50,11 @@ const StructType& fields_of(const FragilityQuestion*) {
               "Incremental dynamic analysis: quantiles of the peak tilt at each intensity, of each record and of all, "
               "and the number of resurrections"),
           {.names = "--ida", .kind = FlagKind::on}),
+      asked(field<&Type::surface>("surface",
+                                  "Also the probability of a suite over two measures of intensity, such as "
+                                  "pga_g,pgv_over_pga_s",
+                                  Rule{.choices = surface_measure_names}),
+            {.names = "--surface", .letter = "X,Y", .kind = FlagKind::commas}),
   };
   return fields;
 }
@@ -67,6 +72,7 @@ struct RunsQuestion {
   std::optional<std::string> statistic;
   std::optional<std::string> metadata;
   std::optional<std::string> rare;  ///< folder of rare.json, or the file
+  std::optional<std::string> joint_hazard;
   std::optional<std::string> sheet;
   std::optional<std::string> export_file;
   std::optional<std::string> export_as;
@@ -109,6 +115,12 @@ const StructType& fields_of(const RunsQuestion*) {
                              "motion, or suite of motions: the annual rate takes its probabilities below the levels "
                              "with ten events"),
           {.names = "--rare", .letter = "DIR"}, "rare"),
+      asked(
+          field<&Type::joint_hazard>(
+              "joint_hazard_file",
+              "With --surface: rates of occurrence over both measures (CSV: X, Y, annual_rate, a line for each cell); "
+              "gives the mean annual rate"),
+          {.names = "--joint-hazard", .letter = "FILE", .needs = "--surface"}, "joint_hazard"),
       asked(field<&Type::suggest>(
                 "suggest",
                 "With --hazard: print only the intensities that would settle the rate of a suite, as a command "
@@ -155,6 +167,10 @@ void expect_sensible(const Subject& subject, const RunsQuestion& question) {
   }
   if (!has_hazard && question.suggest) throw UnfitQuestion("--suggest: needs a rate; add --hazard FILE");
   if (question.export_file) static_cast<void>(export_format(question));
+  const std::vector<std::string>& measures = question.question.surface;
+  if (!measures.empty() && (measures.size() != 2 || measures[0] == measures[1])) {
+    throw UnfitQuestion("--surface: must be two different measures");
+  }
   if (!question.sheet) return;
   if (!has_hazard) throw UnfitQuestion("--sheet: needs a rate; add --hazard FILE");
   if (subject.runs.size() > 1) throw UnfitQuestion("--sheet: is about one run; name one folder");
@@ -177,6 +193,9 @@ void check(const Subject& subject, RunsQuestion& question) {
   }
   if (!question.branches.empty()) question.question.hazard = question.branches.front();
   if (question.metadata) question.question.metadata = record_metadata(*question.metadata);
+  if (question.joint_hazard) {
+    question.question.joint_hazard = joint_hazard(*question.joint_hazard, question.question.surface);
+  }
 }
 
 /// What the experiment says of its records, as a table that selects them does; empty if it says nothing.
@@ -295,6 +314,7 @@ std::string as_read(const Subject& subject, const RunsQuestion& question) {
 
 std::vector<analysis::Figure> figures_of(const FragilityReport& report) {
   std::vector<analysis::Figure> figures{analysis::fragility_figure(report)};
+  if (auto figure = analysis::surface_figure(report)) figures.push_back(std::move(*figure));
   if (auto figure = analysis::incremental_figure(report)) figures.push_back(std::move(*figure));
   return figures;
 }
@@ -333,8 +353,9 @@ Answer find(const Subject& subject, const RunsQuestion& question, const Circumst
     answer.is_alone = true;
   } else {
     const RecordTable records = question.per_record ? RecordTable::shown : RecordTable::omitted;
-    answer.table = (report.survival ? survival_table(*report.survival) + '\n' : "") +
-                   fragility_table(report, records, circumstances.extent) + as_read(subject, question);
+    for (const auto& [run, surface] : report.surfaces) answer.table += surface_table(run.title, surface);
+    answer.table += (report.survival ? survival_table(*report.survival) + '\n' : "") +
+                    fragility_table(report, records, circumstances.extent) + as_read(subject, question);
   }
   if (circumstances.draws) answer.figures = figures_of(report);
   ExportedFragility out;

@@ -44,11 +44,18 @@ struct ReportedComparison {
   RateComparison comparison;
 };
 
+/// A surface of a run.
+struct ReportedSurface {
+  CurveRun run;
+  FragilitySurface surface;
+};
+
 /// Probabilities of overturning against the intensity, of several runs.
 struct FragilityReport {
   std::vector<std::variant<ReportedCurve, ReportedSuite>> curves;
   std::vector<ReportedAnalysis> incremental;
   std::vector<ReportedComparison> comparisons;
+  std::vector<ReportedSurface> surfaces = {};
   std::optional<Survival> survival = std::nullopt;  ///< of the blocks of all runs
 };
 

@@ -1,5 +1,12 @@
 #pragma once
 
+#include <array>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
 #include "rocking/studies/fragility/fragility_curve.hpp"
 #include "rocking/studies/fragility/stripes.hpp"
 
@@ -129,5 +136,87 @@ struct IncrementalAnalysis {
 
 /// Needs the peak tilts. Quantile q of n ordered numbers is number ceil(q n), counted from 1.
 [[nodiscard]] IncrementalAnalysis incremental_analysis(const StripeGroup& group);
+
+/// Measures over which a surface stands: those of the intensity, and PGV/PGA [s], which a record keeps at every scale.
+inline constexpr std::array<std::string_view, 9> surface_measure_names = [] {
+  std::array<std::string_view, 9> names{};
+  for (std::size_t i = 0; i < intensity_measure_names.size(); ++i) names[i] = intensity_measure_names[i];
+  names.back() = "pgv_over_pga_s";
+  return names;
+}();
+
+/// The rate of motions whose two measures lie in a cell.
+struct JointCell {
+  double x = 0.0, y = 0.0;  ///< of its middle, > 0
+  double rate = 0.0;        ///< of occurrence in the cell, not of exceedance [1/year]
+};
+
+[[nodiscard]] inline bool is_sensible(const JointCell& cell) {
+  const auto is_number = [](double value) { return value >= 0.0 && value <= std::numeric_limits<double>::max(); };
+  return cell.x > 0.0 && cell.y > 0.0 && is_number(cell.x) && is_number(cell.y) && is_number(cell.rate);
+}
+
+/// A hazard of two measures at once.
+struct JointHazard {
+  std::string name;  ///< of its file
+  std::vector<JointCell> cells;
+};
+
+struct SurfaceCoefficient {
+  std::string term;  ///< `1`, `ln x`, `ln y`, `ln x ln y`
+  double value = 0.0;
+  std::optional<stats::Interval> interval;  ///< by bootstrap over records; absent: too few samples
+};
+
+/// The x at which the probability is 1/2, at a quartile of the tested y.
+struct SurfaceMedian {
+  double y = 0.0;
+  std::optional<double> x;                  ///< absent: the probability does not rise with x
+  std::optional<stats::Interval> interval;  ///< of it
+  bool is_extrapolated = false;             ///< outside the tested points
+};
+
+struct SurfacePoint {
+  double x = 0.0, y = 0.0;
+  double probability = 0.0;
+  std::optional<stats::Interval> interval;
+  bool is_extrapolated = false;  ///< outside the convex hull of the tested points in (ln x, ln y)
+};
+
+/// A record at a level.
+struct TestedPoint {
+  std::string record;
+  double x = 0.0, y = 0.0;
+  stats::Proportion overturned;
+};
+
+/// Mean annual rate of the event by a joint hazard: the sum over its cells of rate times probability.
+struct SurfaceRate {
+  std::string hazard;  ///< name of its file
+  double value = 0.0;  ///< [1/year]
+  std::optional<stats::Interval> interval;
+  double extrapolated_share = 0.0;  ///< from cells outside the tested points
+};
+
+/// What a surface takes from outside its tested points without a warning.
+inline constexpr double most_extrapolated_surface = 0.05;
+
+/// P = Phi(c0 + c1 ln x + c2 ln y + c3 ln x ln y), the logarithms less those of the centre.
+struct FragilitySurface {
+  CurveSubject subject;
+  std::array<std::string, 2> measures;  ///< x, y
+  stats::FragilityOutcome outcome = stats::FragilityOutcome::fitted;
+  std::array<double, 2> centre{};  ///< geometric means over the tested points; this and the rest only if `fitted`
+  std::vector<SurfaceCoefficient> coefficients = {};  ///< without that of `ln x ln y` if its test does not ask for it
+  double log_likelihood = 0.0;
+  std::optional<stats::SurfaceTest> interaction = std::nullopt, second = std::nullopt;
+  std::vector<SurfaceMedian> medians = {};  ///< at the lower and the upper quartile of y
+  std::vector<SurfacePoint> map = {};       ///< row by row: by growing y, then by growing x
+  std::vector<TestedPoint> tested = {};
+  std::optional<SurfaceRate> rate = std::nullopt;  ///< with a joint hazard
+
+  /// Zero for a term that is not there.
+  [[nodiscard]] stats::SurfaceCoefficients values() const;
+};
 
 }  // namespace rocking

@@ -47,6 +47,9 @@ void add_unresolved(const Levels& levels, std::size_t step, look::Table& table) 
 /// The first line of it.
 [[nodiscard]] std::string survival_in_words(const Survival& survival);
 
+/// The surface over two measures: what matters, its coefficients, and its rate.
+[[nodiscard]] std::string surface_table(const std::string& title, const FragilitySurface& surface);
+
 /// What the rate consists of; on one screen without its parts by range of intensity.
 [[nodiscard]] std::string annual_rate_table(const AnnualRate& rate, const CurveSubject& subject, Extent extent);
 [[nodiscard]] std::string annual_rate_table(const SuiteRate& rate, const CurveSubject& subject, Extent extent);

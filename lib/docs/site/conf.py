@@ -1,6 +1,7 @@
 """Sphinx settings of the site of documents. The source folder is the root of the repository; tests/reference/build calls it.
 
-The index is lib/docs/README.md. Its headings and links are the navigation of the site, so that no list of pages stands twice.
+The index is lib/docs/README.md, with one for the background of it. Their headings and links are the navigation of the site,
+so that no list of pages stands twice.
 """
 
 import os
@@ -61,7 +62,7 @@ def navigation(text, folder):
 
 
 def add_navigation(app, docname, source):
-    if docname in (root_doc, "lib/docs/decisions/README"):
+    if docname in (root_doc, "lib/docs/background", "lib/docs/decisions/README"):
         source[0] = navigation(source[0], root / Path(docname).parent)
 
 

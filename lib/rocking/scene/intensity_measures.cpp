@@ -109,6 +109,40 @@ class Peak {
   double largest_ = 0.0;
 };
 
+auto peak_displacement() {
+  return Peak([](const Response& r) { return r.displacement; }, [](const Response& r) { return r.velocity; });
+}
+
+auto peak_acceleration_of(const Oscillator& of) {
+  return Peak([&of](const Response& r) { return r.absolute_acceleration(of); },
+              [&of](const Response& r) { return r.jerk(of); });
+}
+
+/// Takes the response to a motion, and that of one period after it, into the peaks.
+template <class... Peaks>
+void follow(const std::vector<dynamics::GroundMotionSample>& samples, const Oscillator& of, double period_s,
+            Peaks&... peaks) {
+  Response now;
+  FreeMotion free(of, 0.0);
+  const auto pass = [&](double length, double from, double to) {
+    const double parts = std::max(1.0, std::ceil(length * points_in_a_period / period_s));
+    const double part = length / parts;
+    if (free.time != part) free = FreeMotion(of, part);
+    for (double i = 0.0; i < parts; i += 1.0) {
+      now.base = from + (to - from) * (i / parts);
+      const PieceResponse piece(of, now, (to - from) / length);
+      const Response then = piece.at(free);
+      (peaks.take(piece, now, part, then), ...);
+      now = then;
+    }
+  };
+  for (std::size_t i = 0; i + 1 < samples.size(); ++i) {
+    const double length = samples[i + 1].time - samples[i].time;
+    if (length > 0.0) pass(length, samples[i].horizontal, samples[i + 1].horizontal);
+  }
+  pass(period_s, 0.0, 0.0);
+}
+
 }  // namespace
 
 double peak_acceleration(const std::vector<dynamics::GroundMotionSample>& samples) {
@@ -137,41 +171,25 @@ double peak_velocity(const std::vector<dynamics::GroundMotionSample>& samples, d
 OscillatorPeaks oscillator_peaks(const std::vector<dynamics::GroundMotionSample>& samples, double period_s,
                                  double damping) {
   const Oscillator of(period_s, damping);
-  Peak displacement([](const Response& r) { return r.displacement; }, [](const Response& r) { return r.velocity; });
+  Peak displacement = peak_displacement();
   Peak velocity([](const Response& r) { return r.velocity; }, [&of](const Response& r) { return r.acceleration(of); });
-  Peak acceleration([&of](const Response& r) { return r.absolute_acceleration(of); },
-                    [&of](const Response& r) { return r.jerk(of); });
-  Response now;
-  FreeMotion free(of, 0.0);
-  const auto follow = [&](double length, double from, double to) {
-    const double parts = std::max(1.0, std::ceil(length * points_in_a_period / period_s));
-    const double part = length / parts;
-    if (free.time != part) free = FreeMotion(of, part);
-    for (double i = 0.0; i < parts; i += 1.0) {
-      now.base = from + (to - from) * (i / parts);
-      const PieceResponse piece(of, now, (to - from) / length);
-      const Response then = piece.at(free);
-      displacement.take(piece, now, part, then);
-      velocity.take(piece, now, part, then);
-      acceleration.take(piece, now, part, then);
-      now = then;
-    }
-  };
-  for (std::size_t i = 0; i + 1 < samples.size(); ++i) {
-    const double length = samples[i + 1].time - samples[i].time;
-    if (length > 0.0) follow(length, samples[i].horizontal, samples[i + 1].horizontal);
-  }
-  follow(period_s, 0.0, 0.0);
+  Peak acceleration = peak_acceleration_of(of);
+  follow(samples, of, period_s, displacement, velocity, acceleration);
   return {
       .displacement = displacement.largest(), .velocity = velocity.largest(), .acceleration = acceleration.largest()};
 }
 
 double spectral_acceleration(const std::vector<dynamics::GroundMotionSample>& samples, double period_s,
                              OscillatorAcceleration which) {
-  const OscillatorPeaks peaks = oscillator_peaks(samples, period_s, standard_damping);
-  if (which == OscillatorAcceleration::absolute) return peaks.acceleration;
-  const double omega = Oscillator(period_s, standard_damping).omega;
-  return omega * omega * peaks.displacement;
+  const Oscillator of(period_s, standard_damping);
+  if (which == OscillatorAcceleration::absolute) {
+    Peak acceleration = peak_acceleration_of(of);
+    follow(samples, of, period_s, acceleration);
+    return acceleration.largest();
+  }
+  Peak displacement = peak_displacement();
+  follow(samples, of, period_s, displacement);
+  return of.omega * of.omega * displacement.largest();
 }
 
 double average_spectral_acceleration(const std::vector<dynamics::GroundMotionSample>& samples, double first_s,

@@ -56,6 +56,18 @@ double information(double p, double log_q) { return p > 0.0 ? p * (std::log(p) -
 std::uint64_t binomial_quantile(std::uint64_t trials, double probability, double place) {
   if (!(probability > 0.0)) return 0;
   if (!(probability < 1.0)) return trials;
+  // The sum of the probabilities of 0, 1, ... events, unless the first one is too small for it.
+  double share = std::exp(static_cast<double>(trials) * std::log1p(-probability));
+  if (share > 1e-280) {
+    std::uint64_t events = 0;
+    double sum = share;
+    for (; sum < place && events < trials; sum += share) {
+      share *=
+          static_cast<double>(trials - events) / static_cast<double>(events + 1) * (probability / (1.0 - probability));
+      ++events;
+    }
+    return events;
+  }
   namespace policies = boost::math::policies;
   using Upwards = policies::policy<policies::discrete_quantile<policies::integer_round_up>>;
   const boost::math::binomial_distribution<double, Upwards> law(static_cast<double>(trials), probability);

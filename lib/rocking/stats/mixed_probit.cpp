@@ -9,6 +9,8 @@
 
 #include <boost/math/quadrature/gauss.hpp>
 
+#include "rocking/stats/normal_law.hpp"
+
 namespace rocking::stats {
 namespace {
 
@@ -19,8 +21,8 @@ constexpr double tolerated_share = 1e-8;
 /// exp(-40) of its maximum: what lies beyond changes no digit of the integral.
 constexpr double negligible_drop = 40.0;
 
-/// Whether Phi(z) differs from 1 by less than the rounding of a likelihood, 3e-17.
-constexpr bool is_certain(double z) { return z > 8.4; }
+/// From here on Phi differs from 1 by less than the rounding of a likelihood, 3e-17.
+constexpr double certain = 8.4;
 
 /// Logarithm of the integrand at z, and sums over the levels of the first and of minus the second derivatives of its
 /// terms by eta: times 1, u and u^2.
@@ -33,27 +35,40 @@ struct IntegrandTerms {
 /// One record under one set of parameters.
 class RecordIntegrand {
  public:
-  RecordIntegrand(std::span<const ProbitCounts> record, const MixedProbitParameters& parameters)
-      : record_(record), a_(parameters[0]), b_(parameters[1]), t_(parameters[2]) {}
+  RecordIntegrand(std::span<const ProbitCounts> record, const MixedProbitParameters& parameters) : t_(parameters[2]) {
+    terms_.reserve(2 * record.size());
+    for (const ProbitCounts& level : record) {
+      const double fixed = parameters[0] + parameters[1] * level.u;
+      const bool has_two = level.happened > 0.0 && level.did_not > 0.0;
+      if (level.happened > 0.0) terms_.push_back({1.0, level.happened, fixed, level.u, !has_two});
+      if (level.did_not > 0.0) terms_.push_back({-1.0, level.did_not, fixed, level.u, true});
+    }
+    places_.resize(terms_.size());
+    found_.resize(terms_.size());
+  }
 
   [[nodiscard]] IntegrandTerms at(double z) const {
+    const double shift = t_ * z;
+    for (std::size_t i = 0; i < terms_.size(); ++i) {
+      places_[i] = std::min(terms_[i].side * (terms_[i].fixed + shift), certain);
+    }
+    log_normal_probabilities(places_, found_);
     IntegrandTerms sum{.value = -0.5 * z * z - 0.5 * std::log(2.0 * std::numbers::pi)};
-    for (const ProbitCounts& level : record_) {
-      const double eta = a_ + b_ * level.u + t_ * z;
-      double slope = 0.0, bend = 0.0;
-      for (const bool happened : {true, false}) {
-        const double trials = happened ? level.happened : level.did_not;
-        if (trials == 0.0 || is_certain(happened ? eta : -eta)) continue;
-        const ProbitTerm term = probit_term(happened, eta);
-        sum.value += trials * term.value;
-        slope += trials * term.slope;
-        bend += trials * term.curvature;
-      }
+    double slope = 0.0, bend = 0.0;  // of a level
+    for (std::size_t i = 0; i < terms_.size(); ++i) {
+      const Term& term = terms_[i];
+      const double hazard = found_[i].slope;
+      const double trials = places_[i] >= certain ? 0.0 : term.trials;
+      sum.value += trials * found_[i].value;
+      slope += trials * (term.side * hazard);
+      bend += trials * std::max(0.0, hazard * (places_[i] + hazard));
+      if (!term.ends_level) continue;
       sum.slope += slope;
-      sum.slope_u += slope * level.u;
+      sum.slope_u += slope * term.u;
       sum.bend += bend;
-      sum.bend_u += bend * level.u;
-      sum.bend_uu += bend * level.u * level.u;
+      sum.bend_u += bend * term.u;
+      sum.bend_uu += bend * term.u * term.u;
+      slope = bend = 0.0;
     }
     return sum;
   }
@@ -81,8 +96,16 @@ class RecordIntegrand {
   }
 
  private:
-  std::span<const ProbitCounts> record_;
-  double a_, b_, t_;
+  /// Trials of one outcome at one level.
+  struct Term {
+    double side, trials, fixed, u;  // side 1 or -1; fixed: a + b u
+    bool ends_level;
+  };
+
+  double t_;
+  std::vector<Term> terms_;
+  mutable std::vector<double> places_;  // of the terms at the last z
+  mutable std::vector<LogNormalProbability> found_;
 };
 
 /// A node with the integrand, and the logarithm of its contribution to the integral.

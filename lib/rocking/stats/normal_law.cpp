@@ -26,6 +26,11 @@ LogNormalProbability computed(double z) {
   return {.value = value, .slope = std::exp(-0.5 * z * z - value) / std::sqrt(2.0 * std::numbers::pi)};
 }
 
+LogNormalProbability far_above(double z) {
+  const double y = 1.0 / (z * z);
+  return {.value = -normal_density(z) * (1.0 - y * (1.0 - 3.0 * y)) / z, .slope = normal_density(z)};
+}
+
 /// A function and its first two derivatives.
 struct Derivatives {
   double value, first, second;
@@ -56,19 +61,26 @@ Quintic between(const Derivatives& begin, const Derivatives& end) {
           6.0 * value - 3.0 * slope + 0.5 * bend};
 }
 
-double at(const Quintic& q, double t) { return q[0] + t * (q[1] + t * (q[2] + t * (q[3] + t * (q[4] + t * q[5])))); }
+/// The coefficients of both functions in one interval, side by side, so that both are evaluated at once.
+using Interpolation = std::array<std::array<double, 2>, 6>;
 
-/// Of both functions in one interval.
-struct Interpolation {
-  Quintic value, slope;
-};
+LogNormalProbability at(const Interpolation& both, double t) {
+  std::array<double, 2> sum = both[5];
+  for (std::size_t k = 5; k-- > 0;) {
+    for (std::size_t i = 0; i < 2; ++i) sum[i] = both[k][i] + t * sum[i];
+  }
+  return {.value = sum[0], .slope = sum[1]};
+}
 
 std::array<Interpolation, intervals> interpolations() {
   std::array<Interpolation, intervals> table{};
   for (std::size_t i = 0; i < intervals; ++i) {
     const auto begin = node(table_begin + static_cast<double>(i) / per_unit);
     const auto end = node(table_begin + static_cast<double>(i + 1) / per_unit);
-    table[i] = {between(begin[0], end[0]), between(begin[1], end[1])};
+    for (std::size_t function = 0; function < 2; ++function) {
+      const Quintic quintic = between(begin[function], end[function]);
+      for (std::size_t k = 0; k < quintic.size(); ++k) table[i][k][function] = quintic[k];
+    }
   }
   return table;
 }
@@ -122,16 +134,29 @@ MeanAndSigma smaller_of_normals(const MeanAndSigma& first, const MeanAndSigma& s
 }
 
 LogNormalProbability log_normal_probability(double z) {
+  LogNormalProbability found;
+  log_normal_probabilities({&z, 1}, {&found, 1});
+  return found;
+}
+
+void log_normal_probabilities(std::span<const double> z, std::span<LogNormalProbability> found) {
   static const std::array<Interpolation, intervals> table = interpolations();
-  if (z >= table_end) {
-    const double y = 1.0 / (z * z);
-    return {.value = -normal_density(z) * (1.0 - y * (1.0 - 3.0 * y)) / z, .slope = normal_density(z)};
+  bool is_any_outside = false;
+  for (std::size_t i = 0; i < z.size(); ++i) {
+    const bool is_inside = table_begin <= z[i] && z[i] < table_end;  // not if z is not a number
+    is_any_outside |= !is_inside;
+    const double place = ((is_inside ? z[i] : table_begin) - table_begin) * per_unit;
+    const auto number = std::min(static_cast<int>(intervals) - 1, static_cast<int>(place));  // may round up to the end
+    found[i] = at(table[static_cast<std::size_t>(number)], place - number);
   }
-  if (!(z >= table_begin)) return computed(z);  // also if z is not a number
-  const double place = (z - table_begin) * per_unit;
-  const auto number = std::min(intervals - 1, static_cast<std::size_t>(place));  // the place may round up to the end
-  const double t = place - static_cast<double>(number);
-  return {.value = at(table[number].value, t), .slope = at(table[number].slope, t)};
+  if (!is_any_outside) return;
+  for (std::size_t i = 0; i < z.size(); ++i) {
+    if (z[i] >= table_end) {
+      found[i] = far_above(z[i]);
+    } else if (!(z[i] >= table_begin)) {
+      found[i] = computed(z[i]);
+    }
+  }
 }
 
 double mills_ratio(double z) {

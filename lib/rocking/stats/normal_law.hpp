@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 namespace rocking::stats {
 
 /// Half-width of a two-sided interval in standard errors, by Student's law; by the normal law if the degrees of freedom
@@ -53,6 +55,8 @@ struct LogNormalProbability {
 /// 0.45 and 0.6, so that its error is below 0.6 h^6/46080 = 2e-14. Below -16 by log_normal_cdf; above 9, where the value is
 /// above -2e-19, by the first terms of Laplace's series.
 [[nodiscard]] LogNormalProbability log_normal_probability(double z);
+/// The same of each z, with the same bits, in less time.
+void log_normal_probabilities(std::span<const double> z, std::span<LogNormalProbability> found);
 
 /// (1 - Phi(z)) over the density of z, Mills' ratio, for z >= 0, to 5e-13 of it.
 [[nodiscard]] double mills_ratio(double z);

@@ -48,6 +48,17 @@ TEST(LogNormalProbability, HasItsKnownValues) {
   EXPECT_GT(far.slope, 0.0);
 }
 
+TEST(LogNormalProbability, OfManyPlacesHasTheBitsOfEach) {
+  constexpr std::array places{0.3, -20.0, 9.5, 2.0, -16.0, 9.0};
+  std::array<LogNormalProbability, places.size()> found{};
+  log_normal_probabilities(places, found);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    EXPECT_EQ(found[i].value, log_normal_probability(places[i]).value) << places[i];
+    EXPECT_EQ(found[i].slope, log_normal_probability(places[i]).slope) << places[i];
+  }
+  EXPECT_TRUE(std::isnan(log_normal_probability(std::nan("")).value));
+}
+
 TEST(LogNormalProbability, HasNoStepsWhereItsFormsMeet) {
   for (int i = -16 * 64 - 64; i <= 10 * 64; ++i) {
     const double z = i / 64.0;

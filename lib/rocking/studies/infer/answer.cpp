@@ -31,7 +31,7 @@ class Answering {
         scale_(question.unknowns),
         counts_(counts_of(question.tests)),
         posterior_(posterior_of({models.begin(), models.begin() + static_cast<std::ptrdiff_t>(counts_.size())},
-                                in_one_row(counts_), question.unknowns, found, how.stop)),
+                                in_one_row(counts_), question.unknowns, found, how)),
         threads_(how.threads) {
     for (const auto& counts : counts_) {
       tests_.push_back(std::accumulate(counts.begin(), counts.end(), std::uint64_t{0}));

@@ -36,11 +36,11 @@ std::vector<ShareModel> models_of(const std::vector<Eigen::VectorXd>& points, co
   return models;
 }
 
-Survey survey_of(const InferenceQuestion& question, const std::vector<ShareModel>& models, base::StopRequest stop) {
+Survey survey_of(const InferenceQuestion& question, const std::vector<ShareModel>& models, const base::ManyParts& how) {
   const auto tested = static_cast<std::ptrdiff_t>(question.tests.conditions.size());
   std::vector<std::vector<std::uint64_t>> counts;
   for (const TestedCondition& condition : question.tests.conditions) counts.push_back(condition.counts);
-  return survey({models.begin(), models.begin() + tested}, in_one_row(counts), stop);
+  return survey({models.begin(), models.begin() + tested}, in_one_row(counts), how);
 }
 
 class Study {
@@ -125,7 +125,7 @@ class Study {
   /// Fits the models to the design.
   void look() {
     models_ = models_of(points_, design_, models_, how_);
-    found_.emplace(survey_of(*question_, models_, how_.stop));
+    found_.emplace(survey_of(*question_, models_, how_));
   }
 
   /// In the unit cube, by the asymptotic limit.
@@ -181,7 +181,7 @@ Inference inference_from(const InferenceQuestion& question, std::vector<infer::D
   const bool has_first_design = points.size() >= infer::first_design(question.unknowns.size()).size();
   if (!has_first_design || end == InferEnd::stopped) return result;
   const std::vector<infer::ShareModel> models = infer::models_of(points, result.design, {}, how);
-  result.answer = infer::answer_of(question, models, infer::survey_of(question, models, how.stop), how);
+  result.answer = infer::answer_of(question, models, infer::survey_of(question, models, how), how);
   return result;
 }
 

@@ -16,17 +16,18 @@ Counts in_one_row(const std::vector<std::vector<std::uint64_t>>& counts) {
   return row;
 }
 
-Likelihood::Likelihood(const std::vector<ShareModel>& models, Lattice lattice, base::StopRequest stop)
-    : lattice_(std::move(lattice)), stop_(stop) {
+Likelihood::Likelihood(const std::vector<ShareModel>& models, Lattice lattice, const base::ManyParts& how)
+    : lattice_(std::move(lattice)), stop_(how.stop) {
   const auto groups = static_cast<Eigen::Index>(models.front().groups());
   log_shares_.resize(static_cast<Eigen::Index>(lattice_.size()), groups * static_cast<Eigen::Index>(models.size()));
-  for (Eigen::Index i = 0; i < log_shares_.rows(); ++i) {
-    const Eigen::VectorXd point = lattice_.point(static_cast<std::size_t>(i));
+  base::for_each_part({.threads = how.threads, .stop = how.stop}, lattice_.size(), [&](std::size_t i) {
+    const Eigen::VectorXd point = lattice_.point(i);
     for (std::size_t m = 0; m < models.size(); ++m) {
-      stop.check();
-      log_shares_.row(i).segment(static_cast<Eigen::Index>(m) * groups, groups) = models[m].log_shares(point);
+      stop_.check();
+      log_shares_.row(static_cast<Eigen::Index>(i)).segment(static_cast<Eigen::Index>(m) * groups, groups) =
+          models[m].log_shares(point);
     }
-  }
+  });
 }
 
 Eigen::MatrixXd Likelihood::logarithms_of_sets(const Eigen::MatrixXd& sets) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "rocking/base/many_parts.hpp"
 #include "rocking/base/stop_request.hpp"
 #include "rocking/studies/infer/lattice.hpp"
 #include "rocking/studies/infer/share_model.hpp"
@@ -13,8 +14,8 @@ using Counts = Eigen::VectorXd;
 /// The multinomial likelihood of any counts at the points of a lattice.
 class Likelihood {
  public:
-  /// `models`: of the tested conditions. Throws base::Stopped if it is asked to stop.
-  Likelihood(const std::vector<ShareModel>& models, Lattice lattice, base::StopRequest stop = {});
+  /// `models`: of the tested conditions. Throws base::Stopped if it is asked to stop. Of `how` the threads count.
+  Likelihood(const std::vector<ShareModel>& models, Lattice lattice, const base::ManyParts& how = {});
 
   [[nodiscard]] const Lattice& lattice() const { return lattice_; }
   /// Log-likelihood without the multinomial coefficients, at each point.

@@ -78,8 +78,8 @@ Posterior weighted(Lattice lattice, const Eigen::VectorXd& logarithms, const std
 }
 
 Posterior on_window(const std::vector<ShareModel>& models, const Counts& counts, const std::vector<Unknown>& unknowns,
-                    Window window, base::StopRequest stop) {
-  const Likelihood likelihood(models, Lattice(std::move(window)), stop);
+                    Window window, const base::ManyParts& how) {
+  const Likelihood likelihood(models, Lattice(std::move(window)), how);
   return weighted(likelihood.lattice(), likelihood.logarithms(counts), unknowns);
 }
 
@@ -106,11 +106,11 @@ Window reach_of_priors(const std::vector<Unknown>& unknowns) {
 }
 
 Posterior posterior_of(const std::vector<ShareModel>& models, const Counts& counts,
-                       const std::vector<Unknown>& unknowns, const Survey& found, base::StopRequest stop) {
+                       const std::vector<Unknown>& unknowns, const Survey& found, const base::ManyParts& how) {
   if (std::ranges::none_of(unknowns, has_prior)) {
     return weighted(found.likelihood.lattice(), found.logarithms, unknowns);
   }
-  Posterior posterior = on_window(models, counts, unknowns, reach_of_priors(unknowns), stop);
+  Posterior posterior = on_window(models, counts, unknowns, reach_of_priors(unknowns), how);
   constexpr int most_windows = 6;
   for (int i = 1; i < most_windows; ++i) {
     const double least = 1e-6 * posterior.weights.maxCoeff();
@@ -118,7 +118,7 @@ Posterior posterior_of(const std::vector<ShareModel>& models, const Counts& coun
       return posterior.weights[static_cast<Eigen::Index>(point)] >= least;
     });
     if (!is_much_smaller(window, posterior.lattice.window())) break;
-    posterior = on_window(models, counts, unknowns, window, stop);
+    posterior = on_window(models, counts, unknowns, window, how);
   }
   return posterior;
 }

@@ -26,7 +26,7 @@ struct Posterior {
 /// `models`: of the tested conditions; `found`: their survey. Throws base::Stopped if it is asked to stop.
 [[nodiscard]] Posterior posterior_of(const std::vector<ShareModel>& models, const Counts& counts,
                                      const std::vector<Unknown>& unknowns, const Survey& found,
-                                     base::StopRequest stop = {});
+                                     const base::ManyParts& how = {});
 
 /// Mean, median and interval with equal tails of an unknown.
 [[nodiscard]] UnknownPosterior summary(const Posterior& posterior, const std::vector<Unknown>& unknowns,

@@ -35,16 +35,21 @@ double limit_at(const Likelihood& likelihood, std::size_t axis, std::size_t plac
                 const MakeUp& make_up, double confidence) {
   const Lattice& lattice = likelihood.lattice();
   const std::size_t best = best_at(lattice, axis, place, deviances);
-  const Eigen::MatrixXd logarithms = likelihood.logarithms_of_sets(make_up(lattice.point(best)));
+  const Eigen::MatrixXd sets = make_up(lattice.point(best));
   std::vector<Eigen::Index> at_place;
   for (std::size_t i = 0; i < lattice.size(); ++i) {
     if (lattice.place(i, axis) == place) at_place.push_back(static_cast<Eigen::Index>(i));
   }
   std::vector<double> values;
-  for (Eigen::Index set = 0; set < logarithms.cols(); ++set) {
-    double inside = -std::numeric_limits<double>::infinity();
-    for (const Eigen::Index i : at_place) inside = std::max(inside, logarithms(i, set));
-    values.push_back(2.0 * (logarithms.col(set).maxCoeff() - inside));
+  constexpr Eigen::Index at_once = 32;  // a lattice of three unknowns has 15625 points: all sets would need 50 MB
+  for (Eigen::Index first = 0; first < sets.cols(); first += at_once) {
+    const Eigen::MatrixXd logarithms =
+        likelihood.logarithms_of_sets(sets.middleCols(first, std::min(at_once, sets.cols() - first)));
+    for (Eigen::Index set = 0; set < logarithms.cols(); ++set) {
+      double inside = -std::numeric_limits<double>::infinity();
+      for (const Eigen::Index i : at_place) inside = std::max(inside, logarithms(i, set));
+      values.push_back(2.0 * (logarithms.col(set).maxCoeff() - inside));
+    }
   }
   return std::max(limit_on_bound(confidence), upper_quantile(std::move(values), confidence));
 }

@@ -16,8 +16,9 @@ double to_six_digits(double number) {
   return rounded;
 }
 
-Survey on_window(const std::vector<ShareModel>& models, const Counts& counts, Window window, base::StopRequest stop) {
-  Survey found{.likelihood = Likelihood(models, Lattice(std::move(window)), stop), .logarithms = {}, .deviances = {}};
+Survey on_window(const std::vector<ShareModel>& models, const Counts& counts, Window window,
+                 const base::ManyParts& how) {
+  Survey found{.likelihood = Likelihood(models, Lattice(std::move(window)), how), .logarithms = {}, .deviances = {}};
   found.logarithms = found.likelihood.logarithms(counts);
   found.deviances = deviances(found.logarithms);
   return found;
@@ -63,10 +64,10 @@ bool is_much_smaller(const Window& window, const Window& present) {
   return (window.high - window.low).cwiseQuotient(present.high - present.low).minCoeff() <= 0.7;
 }
 
-Survey survey(const std::vector<ShareModel>& models, const Counts& counts, base::StopRequest stop) {
+Survey survey(const std::vector<ShareModel>& models, const Counts& counts, const base::ManyParts& how) {
   const auto axes = static_cast<Eigen::Index>(models.front().unknowns());
   Survey found =
-      on_window(models, counts, {.low = Eigen::VectorXd::Zero(axes), .high = Eigen::VectorXd::Ones(axes)}, stop);
+      on_window(models, counts, {.low = Eigen::VectorXd::Zero(axes), .high = Eigen::VectorXd::Ones(axes)}, how);
   const double most = unlikely(models, counts);
   constexpr int most_windows = 4;
   for (int i = 1; i < most_windows; ++i) {
@@ -74,7 +75,7 @@ Survey survey(const std::vector<ShareModel>& models, const Counts& counts, base:
       return found.deviances[static_cast<Eigen::Index>(point)] <= most;
     });
     if (!is_much_smaller(window, found.likelihood.lattice().window())) break;
-    found = on_window(models, counts, window, stop);
+    found = on_window(models, counts, window, how);
   }
   return found;
 }

@@ -33,8 +33,9 @@ struct Survey {
   Eigen::VectorXd deviances;
 };
 
-/// `models`: of the tested conditions. Throws base::Stopped if it is asked to stop.
-[[nodiscard]] Survey survey(const std::vector<ShareModel>& models, const Counts& counts, base::StopRequest stop = {});
+/// `models`: of the tested conditions. Throws base::Stopped if it is asked to stop. Of `how` the threads count.
+[[nodiscard]] Survey survey(const std::vector<ShareModel>& models, const Counts& counts,
+                            const base::ManyParts& how = {});
 
 /// Whether a smaller window is worth another lattice.
 [[nodiscard]] bool is_much_smaller(const Window& window, const Window& present);

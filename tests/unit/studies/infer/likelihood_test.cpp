@@ -157,10 +157,10 @@ TEST(InferLikelihood, StopsWhenItIsAskedTo) {
   const std::vector<std::vector<std::uint64_t>> counts(5, {30, 20});
   std::atomic<bool> stop = false;
   const base::StopRequest asked(&stop);
-  const Likelihood likelihood(models, Lattice({.low = at(0.0), .high = at(1.0)}), asked);
+  const Likelihood likelihood(models, Lattice({.low = at(0.0), .high = at(1.0)}), {.stop = asked});
   stop = true;
   EXPECT_THROW(static_cast<void>(likelihood.logarithms_of_sets(Eigen::MatrixXd::Zero(2, 5))), base::Stopped);
-  EXPECT_THROW(Likelihood(models, likelihood.lattice(), asked), base::Stopped);
+  EXPECT_THROW(Likelihood(models, likelihood.lattice(), {.stop = asked}), base::Stopped);
   EXPECT_THROW(ShareModel(Eigen::VectorXd::LinSpaced(5, 0.0, 1.0), counts, nullptr, asked), base::Stopped);
 }
 

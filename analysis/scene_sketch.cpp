@@ -21,7 +21,7 @@ struct Point {
 /// Names of the columns of a table.
 const std::vector<Column> corners{{"x", "to the right of the block's left edge [m]"}, {"y", "above the base [m]"}};
 
-double rounded(double length) { return std::round(length * 1e6) / 1e6 + 0.0; }
+double rounded_length(double length) { return std::round(length * 1e6) / 1e6 + 0.0; }
 
 /// A block that stands on its left edge O = (0, 0), turned anticlockwise by `tilt`.
 class TiltedBlock {
@@ -50,18 +50,19 @@ class Sketch {
  public:
   void path(const std::string& name, const std::vector<Point>& points, LayerKind kind, const Style& style) {
     Table table{.name = name, .columns = corners, .rows = {}};
-    for (const Point& point : points) table.rows.push_back({rounded(point.x), rounded(point.y)});
+    for (const Point& point : points) table.rows.push_back({rounded_length(point.x), rounded_length(point.y)});
     add(std::move(table), kind, {0, 1}, style);
   }
   void arrow(const std::string& name, const Point& from, const Point& way) {
     Table table{.name = name, .columns = corners, .rows = {}};
     table.columns.push_back({"dx", "its length to the right [m]"});
     table.columns.push_back({"dy", "upwards [m]"});
-    table.rows.push_back({rounded(from.x), rounded(from.y), rounded(way.x), rounded(way.y)});
+    table.rows.push_back(
+        {rounded_length(from.x), rounded_length(from.y), rounded_length(way.x), rounded_length(way.y)});
     add(std::move(table), LayerKind::arrows, {0, 1, 2, 3}, {.colour = "#d55e00", .width = 2.0});
   }
   void word(const std::string& text, const Point& where) {
-    words_.rows.push_back({rounded(where.x), rounded(where.y), text});
+    words_.rows.push_back({rounded_length(where.x), rounded_length(where.y), text});
   }
   void arc(const std::string& name, const Point& centre, double radius, double from, double to) {
     std::vector<Point> points;

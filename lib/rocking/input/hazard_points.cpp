@@ -27,7 +27,7 @@ constexpr std::array<IntensityUnit, 4> intensity_units{{{"_g", 1.0, 10.0, 981.0,
                                                         {"_m_s2", 1.0, 100.0, 100.0, "cm/s2"}}};
 /// A hazard curve in cm/s does not end here [cm/s].
 constexpr double least_last_velocity = 10.0;
-constexpr std::size_t most_problems = 20;
+constexpr std::size_t most_problems_of_a_curve = 20;
 
 }  // namespace
 
@@ -45,7 +45,7 @@ HazardPoints::HazardPoints(std::string name, HazardReading reading) : reading_(s
 }
 
 void HazardPoints::reject(std::string place, std::string found, std::string reason, std::string remedy) {
-  if (problems_.size() == most_problems) return;
+  if (problems_.size() == most_problems_of_a_curve) return;
   problems_.push_back({std::move(place), std::move(found), std::move(reason), std::move(remedy)});
 }
 
@@ -111,7 +111,9 @@ void HazardPoints::add(const std::string& place, const std::string& intensity, c
   curve_.points.push_back(point);
 }
 
-bool HazardPoints::is_enough() const { return size() > most_hazard_points || problems_.size() == most_problems; }
+bool HazardPoints::is_enough() const {
+  return size() > most_hazard_points || problems_.size() == most_problems_of_a_curve;
+}
 
 HazardCurve HazardPoints::finish() {
   if (size() > most_hazard_points) {

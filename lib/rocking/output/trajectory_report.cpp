@@ -32,13 +32,13 @@ ReportedState state_of(const Sample& sample, const TrajectoryScales& scales) {
           .slip_rate = sample.slip_rate * scales.slip_rate};
 }
 
-struct Row {
+struct TimedRow {
   double time;
   int order;  ///< among rows of one time
   std::string text;
 };
 
-Row row_of(int order, const std::string& name, double time, const ReportedState& state, const std::string& end) {
+TimedRow row_of(int order, const std::string& name, double time, const ReportedState& state, const std::string& end) {
   std::string text = name;
   for (const double number : {time, state.tilt, state.tilt_rate, state.slip, state.slip_rate}) {
     text += ',' + base::shortest(number);
@@ -46,8 +46,8 @@ Row row_of(int order, const std::string& name, double time, const ReportedState&
   return {.time = time, .order = order, .text = text + ',' + end};
 }
 
-std::vector<Row> rows_of(const TrajectoryReport& report) {
-  std::vector<Row> rows;
+std::vector<TimedRow> rows_of(const TrajectoryReport& report) {
+  std::vector<TimedRow> rows;
   for (const auto& [time, kind, state] : report.events) {
     rows.push_back(row_of(0, "event", time, state, ',' + std::string(to_string(kind))));
   }
@@ -57,7 +57,7 @@ std::vector<Row> rows_of(const TrajectoryReport& report) {
   for (const auto& [time, state, contact] : report.history) {
     rows.push_back(row_of(2, "sample", time, state, std::string(to_string(contact)) + ','));
   }
-  std::ranges::stable_sort(rows, {}, [](const Row& row) { return std::tuple(row.time, row.order); });
+  std::ranges::stable_sort(rows, {}, [](const TimedRow& row) { return std::tuple(row.time, row.order); });
   return rows;
 }
 
@@ -109,7 +109,7 @@ std::string trajectory_table(const TrajectoryReport& report) {
   text += report.units == TrajectoryUnits::si ? "\nrow,time_s,tilt_rad,tilt_rate_rad_s,slip_m,slip_rate_m_s"
                                               : "\nrow,tau,tilt,tilt_rate,slip,slip_rate";
   text += ",contact,event\n";
-  for (const Row& row : rows_of(report)) text += row.text + '\n';
+  for (const TimedRow& row : rows_of(report)) text += row.text + '\n';
   return text;
 }
 

@@ -290,9 +290,9 @@ std::string caption_of(const Content& content) {
 }
 
 /// Draws the curves of a report one after another; those of a run share a panel.
-class Drawing {
+class CurveDrawing {
  public:
-  explicit Drawing(Figure& figure) : figure_(figure) {}
+  explicit CurveDrawing(Figure& figure) : figure_(figure) {}
 
   template <class Reported>
   void add(const Reported& reported) {
@@ -324,7 +324,7 @@ Figure fragility_figure(const FragilityReport& report) {
   figure.title = "Probability" + (content.subjects.size() == 1 ? " of " + *content.subjects.begin() : "") +
                  " as a function of intensity";
   figure.caption = caption_of(content);
-  Drawing drawing(figure);
+  CurveDrawing drawing(figure);
   for (const auto& curve : report.curves) {
     std::visit([&drawing](const auto& reported) { drawing.add(reported); }, curve);
   }

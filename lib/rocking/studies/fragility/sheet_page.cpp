@@ -44,7 +44,7 @@ std::string within(double years, double rate) { return two_digits(-100.0 * std::
 
 std::string to(const std::string& low, const std::string& high) { return low + " to " + high; }
 
-std::string values_of(const std::vector<Parameter>& parameters) {
+std::string option_of(const std::vector<Parameter>& parameters) {
   std::string text;
   for (const Parameter& parameter : parameters) {
     text += (text.empty() ? "" : ", ") + place_html(parameter.pointer, json_of(parameter.value));
@@ -53,9 +53,10 @@ std::string values_of(const std::vector<Parameter>& parameters) {
 }
 
 /// The block from the front, in millimetres on the paper.
-class Drawing {
+class SheetDrawing {
  public:
-  explicit Drawing(const BlockOutline& block) : block_(block), wide_(block.right() - block.left()), high_(block.top()) {
+  explicit SheetDrawing(const BlockOutline& block)
+      : block_(block), wide_(block.right() - block.left()), high_(block.top()) {
     constexpr std::array scales{1.0, 2.0, 5.0, 10.0, 20.0, 25.0, 50.0, 100.0, 200.0, 500.0, 1000.0};
     const auto fits = [&](double scale) { return wide_ <= 0.034 * scale && high_ <= 0.044 * scale; };
     const auto found = std::ranges::find_if(scales, fits);
@@ -121,7 +122,9 @@ class Drawing {
   double wide_, high_, scale_ = 1.0;
 };
 
-std::string drawing(const Report& run) { return Drawing(outline_of(run.conditions.front().asked.scene.block)).svg(); }
+std::string drawing(const Report& run) {
+  return SheetDrawing(outline_of(run.conditions.front().asked.scene.block)).svg();
+}
 
 /// What the sheet is about.
 const ResponseEvent& event_of(const SheetContent& sheet) { return sheet.suites.front().curve.subject.event; }
@@ -131,7 +134,7 @@ std::string answer(const SheetContent& sheet) {
   const AnnualRate& rate = object.rate->chosen;
   const std::string as = object.curve.subject.others.empty() || sheet.suites.size() == 1
                              ? ""
-                             : " (" + values_of(object.curve.subject.others) + ")";
+                             : " (" + option_of(object.curve.subject.others) + ")";
   if (!(rate.value > 0.0)) {
     return fmt::format(
         "<p class=\"answer\">The object{} did not {} under any of the records at these levels. Stronger "
@@ -232,7 +235,7 @@ std::string rate_cells(const AnnualRate& rate, const std::vector<double>& horizo
 /// The rate of an option as a factor of that of the first one.
 std::string factor_cell(const SheetContent& sheet, const ReportedSuite& suite) {
   for (const auto& [run, found] : sheet.comparisons) {
-    const bool is_same = values_of(found.option) == values_of(suite.curve.subject.others);
+    const bool is_same = option_of(found.option) == option_of(suite.curve.subject.others);
     if (is_same) return found.ratio ? cell(*found.ratio, found.ratio_interval, two_digits) : "<td>unknown</td>";
   }
   return "<td>1</td>";
@@ -246,7 +249,7 @@ std::string rates(const SheetContent& sheet) {
   }
   for (std::size_t i = 0; i < std::min(sheet.suites.size(), most_options); ++i) {
     const ReportedSuite& suite = sheet.suites[i];
-    const std::string values = values_of(suite.curve.subject.others);
+    const std::string values = option_of(suite.curve.subject.others);
     rows += "<tr><th>" + (values.empty() ? words_of(event_of(sheet)) : values) + "</th>" +
             rate_cells(suite.rate->chosen, horizons(sheet)) + (has_options ? factor_cell(sheet, suite) : "") +
             "</tr>\n";
@@ -278,7 +281,7 @@ std::string extrapolated_hazard(const SheetContent& sheet) {
   std::string text;
   for (std::size_t i = 0; i < std::min(sheet.suites.size(), most_options); ++i) {
     const AnnualRate& rate = sheet.suites[i].rate->chosen;
-    const std::string values = values_of(sheet.suites[i].curve.subject.others);
+    const std::string values = option_of(sheet.suites[i].curve.subject.others);
     text +=
         fmt::format("<p{}>{}{}.</p>\n", rate.extrapolated_hazard > most_extrapolated_hazard ? " class=\"warning\"" : "",
                     sheet.suites.size() > 1 ? values + ": " : "", extrapolated_hazard_in_words(rate));
@@ -289,7 +292,7 @@ std::string extrapolated_hazard(const SheetContent& sheet) {
 /// What the rate of an option lacks.
 std::string warnings(const ReportedSuite& suite) {
   const SuiteRate& rate = *suite.rate;
-  const std::string values = values_of(suite.curve.subject.others);
+  const std::string values = option_of(suite.curve.subject.others);
   const std::string of = values.empty() ? "" : values + ": ";
   std::string text;
   if (!rate.do_estimates_agree()) {

@@ -60,7 +60,7 @@ TailCount tail_beyond(double sigmas, std::span<const double> sample, const Norma
 }
 
 /// Probability between two scores, computed in the tail where it is not a difference of numbers near 1.
-double probability_between(double low, double high) {
+double probability_of_bin(double low, double high) {
   return low > 0.0 ? normal_cdf(-low) - normal_cdf(-high) : normal_cdf(high) - normal_cdf(low);
 }
 
@@ -137,7 +137,7 @@ Histogram normal_histogram(std::span<const double> sample, const NormalLaw& law,
   Histogram histogram;
   for (std::size_t k = 0; k <= bins; ++k) histogram.edges.push_back(law.mean + law.sigma * score_of_edge(k));
   for (std::size_t k = 0; k < bins; ++k) {
-    histogram.expected.push_back(n * probability_between(score_of_edge(k), score_of_edge(k + 1)));
+    histogram.expected.push_back(n * probability_of_bin(score_of_edge(k), score_of_edge(k + 1)));
   }
   histogram.expected_below = histogram.expected_above = n * normal_cdf(-reach);
   histogram.counts.resize(bins);

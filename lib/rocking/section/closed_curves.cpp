@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "rocking/base/elementary.hpp"
+#include "rocking/section/four.hpp"
 #include "rocking/section/plane.hpp"
 
 namespace rocking::section {
@@ -80,40 +81,61 @@ class Curves {
   PlanePoint unit_;
 };
 
-/// Fourier sums of the two coordinates of a curve at one frequency, over the turns first ... first + count - 1, tapered to
-/// both ends, so that the lines of other frequencies do not leak into them.
-struct TaperedSums {
-  PlanePoint real;
-  PlanePoint imaginary;
-};
-
-TaperedSums tapered_sums(const Curves& curves, std::size_t curve, double frequency, std::size_t first,
-                         std::size_t count) {
-  const auto turn = base::sin_cos(2.0 * std::numbers::pi * frequency);
-  const auto start = base::sin_cos(2.0 * std::numbers::pi * fraction(frequency * static_cast<double>(first)));
-  double cosine = start.cosine;
-  double sine = start.sine;
-  TaperedSums sums;
+/// Points first ... first + count - 1 of a curve, tapered to both ends, so that the lines of other frequencies do not leak
+/// into the sums of one.
+std::vector<PlanePoint> tapered(const Curves& curves, std::size_t curve, std::size_t first, std::size_t count) {
+  std::vector<PlanePoint> points;
+  points.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
     const double t = (static_cast<double>(i) + 0.5) / static_cast<double>(count);
-    const double taper = t * (1.0 - t) * t * (1.0 - t);
-    const PlanePoint p = curves.at(curve, first + i).scaled(taper);
-    sums.real = {sums.real.x + p.x * cosine, sums.real.y + p.y * cosine};
-    sums.imaginary = {sums.imaginary.x - p.x * sine, sums.imaginary.y - p.y * sine};
-    const double next = cosine * turn.cosine - sine * turn.sine;
-    sine = sine * turn.cosine + cosine * turn.sine;
-    cosine = next;
+    points.push_back(curves.at(curve, first + i).scaled(t * (1.0 - t) * t * (1.0 - t)));
+  }
+  return points;
+}
+
+/// cos and sin of a frequency: of one, or of four side by side.
+template <class Number>
+struct Angle {
+  Number cosine;
+  Number sine;
+};
+
+Angle<double> angle_of(double frequency) {
+  const auto angle = base::sin_cos(2.0 * std::numbers::pi * frequency);
+  return {angle.cosine, angle.sine};
+}
+
+/// Fourier sums of the two coordinates.
+template <class Number>
+struct FourierSums {
+  Number real_x{};
+  Number real_y{};
+  Number imaginary_x{};
+  Number imaginary_y{};
+
+  [[nodiscard]] Number power() const {
+    return (real_x * real_x + real_y * real_y) + (imaginary_x * imaginary_x + imaginary_y * imaginary_y);
+  }
+};
+
+/// The first point at the angle `start`, each further one `turn` later.
+template <class Number>
+FourierSums<Number> fourier_sums(std::span<const PlanePoint> points, const Angle<Number>& turn, Angle<Number> start) {
+  FourierSums<Number> sums;
+  for (const PlanePoint& p : points) {
+    sums.real_x += p.x * start.cosine;
+    sums.real_y += p.y * start.cosine;
+    sums.imaginary_x -= p.x * start.sine;
+    sums.imaginary_y -= p.y * start.sine;
+    start = {start.cosine * turn.cosine - start.sine * turn.sine, start.sine * turn.cosine + start.cosine * turn.sine};
   }
   return sums;
 }
 
-double power_at(const Curves& curves, double frequency) {
-  double power = 0.0;
-  for (std::size_t curve = 0; curve < curves.curves(); ++curve) {
-    const TaperedSums sums = tapered_sums(curves, curve, frequency, 0, curves.length());
-    power += squared_length(sums.real) + squared_length(sums.imaginary);
-  }
-  return power;
+FourierSums<double> tapered_sums(const Curves& curves, std::size_t curve, double frequency, std::size_t first,
+                                 std::size_t count) {
+  return fourier_sums(tapered(curves, curve, first, count), angle_of(frequency),
+                      angle_of(fraction(frequency * static_cast<double>(first))));
 }
 
 /// How a line changes from the first half of the turns to the second.
@@ -129,13 +151,13 @@ LineChange change_of_line(const Curves& curves, double frequency) {
   double early = 0.0;
   double late = 0.0;
   for (std::size_t curve = 0; curve < curves.curves(); ++curve) {
-    const TaperedSums a = tapered_sums(curves, curve, frequency, 0, half);
-    const TaperedSums b = tapered_sums(curves, curve, frequency, half, half);
-    real += a.real.x * b.real.x + a.imaginary.x * b.imaginary.x + a.real.y * b.real.y + a.imaginary.y * b.imaginary.y;
+    const auto a = tapered_sums(curves, curve, frequency, 0, half);
+    const auto b = tapered_sums(curves, curve, frequency, half, half);
+    real += a.real_x * b.real_x + a.imaginary_x * b.imaginary_x + a.real_y * b.real_y + a.imaginary_y * b.imaginary_y;
     imaginary +=
-        a.real.x * b.imaginary.x - a.imaginary.x * b.real.x + a.real.y * b.imaginary.y - a.imaginary.y * b.real.y;
-    early += squared_length(a.real) + squared_length(a.imaginary);
-    late += squared_length(b.real) + squared_length(b.imaginary);
+        a.real_x * b.imaginary_x - a.imaginary_x * b.real_x + a.real_y * b.imaginary_y - a.imaginary_y * b.real_y;
+    early += a.power();
+    late += b.power();
   }
   return {std::sqrt(late / early), real > 0.0 ? base::arc_tangent(imaginary / real) : 0.0};
 }
@@ -148,14 +170,26 @@ double refined(const Curves& curves, double frequency) {
 
 double strongest_frequency(const Curves& curves) {
   const std::size_t steps = curves.length();
+  std::vector<std::vector<PlanePoint>> points;
+  for (std::size_t curve = 0; curve < curves.curves(); ++curve) points.push_back(tapered(curves, curve, 0, steps));
   double strongest = 0.0;
   double most = -1.0;
-  for (std::size_t j = 1; j <= steps; ++j) {
-    const double frequency = 0.5 * static_cast<double>(j) / static_cast<double>(steps);
-    const double power = power_at(curves, frequency);
-    if (power > most) {
-      most = power;
-      strongest = frequency;
+  for (std::size_t first = 1; first <= steps; first += four) {  // four frequencies side by side
+    Angle<Four> turn;
+    const auto frequency = [&](std::size_t i) {
+      return 0.5 * static_cast<double>(first + i) / static_cast<double>(steps);
+    };
+    for (std::size_t i = 0; i < four; ++i) {
+      const Angle<double> one = angle_of(frequency(i));
+      turn.cosine[i] = one.cosine;
+      turn.sine[i] = one.sine;
+    }
+    Four power{};
+    for (const auto& curve : points) power += fourier_sums<Four>(curve, turn, {all_ones, Four{}}).power();
+    for (std::size_t i = 0; i < four && first + i <= steps; ++i) {
+      if (!(power[i] > most)) continue;
+      most = power[i];
+      strongest = frequency(i);
     }
   }
   return refined(curves, refined(curves, strongest));

@@ -57,18 +57,26 @@ std::optional<section::ExponentEstimate> estimate_from(const std::vector<double>
 
 }  // namespace
 
-TangentRun::TangentRun(const rocking::Motion& from, double shape_angle, std::int64_t periods)
+TangentRun::TangentRun(const rocking::Motion& from, double shape_angle, std::int64_t periods,
+                       dynamics::Observer* recorder)
     : shape_angle_(shape_angle),
       window_(periods),
       goal_(periods),
       size_(unit_norm(from.state(), shape_angle)),
+      recorder_(recorder),
       motion_(from, unit_vectors(shape_angle)) {
   motion_.observe_with(*this);
-  motion_.ignore_peaks();
+  if (recorder == nullptr) end_recording();
   motion_.extend(periods);
 }
 
+void TangentRun::end_recording() {
+  recorder_ = nullptr;
+  motion_.ignore_peaks();
+}
+
 void TangentRun::strobe(const dynamics::State& state) {
+  if (recorder_ != nullptr) recorder_->strobe(state);
   points_.push_back(
       {.tilt = state.tilt / shape_angle_, .tilt_rate = state.tilt_rate / shape_angle_, .slip_rate = state.slip_rate});
   const double size = norm_of(motion_.at_strobe(), shape_angle_);

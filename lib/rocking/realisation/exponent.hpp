@@ -33,12 +33,17 @@ class TangentRun final : private dynamics::Observer {
   using Motion = TangentMotion<rocking::Motion, 3>;
 
   /// `from`: the motion at the beginning of the window. It is continued for the `periods` periods of the window, and for
-  /// up to eight times as many while that may decide the classification.
-  TangentRun(const rocking::Motion& from, double shape_angle, std::int64_t periods);
+  /// up to eight times as many while that may decide the classification. `recorder`: of the window, in place of the
+  /// motion that would be run without vectors; it records until end_recording().
+  TangentRun(const rocking::Motion& from, double shape_angle, std::int64_t periods,
+             dynamics::Observer* recorder = nullptr);
   TangentRun(const TangentRun&) = delete;
   TangentRun& operator=(const TangentRun&) = delete;
 
   [[nodiscard]] Motion& motion() { return motion_; }
+
+  /// From now on the motion serves the vectors only.
+  void end_recording();
 
   /// To be called when the motion has ended. True if it continues, because that does not decide `pending` yet.
   [[nodiscard]] bool go_on(const section::PendingClassification& pending);
@@ -47,7 +52,9 @@ class TangentRun final : private dynamics::Observer {
   [[nodiscard]] ExponentRun result();
 
  private:
-  void event(dynamics::EventKind, double, const dynamics::State&) override {}
+  void event(dynamics::EventKind kind, double tau, const dynamics::State& state) override {
+    if (recorder_ != nullptr) recorder_->event(kind, tau, state);
+  }
   void strobe(const dynamics::State& state) override;
 
   double shape_angle_;
@@ -59,6 +66,7 @@ class TangentRun final : private dynamics::Observer {
   std::optional<section::ExponentEstimate> exponent_;
   std::optional<section::ExponentEstimate> over_all_;
   bool is_undecided_ = true;
+  dynamics::Observer* recorder_;
   Motion motion_;
 };
 

@@ -101,6 +101,23 @@ class HorizonRun {
     return !motion_.ended();
   }
 
+  /// After go_on() has returned true: whether the window may be run with tangent vectors from its beginning.
+  [[nodiscard]] bool may_begin_with_tangents() const {
+    return !settling_ && condition_->horizon.transient_periods > 0 && !motion_.excitation().has_vertical();
+  }
+  /// Does so. The caller runs it to the end of the window and calls take_window(), then classify().
+  [[nodiscard]] TangentRun& begin_with_tangents() {
+    return tangent_run_.emplace(*at_window_, shape_angle_, condition_->horizon.sampled_periods, &recorder_);
+  }
+  /// The motion has become that with tangent vectors, after `counts` steps.
+  void take_window(const integrate::LoopCounts& counts) {
+    motion_ = tangent_run_->motion();
+    motion_.observe_with(recorder_);
+    counts_.steps += counts.steps;
+    counts_.root_isolations += counts.root_isolations;
+    tangent_run_->end_recording();
+  }
+
   /// To be called when go_on() has returned false. Classifies the response in the newest window, unless that needs the
   /// exponent. In that case returns the run of the window with tangent vectors, which the caller runs to its end.
   [[nodiscard]] TangentRun* classify();
@@ -151,7 +168,8 @@ inline TangentRun* HorizonRun::classify() {
   pending_ = classification_without_exponent();
   const bool skips_exponent = settling_ && settling_->skips_exponent();
   if (!pending_.classification && !skips_exponent) {
-    return &tangent_run_.emplace(*at_window_, shape_angle_, condition_->horizon.sampled_periods);
+    if (!tangent_run_) tangent_run_.emplace(*at_window_, shape_angle_, condition_->horizon.sampled_periods);
+    return &*tangent_run_;
   }
   take(pending_.classification ? *pending_.classification : pending_.with_exponent(std::nullopt, {}));
   return nullptr;
@@ -201,7 +219,8 @@ inline void HorizonRun::take_exponent() {
 }
 
 inline bool HorizonRun::begin_next_window() {
-  if (tangent_run_) take_exponent();
+  if (tangent_run_ && !pending_.classification) take_exponent();
+  tangent_run_.reset();
   if (!settling_ || motion_.termination() != dynamics::Termination::reached_horizon) return false;
   if (!settling_->wants_window()) return false;
   const bool had_only_long_run = settling_->has_only_long_run();

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <type_traits>
 #include <utility>
 
 #include "rocking/dynamics/guards.hpp"
@@ -178,28 +179,35 @@ class TangentMotion : public Motion {
     if (together > 1) ++not_differentiable_.coincidences;
   }
 
-  /// The derivative of the impact that reset() is about to apply, from a copy of the coefficients, which then make the
-  /// same draws.
+  /// The derivative of the impact that reset() is about to apply.
   template <class Fired>
   [[nodiscard]] std::optional<dynamics::ImpactDerivative> impact_of(const Fired& fired, bool at_breakpoint) const {
     const dynamics::State& state = this->state();
     if (decisive(fired, at_breakpoint) != Guard::tilt || !(state.side * state.tilt_rate < 0.0)) return std::nullopt;
     const dynamics::Setting& setting = this->setting();
-    auto coefficients = this->coefficients();
-    dynamics::Clock clock = this->clock();
-    if (at_breakpoint) clock.set(*this->course().progress.breakpoint());
-    const double restitution = coefficients.restitution(state.tilt_rate);
+    const double restitution = coming_restitution();
     const dynamics::Edge& landing = setting.block.edge(state.tilt_rate);
-    if (!coefficients.has_friction()) return sticking_derivative(restitution, landing);
+    if (!this->coefficients().has_friction()) return sticking_derivative(restitution, landing);
     const bool slip_ends = fired[static_cast<std::size_t>(Guard::slip)];
     const dynamics::ImpactConditions before{.tilt_rate = state.tilt_rate,
                                             .slip_rate = slip_ends ? 0.0 : state.slip_rate,
                                             .restitution = restitution,
-                                            .static_friction = coefficients.static_friction()};
+                                            .static_friction = this->coefficients().static_friction()};
     if (sticking_impact(before, setting.block, setting.impact_slip_rule)) {
       return sticking_derivative(restitution, landing);
     }
+    dynamics::Clock clock = this->clock();
+    if (at_breakpoint) clock.set(*this->course().progress.breakpoint());
+    auto coefficients = this->coefficients();  // a copy makes the same draws
     return slipping_derivative(before, coefficients.kinetic_friction(clock), setting.block);
+  }
+
+  [[nodiscard]] double coming_restitution() const {
+    if constexpr (dynamics::KnowsComingCoefficients<std::remove_cvref_t<decltype(this->coefficients())>>) {
+      if (const auto constant = this->coefficients().constant_restitution()) return *constant;
+    }
+    auto coefficients = this->coefficients();  // a copy makes the same draw
+    return coefficients.restitution(this->state().tilt_rate);
   }
 
   /// Through the event, after the motion has passed it.

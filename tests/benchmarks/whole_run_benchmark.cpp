@@ -150,6 +150,15 @@ void compare(const Runs& runs, const Task& task, double odeint_tolerance, int ro
   std::fflush(stdout);
 }
 
+/// As the system names it.
+std::string processor() {
+  std::ifstream facts("/proc/cpuinfo");
+  for (std::string line; std::getline(facts, line);) {
+    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+  }
+  return "unknown processor";
+}
+
 void print_fixed_cost(const Runs& runs, const Task& task) {
   constexpr int repetitions = 100;
   double bare = 0.0;
@@ -169,7 +178,8 @@ int main(int count, char** arguments) {
   }
   const Runs runs(arguments[1]);
   const int rounds = count > 2 ? std::atoi(arguments[2]) : 5;
-  std::printf("lanes: %s\n", std::string(rocking::lanes::available_kernels().back().name).c_str());
+  std::printf("%s; lanes: %s\n", processor().c_str(),
+              std::string(rocking::lanes::available_kernels().back().name).c_str());
   std::printf("%-22s %10s %10s %12s %10s %8s %8s %8s\n", "", "", "us a", "without", "odeint us", "ratio,", "", "");
   std::printf("%-22s %10s %10s %12s %10s %8s %8s %8s\n", "scene", "periods", "realis.", "reruns", "a realis.", "median",
               "least", "most");

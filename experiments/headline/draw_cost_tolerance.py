@@ -2,9 +2,9 @@
 
 usage: draw_cost_tolerance.py [FILE]     (reports/headline/cost_tolerance.svg)
 
-The tables in reports/headline are those that `rocking figure` writes beside its figures of cost.json:
+The tables in reports/headline are those that `rocking report` writes beside its figures of cost.json:
     rocking cost experiments/headline/headline.json --sample 1223 -o cost
-    rocking figure cost/cost.json -o drawn     # drawn/cost_tolerance.tsv
+    rocking report cost/cost.json -o drawn     # drawn/cost_tolerance.tsv
 and the same of experiments/reference_block/no_sliding.json, of which all realisations are measured.
 """
 

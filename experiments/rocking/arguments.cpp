@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -16,6 +17,7 @@
 #include "exit_code.hpp"
 #include "rocking/random/draws.hpp"
 #include "rocking/scene/check_condition.hpp"
+#include "rocking/studies/studies.hpp"
 #include "usage.hpp"
 
 namespace rocking::program {
@@ -123,7 +125,9 @@ CLI::Validator duration() {
 
 void add_shard(CLI::App& command, std::optional<Shard>& shard) {
   const auto set = [&shard](const std::string& text) { shard = shard_from(text); };
-  command.add_option_function<std::string>("--shard", set, "Run only the i-th of n parts; `rocking merge` joins them")
+  command
+      .add_option_function<std::string>("--shard", set,
+                                        "Run only the i-th of n parts; `rocking resume WHOLE PART PART` joins them")
       ->type_name("I/N");
 }
 
@@ -149,13 +153,37 @@ void add_page_choice(CLI::App& command, PageChoice& page) {
       "Draw no page, and remove an earlier one; `rocking report DIR` draws it later");
 }
 
-void add_experiment(CLI::App& command, std::string& file) {
-  command.add_option("EXPERIMENT", file, "Experiment file (JSON); -: standard input")->required();
+std::string folder_of_run(const std::string& written) {
+  const std::filesystem::path path(written);
+  const std::string name = path.filename().string();
+  const bool is_of_run = name == "report.json" || name == "report.html" || name == "realisations.sqlite" ||
+                         std::ranges::any_of(studies(), [&name](const Study* study) { return study->file == name; });
+  std::error_code ignored;
+  if (!is_of_run || !std::filesystem::is_regular_file(path, ignored)) return written;
+  return path.has_parent_path() ? path.parent_path().string() : ".";
+}
+
+CLI::Validator run_folder() {
+  const auto transform = [](std::string& written) -> std::string {
+    written = folder_of_run(written);
+    return "";
+  };
+  CLI::Validator validator;
+  validator.name("").operation(transform);
+  return validator;
+}
+
+CLI::Option* add_experiment(CLI::App& command, std::string& file) {
+  return command.add_option("EXPERIMENT", file, "Experiment file (JSON); -: standard input")->required();
 }
 
 void add_skip_unreadable(CLI::App& command, Overrides& overrides) {
   command.add_flag("--skip-unreadable", overrides.skips_unreadable,
                    "Leave out records of a suite that cannot be read; the report names them");
+}
+
+CLI::Option* add_realisations(CLI::App& command, Overrides& overrides, const std::string& description) {
+  return command.add_option("--realisations", overrides.realisations, description)->type_name("N");
 }
 
 void add_seed(CLI::App& command, Overrides& overrides) {
@@ -183,43 +211,6 @@ Experiment load_sampled_experiment(const std::string& path, const Overrides& ove
   Experiment experiment = load_experiment(source, overrides);
   check_source(source, [&experiment] { check_strobe(experiment); });
   return experiment;
-}
-
-void add_realisation(CLI::App& command, TrajectoryRequest& asked, Naming naming) {
-  const auto add = [&](const char* name, std::uint64_t& number, const char* description, const char* type) {
-    CLI::Option* option = command.add_option(name, number, description)
-                              ->check(whole_number(0, random::realisation_limit - 1))
-                              ->type_name(type);
-    if (naming == Naming::required) {
-      option->required();
-    } else {
-      option->capture_default_str();
-    }
-  };
-  add("--condition", asked.condition, "Number of the condition, from 0", "I");
-  add("--realisation", asked.realisation, "Number of the realisation, which determines the random numbers, from 0",
-      "K");
-}
-
-void add_trajectory_output(CLI::App& command, TrajectoryOutput& output) {
-  command.add_option("--format", output.format, "Text to print; csv: a table for spreadsheets")
-      ->check(one_of({"json", "csv"}))
-      ->capture_default_str()
-      ->type_name("NAME");
-  command.add_option("--units", output.units, "Units of states and times: Theta, X, tau; or rad, m, s")
-      ->check(one_of({"normalised", "si"}))
-      ->capture_default_str()
-      ->type_name("NAME");
-}
-
-void expect_consistent(const TrajectoryOutput& output, const Loudness& loudness) {
-  if (output.format == "csv" && loudness.json)
-    throw UsageError("--json: the result is a table with `--format csv`; omit one of them");
-}
-
-std::string text_of(const TrajectoryRequest& asked, const Trajectory& trajectory, const TrajectoryOutput& output) {
-  const TrajectoryUnits units = output.units == "si" ? TrajectoryUnits::si : TrajectoryUnits::normalised;
-  return output.format == "csv" ? trajectory_csv(asked, trajectory, units) : trajectory_text(asked, trajectory, units);
 }
 
 }  // namespace rocking::program

@@ -8,7 +8,6 @@
 
 #include "output.hpp"
 #include "program.hpp"
-#include "rocking/api/trajectory.hpp"
 #include "rocking/base/error.hpp"
 #include "rocking/input/read_experiment.hpp"
 #include "rocking/store/realisation_key.hpp"
@@ -31,7 +30,7 @@ void add_shard(CLI::App& command, std::optional<Shard>& shard);
 /// Whether a run ends with a page, report.html.
 enum class PageChoice : std::uint8_t { drawn, omitted };
 
-/// Options that `run`, `resume`, `merge` and `verify` have in common.
+/// Options that `run`, `resume` and `verify` have in common.
 struct ExecutionOptions {
   unsigned threads = 1;
   std::optional<double> max_time;  ///< stop cleanly after this long [s]
@@ -47,10 +46,17 @@ void add_max_time(CLI::App& command, ExecutionOptions& execution);
 /// Adds `--no-page`.
 void add_page_choice(CLI::App& command, PageChoice& page);
 
+/// The folder of a run: of a file in it, as out/report.json, that folder; otherwise what is written.
+[[nodiscard]] std::string folder_of_run(const std::string& written);
+/// Takes folder_of_run.
+[[nodiscard]] CLI::Validator run_folder();
+
 /// Adds the argument EXPERIMENT.
-void add_experiment(CLI::App& command, std::string& file);
+CLI::Option* add_experiment(CLI::App& command, std::string& file);
 /// Adds `--skip-unreadable`.
 void add_skip_unreadable(CLI::App& command, Overrides& overrides);
+/// Adds `--realisations`.
+CLI::Option* add_realisations(CLI::App& command, Overrides& overrides, const std::string& description);
 /// Adds `--seed`.
 void add_seed(CLI::App& command, Overrides& overrides);
 
@@ -75,26 +81,5 @@ void check_source(const ExperimentText& source, Check check) {
     throw located(error, source.text, source.name);
   }
 }
-
-/// How a trajectory is printed.
-struct TrajectoryOutput {
-  std::string format = "json";       ///< or `csv`
-  std::string units = "normalised";  ///< or `si`
-};
-
-/// Whether a realisation must be named.
-enum class Naming : std::uint8_t { required, optional };
-
-/// Adds `--condition` and `--realisation`.
-void add_realisation(CLI::App& command, TrajectoryRequest& asked, Naming naming);
-
-/// Adds `--format` and `--units`.
-void add_trajectory_output(CLI::App& command, TrajectoryOutput& output);
-
-/// Throws UsageError if `--json` contradicts the format.
-void expect_consistent(const TrajectoryOutput& output, const Loudness& loudness);
-
-[[nodiscard]] std::string text_of(const TrajectoryRequest& asked, const Trajectory& trajectory,
-                                  const TrajectoryOutput& output);
 
 }  // namespace rocking::program

@@ -7,9 +7,11 @@
 
 #include <fmt/format.h>
 
+#include "arguments.hpp"
 #include "interrupt.hpp"
 #include "machine.hpp"
 #include "output.hpp"
+#include "rocking/api/checks.hpp"
 #include "rocking/output/ground_motion_facts.hpp"
 #include "rocking/output/plan_text.hpp"
 #include "rocking/plan/plan.hpp"
@@ -99,6 +101,21 @@ ExitCode show_plan(const Experiment& experiment, const std::optional<Shard>& sha
     print_notice(fmt::format("the time is not known: no realisation was finished within {:g} s", longest_sample_s));
   }
   print_study(execution.loudness, facts_text(plan_facts(plan)), plan_text(plan) + ground_motion_text(experiment));
+  return ExitCode::done;
+}
+
+CLI::Option* add_status(CLI::App& command, std::string& folder) {
+  return command
+      .add_option("--status", folder,
+                  "Print how many realisations of the run in DIR are finished, missing and failed, also while it is in "
+                  "progress, and its remaining time; only reads")
+      ->transform(run_folder())
+      ->type_name("DIR");
+}
+
+ExitCode show_status(const std::string& folder, const Loudness& loudness) {
+  const RunStatus found = status_of(folder);
+  print_study(loudness, describe_as_json(found), describe(found, folder));
   return ExitCode::done;
 }
 

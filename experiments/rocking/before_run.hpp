@@ -21,4 +21,10 @@ void tell_ground_motion_notes(const Experiment& experiment);
 [[nodiscard]] ExitCode show_plan(const Experiment& experiment, const std::optional<Shard>& shard,
                                  const ExecutionOptions& execution);
 
+/// Adds `--status`.
+CLI::Option* add_status(CLI::App& command, std::string& folder);
+
+/// Prints the progress of the run in a folder.
+[[nodiscard]] ExitCode show_status(const std::string& folder, const Loudness& loudness);
+
 }  // namespace rocking::program

@@ -127,7 +127,7 @@ ExitCode explain_stop(const FolderRun& run) {
 
 ExitCode explain_shard(const RunFolder& folder, const Shard& shard) {
   print_notice(fmt::format(
-      "shard {} of {} is done; when the other shards are done too, `rocking merge DIR {} ...` writes the report",
+      "shard {} of {} is done; when the other shards are done too, `rocking resume DIR {} ...` writes the report",
       shard.part, shard.parts, shell_word(folder.name())));
   return ExitCode::done;
 }

@@ -27,12 +27,14 @@ def entries(lines):
 
 
 def parts_of(text):
-    """Summary, usage, [(heading, lines)], closing lines of a help text."""
+    """Summary, usage, [(heading, lines)], closing lines of a help text; examples before the usage are among the latter."""
     lines = text.strip("\n").split("\n")
     usage_at = next(i for i, line in enumerate(lines) if line.startswith("Usage:"))
-    summary = " ".join(line.strip() for line in lines[:usage_at]).strip()
+    summary_ends = lines[:usage_at].index("") if "" in lines[:usage_at] else usage_at
+    summary = " ".join(line.strip() for line in lines[:summary_ends]).strip()
     usage = lines[usage_at][len("Usage:") :].strip()
     sections, closing = [], []
+    examples = [line.strip() for line in lines[summary_ends:usage_at] if line.strip()]
     for line in lines[usage_at + 1 :]:
         if re.match(r"^[A-Z][A-Za-z ]*:$", line):
             sections.append((line[:-1], []))
@@ -40,8 +42,10 @@ def parts_of(text):
             sections[-1][1].append(line)
         elif line.strip():
             closing.append(line.strip())
-    return summary, usage, sections, closing
+    return summary, usage, sections, examples + closing
 
 
 def commands_of(program):
-    return [term for term, _ in entries(dict(parts_of(help_of(program))[2])["Subcommands"])]
+    """Of all groups."""
+    groups = [lines for heading, lines in parts_of(help_of(program))[2] if heading != "Options"]
+    return [term for lines in groups for term, _ in entries(lines)]

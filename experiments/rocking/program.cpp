@@ -8,12 +8,15 @@
 #include <memory>
 #include <new>
 #include <span>
+#include <string>
 #include <string_view>
 #include <system_error>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include "interrupt.hpp"
@@ -49,25 +52,28 @@ void alone(CLI::App& app, Action& action, const ProcessPool& /*pool*/) {
   add(app, action);
 }
 
+/// A command that is no study, by its name.
 struct NamedCommand {
   std::string_view name;
   AddCommand add;
 };
 
-/// In the order of `rocking --help`, where the studies of the list stand between them.
-constexpr std::array<NamedCommand, 5> before_studies{{{"run", add_run},
-                                                      {"resume", add_resume},
-                                                      {"status", alone<add_status>},
-                                                      {"merge", alone<add_merge>},
-                                                      {"verify", alone<add_verify>}}};
-constexpr std::array<NamedCommand, 8> after_studies{{{"figure", alone<add_figure>},
-                                                     {"report", alone<add_report>},
-                                                     {"trajectory", alone<add_trajectory>},
-                                                     {"replay", alone<add_replay>},
-                                                     {"validate", alone<add_validate>},
-                                                     {"schema", alone<add_schema>},
-                                                     {"doctor", alone<add_doctor>},
-                                                     {"completion", alone<add_completion>}}};
+/// Commands under one heading of `rocking --help`.
+struct CommandGroup {
+  const char* heading;
+  std::span<const NamedCommand> commands;
+};
+
+constexpr std::array<NamedCommand, 3> of_running{
+    {{"run", add_run}, {"resume", add_resume}, {"verify", alone<add_verify>}}};
+constexpr std::array<NamedCommand, 2> of_looking{
+    {{"report", alone<add_report>}, {"trajectory", alone<add_trajectory>}}};
+constexpr std::array<NamedCommand, 4> of_tools{{{"validate", alone<add_validate>},
+                                                {"schema", alone<add_schema>},
+                                                {"doctor", alone<add_doctor>},
+                                                {"completion", alone<add_completion>}}};
+constexpr std::array<CommandGroup, 4> groups{
+    {{"Run", of_running}, {"Look", of_looking}, {"Studies", {}}, {"Tools", of_tools}}};
 
 /// Adds the command that `word` names, because describing all of them takes a sixth of the instructions of a short run;
 /// otherwise all, also for `completion`, which lists them.
@@ -79,21 +85,43 @@ void add_commands(CLI::App& app, Action& action, const ProcessPool& pool, std::s
       "`rocking COMMAND --help` describes a command, with an example.\n"
       "Exit codes: 0 done, 1 a check failed, 64 usage, 65 bad input file, 66 missing input, 70 bug of rocking,\n"
       "74 input or output, 75 stopped early, 130 interrupted (`rocking resume` continues the run after both).\n");
-  const auto is_named = [word](const NamedCommand& command) { return command.name == word; };
-  const auto is_study = [word](const Study* study) { return study->command() == word; };
-  const bool one = word != "completion" &&
-                   (std::ranges::any_of(before_studies, is_named) || std::ranges::any_of(studies(), is_study) ||
-                    std::ranges::any_of(after_studies, is_named));
-  const auto add_all = [&](std::span<const NamedCommand> commands) {
-    for (const NamedCommand& command : commands) {
-      if (!one || is_named(command)) command.add(app, action, pool);
+  const auto add = [&](const char* heading, const auto& add_one) {
+    add_one();
+    app.get_subcommands([](const CLI::App*) { return true; }).back()->group(heading);
+  };
+  const auto add_all = [&](bool only_named) {
+    for (const CommandGroup& group : groups) {
+      for (const NamedCommand& command : group.commands) {
+        if (!only_named || command.name == word) add(group.heading, [&] { command.add(app, action, pool); });
+      }
+      if (!group.commands.empty()) continue;
+      for (const Study* study : studies()) {
+        if (!only_named || study->command() == word) add(group.heading, [&] { add_study(app, action, *study); });
+      }
     }
   };
-  add_all(before_studies);
-  for (const Study* study : studies()) {
-    if (!one || is_study(study)) add_study(app, action, *study);
-  }
-  add_all(after_studies);
+  if (word != "completion") add_all(true);
+  if (app.get_subcommands([](const CLI::App*) { return true; }).empty()) add_all(false);
+}
+
+/// Commands that have become part of others. Their words still work.
+struct FormerCommand {
+  std::string_view name;
+  std::vector<std::string> now;
+};
+
+/// The words of the command line, without a former command; a note says what it is called now.
+std::vector<std::string> with_present_names(std::vector<std::string> words) {
+  static const std::array<FormerCommand, 4> former{
+      {{"status", {"run", "--status"}}, {"merge", {"resume"}}, {"replay", {"trajectory"}}, {"figure", {"report"}}}};
+  if (words.empty()) return words;
+  const auto* const found = std::ranges::find(former, words.front(), &FormerCommand::name);
+  if (found == former.end()) return words;
+  print_notice(fmt::format("`rocking {}` is now `rocking {}`", found->name, fmt::join(found->now, " ")));
+  const bool asks_for_help = words.size() > 1 && (words[1] == "-h" || words[1] == "--help");
+  words.erase(words.begin());
+  words.insert(words.begin(), found->now.begin(), asks_for_help ? found->now.begin() + 1 : found->now.end());
+  return words;
 }
 
 ExitCode fail(ExitCode code, std::string_view message) {
@@ -153,15 +181,22 @@ ExitCode carry_out(const Action& action) {
 ExitCode carry_out_command_line(int argc, const char* const* argv, const ProcessPool& pool) {
   hold_standard_streams();
   meet_limits_as_errors();
-  CLI::App app("Probabilities of the responses of a rocking block", "rocking");
+  CLI::App app(
+      "Probabilities of the responses of a rocking block\n\n"
+      "  rocking run experiment.json -o out             simulate, and estimate the probability of each response\n"
+      "  rocking fragility out --hazard hazard.csv      how often the block overturns in a year\n"
+      "  rocking trajectory out --condition 3           one realisation of it in detail\n",
+      "rocking");
   Action action;
-  add_commands(app, action, pool, argc > 1 ? argv[1] : "");
+  std::vector<std::string> words = with_present_names({argv + 1, argv + std::max(argc, 1)});
+  add_commands(app, action, pool, words.empty() ? "" : words.front());
   try {
-    app.parse(argc, argv);
+    app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return static_cast<ExitCode>(app.exit(error));  // --help, --version
-    const auto explanation = explain_unknown_word(app, argc, argv);
-    return fail(ExitCode::usage, fmt::format("{}\nTry `rocking --help`.", explanation.value_or(error.what())));
+    const auto explanation = explain_unknown_word(app, words);
+    return fail(ExitCode::usage,
+                fmt::format("{}\nTry `{} --help`.", explanation.value_or(error.what()), called_command(app, words)));
   }
   return carry_out(action);
 }

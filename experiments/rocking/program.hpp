@@ -31,15 +31,11 @@ using Action = std::function<ExitCode()>;
 /// which has no header of its own.
 void add_run(CLI::App& app, Action& action, const ProcessPool& pool);
 void add_resume(CLI::App& app, Action& action, const ProcessPool& pool);
-void add_status(CLI::App& app, Action& action);
-void add_merge(CLI::App& app, Action& action);
 void add_verify(CLI::App& app, Action& action);
 /// The command of a study of the list.
 void add_study(CLI::App& app, Action& action, const Study& study);
-void add_figure(CLI::App& app, Action& action);
 void add_report(CLI::App& app, Action& action);
 void add_trajectory(CLI::App& app, Action& action);
-void add_replay(CLI::App& app, Action& action);
 void add_validate(CLI::App& app, Action& action);
 void add_schema(CLI::App& app, Action& action);
 void add_doctor(CLI::App& app, Action& action);

@@ -89,7 +89,7 @@ class Progress {
 /// How a study of the library is carried out: on the threads that are asked for, with a line of progress, until Ctrl-C.
 [[nodiscard]] Execution watched(const ExecutionOptions& options, Progress& progress);
 
-/// Keeps a file with the progress of a run for `rocking status`, rewritten every few seconds and removed by the
+/// Keeps a file with the progress of a run for `rocking run --status`, rewritten every few seconds and removed by the
 /// destructor. If it cannot be written, the run continues without it.
 class ProgressFile {
  public:

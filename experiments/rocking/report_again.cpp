@@ -8,6 +8,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "analysis/tables.hpp"
 #include "drawing.hpp"
@@ -18,6 +19,7 @@
 #include "rocking/output/run_table.hpp"
 #include "rocking/output/settling_table.hpp"
 #include "rocking/rocking.hpp"
+#include "rocking/studies/studies.hpp"
 #include "rocking/text/files.hpp"
 #include "usage.hpp"
 
@@ -76,10 +78,11 @@ std::optional<HazardCurve> HazardFile::read() const {
 
 ExitCode report_again(const ReportRequest& request) {
   const analysis::FigureLook look = look_for(request.style);
-  const RunFolder folder(request.folder);
+  const std::string& path = request.paths.front();
+  const RunFolder folder(path);
   const Report report = report_in(folder);
   if (request.hazard.is_given() && !sweeps_records(report)) {
-    throw UsageError("--hazard: " + request.folder + " has no suite of ground motions");
+    throw UsageError("--hazard: " + path + " has no suite of ground motions");
   }
   const std::optional<HazardCurve> hazard = request.hazard.read();
   const std::set<std::string> formats(request.formats.begin(), request.formats.end());
@@ -87,17 +90,17 @@ ExitCode report_again(const ReportRequest& request) {
   std::vector<analysis::Drawing> of_the_page;
   std::vector<analysis::Drawing> of_figures;
   if (formats.contains("html")) {
-    ensure_writable(request.folder);
+    ensure_writable(path);
     of_the_page = write_page(folder, report, hazard);
     written.push_back(folder.page_path().string());
   }
   if (formats.contains("gnuplot")) {
-    analysis::WrittenFigures figures = analysis::write_figures(
-        figures_of(folder, report, hazard), fs::path(request.folder) / "figures", stop_on_signal(), look);
+    analysis::WrittenFigures figures =
+        analysis::write_figures(figures_of(folder, report, hazard), fs::path(path) / "figures", stop_on_signal(), look);
     of_figures = std::move(figures.failures);
     std::move(figures.files.begin(), figures.files.end(), std::back_inserter(written));
   }
-  const fs::path tables = fs::path(request.folder) / "tables";
+  const fs::path tables = fs::path(path) / "tables";
   for (const auto& [name, text] : analysis::table_files(report, formats)) {
     ensure_writable(tables);
     write_atomically(tables / name, text);
@@ -107,6 +110,23 @@ ExitCode report_again(const ReportRequest& request) {
   const ExitCode page_code = tell(of_the_page, no_page_picture, PictureRole::purpose);
   const ExitCode figure_code = tell(of_figures, no_figure, PictureRole::purpose);
   return figure_code == ExitCode::done ? page_code : figure_code;
+}
+
+ExitCode draw_files(const ReportRequest& request) {
+  if (request.hazard.is_given()) throw UsageError("--hazard: is for the folder of a run, not with -o DIR");
+  if (!(request.window.from < request.window.to)) {
+    throw UsageError(fmt::format("--from {:g}: must be less than --to {:g}", request.window.from, request.window.to));
+  }
+  const analysis::FigureLook look = look_for(request.style);
+  std::vector<analysis::OutputFile> files;
+  for (const std::string& path : request.paths) {
+    files.push_back({.path = path, .text = input_of([&path] { return read_file(path); })});
+  }
+  const auto figures = analysis::output_figures(files, request.window);
+  const auto written = analysis::write_figures(figures, request.drawn, stop_on_signal(), look);
+  print_result(request.loudness.json ? facts_text(std::vector<Fact>{{"written", written.files}})
+                                     : base::printable(fmt::format("{}\n", fmt::join(written.files, "\n"))));
+  return tell(written.failures, no_figure, PictureRole::purpose);
 }
 
 }  // namespace rocking::program

@@ -32,7 +32,9 @@ class HazardFile {
 
 /// What is written again of a finished run.
 struct ReportRequest {
-  std::string folder;
+  std::vector<std::string> paths;    ///< the folder of a run; or files that rocking printed
+  std::string drawn;                 ///< folder for the figures of files
+  analysis::Window window;           ///< of trajectories
   std::vector<std::string> formats;  ///< html, csv, gnuplot, latex, text
   HazardFile hazard;
   StyleRequest style;  ///< of the figures, not of the page
@@ -41,5 +43,8 @@ struct ReportRequest {
 
 /// Writes page, figures and tables of a finished run, from its report.
 [[nodiscard]] ExitCode report_again(const ReportRequest& request);
+
+/// Draws files that rocking printed.
+[[nodiscard]] ExitCode draw_files(const ReportRequest& request);
 
 }  // namespace rocking::program

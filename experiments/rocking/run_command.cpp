@@ -10,7 +10,6 @@
 #include "machine.hpp"
 #include "output.hpp"
 #include "program.hpp"
-#include "rocking/base/build_info.hpp"
 #include "rocking/rocking.hpp"
 
 namespace rocking::program {
@@ -23,17 +22,17 @@ struct RunRequest {
   Overrides overrides;
   ExecutionOptions execution;
   bool dry_run = false;
+  std::string running;  ///< folder whose progress is asked for; empty: none
 };
 
 ExitCode run(const RunRequest& request) {
   const Experiment experiment = load_sampled_experiment(request.file, request.overrides);
-  const Loudness& loudness = request.execution.loudness;
-  if (!loudness.quiet) tell_ground_motion_notes(experiment);
+  if (!request.execution.loudness.quiet) tell_ground_motion_notes(experiment);
   if (request.dry_run) return show_plan(experiment, request.run.shard, request.execution);
   NewRun asked = request.run;
   asked.files = std::filesystem::absolute(request.file).parent_path();
   FolderMeans means = means_of(request.execution);
-  if (loudness.verbose)
+  if (request.execution.loudness.verbose)
     means.on_plan = [&](const Plan& plan) { print_notice(fmt::format("{}: {}", request.file, describe(plan))); };
   return run_to_end(begin_run(request.folder, experiment, asked, means), request.execution);
 }
@@ -47,18 +46,17 @@ void add_run(CLI::App& app, Action& action, const ProcessPool& pool) {
   command->footer(
       "Example: rocking run experiments/headline/headline.json -o out\n"
       "simulates every realisation of every condition, stores them in out/realisations.sqlite, writes out/report.json "
-      "and out/report.html, and prints a table of the responses.");
-  add_experiment(*command, request->file);
-  const auto folder = command
-                          ->add_option("-o,--output", request->folder,
-                                       "Folder for the results; created if necessary; required except with --dry-run")
-                          ->type_name("DIR");
+      "and out/report.html, and prints a table of the responses. `rocking run --status out` prints "
+      "how far it is");
+  CLI::Option* experiment = add_experiment(*command, request->file)->required(false);
+  const auto folder =
+      command
+          ->add_option("-o,--output", request->folder,
+                       "Folder for the results; created if necessary; required except with --dry-run or --status")
+          ->type_name("DIR");
   add_threads(*command, request->execution);
   add_seed(*command, request->overrides);
-  command
-      ->add_option("--realisations", request->overrides.realisations,
-                   "Realisations per condition, instead of the number in the file")
-      ->type_name("N");
+  add_realisations(*command, request->overrides, "Realisations per condition, instead of the number in the file");
   add_skip_unreadable(*command, request->overrides);
   add_shard(*command, request->run.shard);
   add_max_time(*command, request->execution);
@@ -66,11 +64,16 @@ void add_run(CLI::App& app, Action& action, const ProcessPool& pool) {
   add_extent(*command, request->execution.extent);
   const auto dry_run = command->add_flag("--dry-run", request->dry_run,
                                          "Print what would be done, with the time, and stop; writes nothing");
+  CLI::Option* status = add_status(*command, request->running)->excludes(experiment);
   command->add_flag("--overwrite", request->run.overwrite, "Replace the run in the folder when this one is complete");
   add_loudness(*command, request->execution.loudness);
-  command->final_callback([&action, request, folder, dry_run] {
-    if (folder->empty() && dry_run->empty()) throw CLI::RequiredError("-o DIR (the folder for the results)");
-    action = [request] { return run(*request); };
+  command->final_callback([&action, request, experiment, folder, dry_run, status] {
+    const bool is_new = status->empty();
+    if (is_new && experiment->empty()) throw CLI::RequiredError("EXPERIMENT");
+    if (is_new && folder->empty() && dry_run->empty()) throw CLI::RequiredError("-o DIR (the folder for the results)");
+    action = [request, is_new] {
+      return is_new ? run(*request) : show_status(request->running, request->execution.loudness);
+    };
   });
 }
 

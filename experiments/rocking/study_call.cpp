@@ -19,9 +19,9 @@ NamedRun run_in(const std::string& folder, bool is_complete) {
   RunFolder(folder).expect_installed();
   StoredRun stored = input_of([&] { return open_run(folder); });
   if (is_complete && (stored.run.done < stored.run.all || !stored.run.is_complete())) {
-    throw MissingInput(
-        fmt::format("{}: has {} of {} realisations; `rocking resume {}`, or `rocking merge` of all parts, completes it",
-                    folder, stored.run.done, stored.run.all, shell_word(folder)));
+    throw MissingInput(fmt::format(
+        "{}: has {} of {} realisations; `rocking resume {}`, or `rocking resume WHOLE` with all parts, completes it",
+        folder, stored.run.done, stored.run.all, shell_word(folder)));
   }
   return {folder, std::move(stored)};
 }

@@ -15,11 +15,11 @@ void add_subject(CLI::App& command, StudyCommand& asked) {
   const SubjectKind subject = asked.study.subject;
   if (subject == SubjectKind::experiment) add_experiment(command, asked.experiment);
   if (subject == SubjectKind::runs) {
-    command.add_option("DIR", asked.folders, "Folders of finished runs")->required();
+    command.add_option("DIR", asked.folders, "Folders of finished runs")->required()->transform(run_folder());
   }
   if (subject != SubjectKind::two_runs) return;
   const auto add = [&command, &asked](const char* name, const char* description) {
-    const auto append = [&asked](const std::string& folder) { asked.folders.push_back(folder); };
+    const auto append = [&asked](const std::string& folder) { asked.folders.push_back(folder_of_run(folder)); };
     command.add_option_function<std::string>(name, append, description)->required();
   };
   add("DIR_A", "Folder of a run");
@@ -43,8 +43,7 @@ void add_study(CLI::App& app, Action& action, const Study& study) {
   if (!study.progress.empty() && study.subject == SubjectKind::experiment) add_threads(*command, request->execution);
   if (study.takes_seed) add_seed(*command, request->overrides);
   if (!study.realisations.empty()) {
-    command->add_option("--realisations", request->overrides.realisations, std::string(study.realisations))
-        ->type_name("N");
+    add_realisations(*command, request->overrides, std::string(study.realisations));
   }
   if (study.has_long_table) add_extent(*command, request->execution.extent);
   add_loudness(*command, request->execution.loudness);

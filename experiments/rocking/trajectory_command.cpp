@@ -1,58 +1,25 @@
 #include <memory>
-#include <string>
 
 #include "arguments.hpp"
-#include "output.hpp"
 #include "program.hpp"
-#include "rocking/pages.hpp"
-#include "rocking/rocking.hpp"
+#include "trajectory.hpp"
 
 namespace rocking::program {
-namespace {
-
-struct TrajectoryCommand {
-  std::string experiment;
-  TrajectoryRequest trajectory;
-  std::string page;  ///< file; empty: none
-  Overrides overrides;
-  TrajectoryOutput output;
-  Loudness loudness;
-};
-
-ExitCode print_trajectory(const TrajectoryCommand& command) {
-  expect_consistent(command.output, command.loudness);
-  const Experiment experiment = load_experiment(command.experiment, command.overrides);
-  const TrajectoryRequest& asked = command.trajectory;
-  try {
-    if (command.page.empty()) {
-      print_result(text_of(asked, trajectory(experiment, asked), command.output));
-    } else {
-      write_trajectory_page(experiment, asked, command.page);
-      print_written(command.loudness, {command.page});
-    }
-    return ExitCode::done;
-  } catch (const base::InputError& error) {
-    base::Problem problem = error.problems().front();
-    if (problem.place == "samples_per_period") {
-      throw UsageError("--html: the block overturns before two samples were taken; give more --samples");
-    }
-    if (problem.place == "condition") problem.place = "--condition";
-    throw base::InputError(problem);
-  }
-}
-
-}  // namespace
 
 void add_trajectory(CLI::App& app, Action& action) {
   const auto request = std::make_shared<TrajectoryCommand>();
-  CLI::App* command =
-      app.add_subcommand("trajectory", "Print one realisation of an experiment file: events and states");
+  CLI::App* command = app.add_subcommand(
+      "trajectory", "Print one realisation of an experiment file or of a finished run: events and states");
   command->footer(
       "Example: rocking trajectory experiments/headline/headline.json --condition 12 --realisation 3 --periods 20\n"
       "prints the fourth realisation of the thirteenth condition over 20 periods. Numbers start at 0. With `--format "
-      "csv --units si` it prints a table for a spreadsheet, in seconds, radians and metres.");
-  add_experiment(*command, request->experiment);
-  add_realisation(*command, request->trajectory, Naming::optional);
+      "csv --units si` it prints a table for a spreadsheet, in seconds, radians and metres. `rocking trajectory out "
+      "--condition 12 --realisation 3` prints that of a run; the exit code is 1 if the bits differ from those of the "
+      "run.");
+  add_experiment(*command, request->experiment)
+      ->description("Experiment file (JSON), -: standard input; or folder of a finished run")
+      ->transform(run_folder());
+  add_realisation(*command, request->trajectory);
   command
       ->add_option("--periods", request->trajectory.periods,
                    "Periods of the excitation from the initial state; default: all of the horizon")

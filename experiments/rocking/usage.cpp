@@ -1,6 +1,7 @@
 #include "usage.hpp"
 
 #include <algorithm>
+#include <array>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -32,6 +33,15 @@ std::vector<std::string> command_names(const CLI::App& app) {
   return names;
 }
 
+/// What a word that other programs have as a command is called here; otherwise the most similar command.
+std::string meant_by(const CLI::App& app, std::string_view word) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 5> elsewhere{
+      {{"help", "--help"}, {"version", "--version"}, {"plot", "report"}, {"draw", "report"}, {"simulate", "run"}}};
+  const auto* const found = std::ranges::find(elsewhere, word, &std::pair<std::string_view, std::string_view>::first);
+  return found == elsewhere.end() ? suggestion(word, command_names(app))
+                                  : fmt::format("; that is `rocking {}`", found->second);
+}
+
 std::vector<std::string> flag_names(const CLI::App& command) {
   std::vector<std::string> names;
   for (const CLI::Option* option : command.get_options()) {
@@ -60,87 +70,14 @@ std::string in_lines(const std::string& text, std::size_t width) {
   return lines + text.substr(begin);
 }
 
-/// The fixed part: finds the cursor in the line, and completes files and folders with the shell.
-constexpr std::string_view head =
-    R"bash(# Completion of `rocking` for bash. For this shell: eval "$(rocking completion bash)". For every one: the same
-# line in ~/.bashrc.
-_rocking_words() { mapfile -t COMPREPLY < <(compgen -W "$1" -- "$word"); }
-_rocking_folders() {
-  compopt -o filenames 2>/dev/null
-  mapfile -t COMPREPLY < <(compgen -d -- "$word")
-}
-_rocking_files() {
-  compopt -o filenames 2>/dev/null
-  mapfile -t COMPREPLY < <(compgen -d -- "$word"; compgen -f -X '!*.json' -- "$word")
-}
-_rocking() {
-  local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]} command='' i
-  if [[ $word == = ]]; then word=''; elif [[ $before == = ]]; then before=${COMP_WORDS[COMP_CWORD - 2]}; fi
-  for ((i = 1; i < COMP_CWORD; ++i)); do
-    if [[ ${COMP_WORDS[i]} != -* ]]; then
-      command=${COMP_WORDS[i]}
-      break
-    fi
-  done
-  COMPREPLY=()
-)bash";
-
-constexpr std::string_view tail = R"bash(}
-complete -F _rocking rocking
-)bash";
-
-bool takes_value(const CLI::Option& option) { return option.get_items_expected_max() > 0; }
-
-std::vector<std::string> spellings(const CLI::Option& option) {
-  std::vector<std::string> names;
-  for (const std::string& name : option.get_snames()) names.push_back('-' + name);
-  for (const std::string& name : option.get_lnames()) names.push_back("--" + name);
-  return names;
-}
-
-/// The completions of a value, as a line of the script; empty if there are none.
-std::string offer_of(const CLI::Option& option) {
-  if (const auto choices = choices_of(option); !choices.empty()) {
-    return fmt::format("_rocking_words '{}'", fmt::join(choices, " "));
-  }
-  const std::string kind = option.get_positional() ? option.get_name() : option.get_type_name();
-  if (kind.starts_with("DIR") || kind == "SHARD") return "_rocking_folders";
-  if (kind == "EXPERIMENT" || kind.starts_with("FILE")) return "_rocking_files";
-  return "";
-}
-
-std::string flags_of(const CLI::App& command) {
-  std::vector<std::string> flags;
-  for (const CLI::Option* option : command.get_options()) {
-    for (std::string& name : spellings(*option)) flags.push_back(std::move(name));
-  }
-  return fmt::format("{}", fmt::join(flags, " "));
-}
-
-/// The branch of a command: completes values after a flag, otherwise flags or the first argument.
-std::string branch_of(const CLI::App& command) {
-  std::string values;
-  std::string arguments;
-  for (const CLI::Option* option : command.get_options()) {
-    const std::string offer = offer_of(*option);
-    if (option->get_positional()) {
-      if (arguments.empty()) arguments = offer;
-    } else if (takes_value(*option)) {
-      values += fmt::format("        {}) {}return ;;\n", fmt::join(spellings(*option), " | "),
-                            offer.empty() ? "" : offer + "; ");
-    }
-  }
-  std::string text = fmt::format("    {})\n", command.get_name());
-  if (!values.empty()) text += "      case $before in\n" + values + "      esac\n";
-  text += fmt::format("      if [[ $word == -* ]]; then _rocking_words '{}'; ", flags_of(command));
-  if (!arguments.empty()) text += fmt::format("else {}; ", arguments);
-  return text + "fi ;;\n";
-}
-
 }  // namespace
 
-std::optional<std::string> explain_unknown_word(const CLI::App& app, int argc, const char* const* argv) {
-  const std::vector<std::string> words(argv + 1, argv + argc);
+std::string called_command(const CLI::App& app, const std::vector<std::string>& words) {
+  const CLI::App* command = words.empty() ? nullptr : command_named(app, words.front());
+  return called(app, command == nullptr ? app : *command);
+}
+
+std::optional<std::string> explain_unknown_word(const CLI::App& app, const std::vector<std::string>& words) {
   const CLI::App* command = &app;
   for (const std::string& word : words) {
     if (word.starts_with("--")) {
@@ -151,8 +88,7 @@ std::optional<std::string> explain_unknown_word(const CLI::App& app, int argc, c
     }
     if (command == &app && !word.starts_with('-')) {
       command = command_named(app, word);
-      if (command == nullptr)
-        return fmt::format("\"{}\" is not a command{}", word, suggestion(word, command_names(app)));
+      if (command == nullptr) return fmt::format("\"{}\" is not a command{}", word, meant_by(app, word));
     }
   }
   return std::nullopt;
@@ -197,17 +133,6 @@ std::vector<std::string> choices_of(const CLI::Option& option) {
   const std::size_t close = type.find('}');
   if (open == std::string::npos || close == std::string::npos) return {};
   return CLI::detail::split(type.substr(open + 1, close - open - 1), ',');
-}
-
-std::string bash_completion(const CLI::App& app) {
-  std::vector<std::string> names;
-  std::string branches;
-  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
-    names.push_back(command->get_name());
-    branches += branch_of(*command);
-  }
-  return fmt::format("{}  case $command in\n    '') _rocking_words '{} {}' ;;\n{}  esac\n{}", head,
-                     fmt::join(names, " "), flags_of(app), branches, tail);
 }
 
 }  // namespace rocking::program

@@ -10,7 +10,11 @@ namespace rocking::program {
 
 /// A suggestion for the first unknown word of the command line: `"rnu" is no command; did you mean
 /// "run"?`. Absent where every word is known.
-[[nodiscard]] std::optional<std::string> explain_unknown_word(const CLI::App& app, int argc, const char* const* argv);
+[[nodiscard]] std::optional<std::string> explain_unknown_word(const CLI::App& app,
+                                                              const std::vector<std::string>& words);
+
+/// `rocking run` where the words name that command, otherwise `rocking`.
+[[nodiscard]] std::string called_command(const CLI::App& app, const std::vector<std::string>& words);
 
 /// Help that shows of an option its type, default and choices, and not how these are checked, and
 /// wraps the text below.
@@ -27,7 +31,7 @@ class HelpFormatter : public CLI::Formatter {
 /// The words that an option accepts; empty if it accepts any.
 [[nodiscard]] std::vector<std::string> choices_of(const CLI::Option& option);
 
-/// A script for bash that completes the commands, flags, choices and files of the program.
-[[nodiscard]] std::string bash_completion(const CLI::App& app);
+/// A script for bash, zsh or fish that completes the commands, flags, choices and files of the program.
+[[nodiscard]] std::string completion_script(const CLI::App& app, const std::string& shell);
 
 }  // namespace rocking::program

@@ -35,7 +35,7 @@ void add_verify(CLI::App& app, Action& action) {
       "is compared with a new run. An out/rare.json is checked, too: by its pilot runs and some of its repetitions; an "
       "out/infer.json by some points of "
       "its design.");
-  command->add_option("DIR", request->folder, "Folder of the run")->required();
+  command->add_option("DIR", request->folder, "Folder of the run")->required()->transform(run_folder());
   command
       ->add_option(
           "--sample", request->sample,

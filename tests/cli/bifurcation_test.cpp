@@ -75,7 +75,7 @@ TEST_F(Bifurcation, IsNotDrawnWithAResponseThatDoesNotExist) {
   file["diagrams"][0]["steps"][0]["mode"] = "flying";
   EXPECT_NE(objections("bifurcation", file.dump()), "");
   write("changed.json", file.dump());
-  const auto outcome = rocking("figure changed.json -o pictures");
+  const auto outcome = rocking("report changed.json -o pictures");
   EXPECT_EQ(outcome.exit_code, 65);
   EXPECT_THAT(outcome.errors,
               AllOf(HasSubstr("/diagrams/0/steps/0/mode"), HasSubstr("must be the name of a response mode")));
@@ -88,7 +88,7 @@ TEST_F(Bifurcation, NamesTheFiguresOfAGridByTheirParameters) {
   write("grid.json", grid.dump());
   const auto outcome = rocking("bifurcation grid.json -o out --no-progress");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
-  ASSERT_EQ(rocking("figure out/bifurcation.json -o drawn").exit_code, 0);
+  ASSERT_EQ(rocking("report out/bifurcation.json -o drawn").exit_code, 0);
   EXPECT_TRUE(exists("drawn/bifurcation_friction_0.35_0.3.tsv"));
   EXPECT_TRUE(exists("drawn/bifurcation_friction_0.4_0.35.svg"));
   EXPECT_EQ(shell("rm out/bifurcation.json").exit_code, 0);

@@ -50,8 +50,8 @@ class DamagedRun : public rocking::support::ProgramTest {
   /// Tests each command on the run in `out`; `resume` comes last, without the report.
   void expect_right_or_refused(const std::string& what) const {
     const auto right_or_refused = AnyOf(Eq(0), Eq(65), Eq(74));
-    for (const char* command : {"status out", "verify out -q", "report out --format csv,html",
-                                "replay out --condition 2 --realisation 23", "merge joined out --overwrite"}) {
+    for (const char* command : {"run --status out", "verify out -q", "report out --format csv,html",
+                                "trajectory out --condition 2 --realisation 23", "resume joined out --overwrite"}) {
       const Outcome outcome = plainly(command);
       EXPECT_THAT(outcome.exit_code, right_or_refused) << what << ": " << command << ": " << outcome.errors;
     }
@@ -135,7 +135,8 @@ TEST_F(DamagedRun, IsRefusedWhereItsIdentityWasEdited) {
         "INSERT INTO identity SELECT * FROM identity", "DELETE FROM identity", "UPDATE identity SET checksum = 'x'",
         "PRAGMA user_version = 0", "PRAGMA user_version = 1", "PRAGMA user_version = -7", "PRAGMA application_id = 0",
         "DROP TABLE identity", "DROP TABLE realisations"}) {
-    for (const char* command : {"status out", "resume out", "verify out", "report out --format html", "merge m out"}) {
+    for (const char* command :
+         {"run --status out", "resume out", "verify out", "report out --format html", "resume m out"}) {
       change_store(change);
       const Outcome outcome = plainly(command);
       EXPECT_EQ(outcome.exit_code, 65) << change << ": " << command << ": " << outcome.errors;
@@ -152,8 +153,8 @@ TEST_F(DamagedRun, IsRefusedWhereItHoldsMoreThanItsTables) {
            {"CREATE INDEX i ON realisations (mode)", "index \"i\""},
            {"CREATE TABLE more (a)", "table \"more\""},
            {"DROP TABLE identity; CREATE VIEW identity AS SELECT 1 AS code", "view \"identity\""}}) {
-    for (const char* command : {"status out", "resume out", "verify out", "report out --format html", "merge m out",
-                                "replay out --condition 0 --realisation 0"}) {
+    for (const char* command : {"run --status out", "resume out", "verify out", "report out --format html",
+                                "resume m out", "trajectory out --condition 0 --realisation 0"}) {
       change_store(change);
       const Outcome outcome = plainly(command);
       EXPECT_EQ(outcome.exit_code, 65) << change << ": " << command << ": " << outcome.errors;
@@ -188,7 +189,7 @@ TEST_F(DamagedRun, OfWhichTheStoreIsEmptyBeginsAnew) {
   std::filesystem::create_directory(folder_ / "out");
   write("out/realisations.sqlite", "");
   EXPECT_EQ(plainly("resume out").exit_code, 66);
-  EXPECT_EQ(plainly("status out").exit_code, 66);
+  EXPECT_EQ(plainly("run --status out").exit_code, 66);
   EXPECT_EQ(plainly("run question.json -q -o out").exit_code, 0);
   expect_right_report("out", "");
 }
@@ -206,7 +207,7 @@ TEST_F(DamagedRun, TakesNoLogOfAnotherStore) {
 
 TEST_F(DamagedRun, OfWhichTheStoreIsAPipeIsRefusedAtOnce) {
   ASSERT_EQ(shell("mkdir out; mkfifo out/realisations.sqlite").exit_code, 0);
-  for (const char* command : {"status out", "resume out"}) {
+  for (const char* command : {"run --status out", "resume out"}) {
     const Outcome refused = shell(std::string("exec timeout 20 '") + ROCKING_PROGRAM + "' " + command);
     EXPECT_EQ(refused.exit_code, 65) << command;
     EXPECT_THAT(refused.errors, HasSubstr("is a pipe or a device; give a regular file"));
@@ -219,8 +220,9 @@ TEST_F(DamagedRun, LeavesTheLockOfAnotherProcess) {
   EXPECT_EQ(read("out/.lock"), "17\n") << "another program's";
 
   ASSERT_EQ(shell("mkdir -p pipe/out; mkfifo pipe/out/.lock").exit_code, 0);
-  const Outcome ran = shell("timeout 60 '" ROCKING_PROGRAM
-                            "' run question.json -q -o pipe/out && timeout 60 '" ROCKING_PROGRAM "' status pipe/out");
+  const Outcome ran =
+      shell("timeout 60 '" ROCKING_PROGRAM "' run question.json -q -o pipe/out && timeout 60 '" ROCKING_PROGRAM
+            "' run --status pipe/out");
   EXPECT_EQ(ran.exit_code, 0) << ran.errors;
 
   const Outcome replaced =

@@ -70,8 +70,8 @@ TEST_F(ExitCode, Is64ForANumberOutOfItsRangeAndNamesFlagValueAndRange) {
                                       "trajectory quick.json --periods|0|1 to ",
                                       "trajectory quick.json --condition|-1|0 to ",
                                       "trajectory quick.json --realisation|1e3|0 to ",
-                                      "replay out --realisation 0 --condition|-1|0 to ",
-                                      "replay out --condition 0 --realisation|x|0 to ",
+                                      "trajectory out --realisation 0 --condition|-1|0 to ",
+                                      "trajectory out --condition 0 --realisation|x|0 to ",
                                       "trajectory quick.json --samples|-1|0 to ",
                                       "bifurcation quick.json -o out --realisation|-1|0 to ",
                                       "orbits quick.json -o out --periods|13|1 to 12",
@@ -82,8 +82,8 @@ TEST_F(ExitCode, Is64ForANumberOutOfItsRangeAndNamesFlagValueAndRange) {
                                       "check-normal --sigma|inf|0 to ",
                                       "cost quick.json --tolerances|nan|1e-16 to 0.01",
                                       "cost quick.json --sample|0|1 to ",
-                                      "figure x.json -o out --from|nan|0 to ",
-                                      "figure x.json -o out --to|-1|0 to "}) {
+                                      "report x.json -o out --from|nan|0 to ",
+                                      "report x.json -o out --to|-1|0 to "}) {
     const std::size_t value = arguments.find('|');
     const std::size_t range = arguments.rfind('|');
     const std::string written = arguments.substr(value + 1, range - value - 1);

@@ -47,7 +47,7 @@ TEST_F(Extension, OfAFinishedRunHasTheBytesOfOneRun) {
 TEST_F(Extension, RunsOnlyWhatIsMissing) {
   ASSERT_EQ(rocking("run slow.json -q --no-page -o out --realisations 4").exit_code, 0);
   ASSERT_EQ(rocking("resume out -q --no-page -j 1 --realisations 80 --max-time 0.001s").exit_code, 75);
-  const Json status = Json::parse(rocking("status out --json").output);
+  const Json status = Json::parse(rocking("run --status out --json").output);
   EXPECT_EQ(status["all"], 240);
   EXPECT_GE(status["done"], 12);
   EXPECT_EQ(status["replaces_earlier_run"], true);

@@ -1,4 +1,4 @@
-// `rocking report`, `rocking figure` and `rocking trajectory --samples`: non-empty pictures, from files alone.
+// `rocking report` and `rocking trajectory --samples`: non-empty pictures, from files alone.
 
 #include <algorithm>
 #include <cmath>
@@ -117,7 +117,7 @@ TEST_F(Figures, AreDrawnByMatplotlibToo) {
   titled.erase("fluctuation");
   write("certain.json", titled.dump());
   ASSERT_EQ(rocking("orbits certain.json -o out -q --periods 1 --branches 2").exit_code, 0);
-  ASSERT_EQ(rocking("figure path.json numbers.json out/cost.json out/bifurcation.json out/orbits.json -o out/figures "
+  ASSERT_EQ(rocking("report path.json numbers.json out/cost.json out/bifurcation.json out/orbits.json -o out/figures "
                     "--style journal -q")
                 .exit_code,
             0);
@@ -185,7 +185,7 @@ TEST_F(Figures, ShowEveryTitleAndSaySoWhereThereIsNothing) {
   write("over.json", R"({"format": "rocking.experiment/1", "block": {"width_m": 1, "height_m": 8},
     "excitation": {"amplitude": 50, "frequency_ratio": 0.5}, "initial": {"tilt": 0.95, "tilt_rate": 2}})");
   write("strobeless.json", rocking("trajectory over.json").output);
-  ASSERT_EQ(rocking("figure strobeless.json -o drawn").exit_code, 0);
+  ASSERT_EQ(rocking("report strobeless.json -o drawn").exit_code, 0);
   EXPECT_THAT(read("drawn/poincare.svg"), HasSubstr("nothing to show"));
 }
 
@@ -205,7 +205,7 @@ TEST_F(Figures, OfOtherOutputsShowSomething) {
   write("two.json", rocking("trajectory quick.json --realisation 1 --periods 6 --samples 50").output);
   write("normal.json", rocking("check-normal --json").output);
   ASSERT_EQ(rocking("bifurcation quick.json -o out -q").exit_code, 0);
-  const Outcome outcome = rocking("figure one.json two.json normal.json out/bifurcation.json -o drawn");
+  const Outcome outcome = rocking("report one.json two.json normal.json out/bifurcation.json -o drawn");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
   EXPECT_EQ(outcome.errors, "");
   expect_pictures(outcome.output);
@@ -215,30 +215,30 @@ TEST_F(Figures, OfOtherOutputsShowSomething) {
 TEST_F(Figures, ForAJournalHaveTheSizeOfItsColumn) {
   if (!has_gnuplot()) GTEST_SKIP() << "gnuplot was not found (Debian: gnuplot-nox)";
   write("one.json", rocking("trajectory quick.json --periods 6 --samples 50").output);
-  const Outcome single = rocking("figure one.json -o single --style journal");
+  const Outcome single = rocking("report one.json -o single --style journal");
   ASSERT_EQ(single.exit_code, 0) << single.errors;
   expect_pictures(single.output);
   EXPECT_THAT(single.output, AllOf(HasSubstr("single/phase_portrait.pdf"), HasSubstr("single/poincare.svg")));
-  ASSERT_EQ(rocking("figure one.json -o double --style journal --width double").exit_code, 0);
+  ASSERT_EQ(rocking("report one.json -o double --style journal --width double").exit_code, 0);
   EXPECT_TRUE(has_width("single/poincare", single_column));
   EXPECT_TRUE(has_width("double/poincare", double_column));
   EXPECT_EQ(read("single/poincare.tsv"), read("double/poincare.tsv"));
-  const Outcome screen = rocking("figure one.json -o screen --width single");
+  const Outcome screen = rocking("report one.json -o screen --width single");
   EXPECT_EQ(screen.exit_code, 64);
   EXPECT_THAT(screen.errors, HasSubstr("--style journal"));
-  EXPECT_EQ(rocking("figure one.json -o screen --style poster").exit_code, 64);
+  EXPECT_EQ(rocking("report one.json -o screen --style poster").exit_code, 64);
   ASSERT_EQ(rocking("run quick.json -o out -q").exit_code, 0);
   ASSERT_EQ(rocking("report out --format gnuplot --style journal --width double").exit_code, 0);
   EXPECT_TRUE(has_width("out/figures/mode_bands", double_column));
 }
 
 TEST_F(Figures, RefuseWhatTheyCannotDraw) {
-  EXPECT_EQ(rocking("figure nowhere.json -o drawn").exit_code, 66);
-  const Outcome other = rocking("figure quick.json -o drawn");
+  EXPECT_EQ(rocking("report nowhere.json -o drawn").exit_code, 66);
+  const Outcome other = rocking("report quick.json -o drawn");
   EXPECT_EQ(other.exit_code, 65);
   EXPECT_THAT(other.errors, HasSubstr("quick.json"));
   write("one.json", rocking("trajectory quick.json --periods 2").output);
-  EXPECT_EQ(rocking("figure one.json -o drawn --from 5 --to 3").exit_code, 64);
+  EXPECT_EQ(rocking("report one.json -o drawn --from 5 --to 3").exit_code, 64);
   EXPECT_FALSE(exists("drawn"));
 }
 

@@ -86,7 +86,7 @@ TEST_F(Fragility, TakesAPhysicalAmplitudeAsItsIntensity) {
     const auto told = rocking(std::string("fragility ") + key + " -o kept_" + key);
     EXPECT_THAT(told.output, AllOf(HasSubstr(std::string(key) + "  amplitude  "), HasSubstr("  1.5  "),
                                    HasSubstr("shaking: Omega_h 4 = ")));
-    EXPECT_EQ(rocking(std::string("figure kept_") + key + "/fragility.json -o drawn_" + key).exit_code, 0);
+    EXPECT_EQ(rocking(std::string("report kept_") + key + "/fragility.json -o drawn_" + key).exit_code, 0);
   }
 }
 
@@ -97,7 +97,7 @@ TEST_F(Fragility, IsKeptAndDrawnAndToldInWords) {
   EXPECT_EQ(read("kept/fragility.json"), rocking("fragility out --json").output);
   EXPECT_EQ(rocking("fragility out -o kept").exit_code, 74);
   EXPECT_EQ(rocking("fragility out out -o kept --overwrite").exit_code, 0);
-  EXPECT_EQ(rocking("figure kept/fragility.json -o drawn").exit_code, 0);
+  EXPECT_EQ(rocking("report kept/fragility.json -o drawn").exit_code, 0);
   EXPECT_THAT(read("drawn/fragility.tsv"), AllOf(HasSubstr("law_low"), HasSubstr("\n1.5\t40\t")));
 }
 
@@ -119,7 +119,7 @@ TEST_F(Fragility, IsDiagnosedWhereThereIsNoLaw) {
   EXPECT_EQ(fragility_of(still, "still")["curves"][0]["outcome"], "never_happened");
   EXPECT_THAT(rocking("fragility still").output, HasSubstr("the block never overturned; add higher intensities"));
   EXPECT_EQ(rocking("fragility still -o kept").exit_code, 0);
-  EXPECT_EQ(rocking("figure kept/fragility.json -o drawn").exit_code, 0);
+  EXPECT_EQ(rocking("report kept/fragility.json -o drawn").exit_code, 0);
   auto certain = random_phase();
   certain["excitation"]["phase_rad"] = 0.0;
   EXPECT_EQ(fragility_of(certain, "certain")["curves"][0]["outcome"], "too_little");
@@ -143,7 +143,7 @@ TEST_F(Fragility, HasNoLawWhereEveryRealisationDoesTheSame) {
   EXPECT_THAT(outcomes, ElementsAre("separated", "no_scatter"));
   const auto told = rocking("fragility out -o kept");
   EXPECT_THAT(told.output, HasSubstr("the realisations overturn at the same levels"));
-  EXPECT_EQ(rocking("figure kept/fragility.json -o drawn").exit_code, 0);
+  EXPECT_EQ(rocking("report kept/fragility.json -o drawn").exit_code, 0);
 }
 
 TEST_F(Fragility, RefusesRunsThatItCannotRead) {

@@ -26,7 +26,7 @@ class InferFigures : public rocking::support::ProgramTest {
 TEST_F(InferFigures, AreDrawnAlsoOnThePageOfTheRun) {
   ASSERT_EQ(rocking("run block.json -o out -q --no-page").exit_code, 0);
   ASSERT_EQ(rocking("infer block.json --tests tests.csv --candidates next.csv -q -o out").exit_code, 0);
-  EXPECT_EQ(rocking("figure out/infer.json -o drawn").exit_code, 0);
+  EXPECT_EQ(rocking("report out/infer.json -o drawn").exit_code, 0);
   EXPECT_THAT(read("drawn/infer_profile.tsv"), AllOf(HasSubstr("likelihood_ratio"), HasSubstr("mean of static")));
   EXPECT_THAT(read("drawn/infer_region.tsv"), HasSubstr("x_from"));
   EXPECT_THAT(read("drawn/infer_fit.tsv"), HasSubstr("predicted"));
@@ -40,7 +40,7 @@ TEST_F(InferFigures, AreDrawnAlsoOnThePageOfTheRun) {
     Json damaged = Json::parse(read("out/infer.json"));
     damaged[Json::json_pointer(place)] = std::string(place).ends_with("at") ? Json(0.0) : Json();
     write("damaged.json", damaged.dump());
-    EXPECT_EQ(rocking("figure damaged.json -o none").exit_code, 65) << place;
+    EXPECT_EQ(rocking("report damaged.json -o none").exit_code, 65) << place;
   }
   ASSERT_EQ(rocking("infer block.json --tests tests.csv -q -o out --overwrite --seed 5").exit_code, 0);
   EXPECT_THAT(rocking("report out --format html").errors, HasSubstr("another experiment"));
@@ -49,7 +49,7 @@ TEST_F(InferFigures, AreDrawnAlsoOnThePageOfTheRun) {
 
 TEST_F(InferFigures, AreRefusedWithoutAnAnswer) {
   ASSERT_EQ(rocking("infer block.json --tests tests.csv -q -o out --max-time 0.001s").exit_code, 0);
-  const auto outcome = rocking("figure out/infer.json -o drawn");
+  const auto outcome = rocking("report out/infer.json -o drawn");
   EXPECT_EQ(outcome.exit_code, 65);
   EXPECT_THAT(outcome.errors, AllOf(HasSubstr("there is no answer yet"), HasSubstr("--resume")));
   EXPECT_FALSE(exists("drawn"));

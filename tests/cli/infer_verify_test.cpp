@@ -68,7 +68,7 @@ TEST_F(VerifiedInference, RefusesWhatHasNoSense) {
     const auto outcome = changed(list, Json::array());
     EXPECT_EQ(outcome.exit_code, 65) << list;
     EXPECT_THAT(outcome.errors, HasSubstr("infer.json, line ")) << list;
-    EXPECT_EQ(rocking("figure out/infer.json -o drawn").exit_code, 65) << list;
+    EXPECT_EQ(rocking("report out/infer.json -o drawn").exit_code, 65) << list;
   }
   EXPECT_EQ(changed("/unknowns", Json::array()).exit_code, 65);
   EXPECT_EQ(changed("/unknowns/0/estimate", nullptr).exit_code, 65);

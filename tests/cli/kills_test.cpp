@@ -72,7 +72,7 @@ TEST_F(Kills, OfAnExtensionOfAFinishedRun) {
   const std::string next = lasting_part("next/report.json");
   kill_at_each_call("resume out -q --no-page --realisations 7", [&](const std::string& what) {
     if (exists("out/replacement/realisations.sqlite")) {
-      const Outcome status = rocking("status out --json");
+      const Outcome status = rocking("run --status out --json");
       if (status.exit_code == 0) {
         EXPECT_GE(Json::parse(status.output)["done"].get<int>(), 12)
             << what << ": the realisations of the finished run are in it";
@@ -111,7 +111,7 @@ TEST_F(Kills, OfAMergeThatReplacesARun) {
   run_quietly("run quick.json -o b --seed 7 --shard 2/2");
   const std::string former = lasting_part("base/report.json");
   const std::string next = lasting_part("next/report.json");
-  kill_at_each_call("merge out a b -q --no-page --overwrite",
+  kill_at_each_call("resume out a b -q --no-page --overwrite",
                     [&](const std::string& what) { expect_either(former, next, what); });
 }
 
@@ -191,7 +191,7 @@ TEST_F(Kills, AndAnExtensionThatTheMachineCannotHoldChangesNothing) {
   const Outcome refused = rocking("resume out -q --no-page --realisations 900000000");
   ASSERT_EQ(refused.exit_code, 74) << refused.errors;
   EXPECT_EQ(files_in("out"), files);
-  EXPECT_EQ(Json::parse(rocking("status out --json").output)["state"], "finished");
+  EXPECT_EQ(Json::parse(rocking("run --status out --json").output)["state"], "finished");
 }
 
 }  // namespace

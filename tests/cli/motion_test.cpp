@@ -89,10 +89,10 @@ TEST_F(MotionCommand, DrawsFiguresAndSavesWhatAFigureNeeds) {
   EXPECT_EQ(series["time_s"].size(), 4U);
   EXPECT_DOUBLE_EQ(series["acceleration_g"][1], -0.25);
   write("m.json", rocking("motion a.AT2 --json --series").output);
-  EXPECT_EQ(rocking("figure m.json -o again").exit_code, 0);
+  EXPECT_EQ(rocking("report m.json -o again").exit_code, 0);
   EXPECT_EQ(read("again/response_spectra.tsv").empty(), false);
   write("n.json", rocking("motion a.AT2 --json").output);
-  const auto refused = rocking("figure n.json -o again");
+  const auto refused = rocking("report n.json -o again");
   EXPECT_EQ(refused.exit_code, 65);
   EXPECT_THAT(refused.errors, HasSubstr("--series"));
 }

@@ -156,7 +156,7 @@ TEST_F(NothingIsLost, ByAFolderThatCannotBeWrittenTo) {
     ASSERT_EQ(shell("chmod 500 out").exit_code, 0);
   }
   const auto refused = rocking("resume out");
-  const auto looked = rocking("status out");
+  const auto looked = rocking("run --status out");
   ASSERT_EQ(shell(geteuid() == 0 ? "umount out" : "chmod 700 out").exit_code, 0);
   EXPECT_EQ(refused.exit_code, 74);
   EXPECT_THAT(refused.errors, HasSubstr("out"));
@@ -186,7 +186,7 @@ TEST_F(NothingIsLost, OfWhatIsLeftOfACutStore) {
 }
 
 TEST_F(NothingIsLost, ToOneWhoAsksHowFarItIs) {
-  const auto whole = rocking("status whole --json");
+  const auto whole = rocking("run --status whole --json");
   EXPECT_EQ(whole.exit_code, 0);
   const Json finished = Json::parse(whole.output);
   EXPECT_EQ(finished.at("state"), "finished");
@@ -195,17 +195,17 @@ TEST_F(NothingIsLost, ToOneWhoAsksHowFarItIs) {
   EXPECT_EQ(finished.at("failed"), 0);
 
   ASSERT_EQ(rocking("run question.json -q -o part --shard 2/3 --max-time 0.0001s -j 1").exit_code, 75);
-  const Json stopped = Json::parse(rocking("status part --json").output);
+  const Json stopped = Json::parse(rocking("run --status part --json").output);
   EXPECT_EQ(stopped.at("state"), "stopped");
   EXPECT_EQ(stopped.at("shard"), "2/3");
   EXPECT_EQ(stopped.at("done").get<int>() + stopped.at("missing").get<int>(), 60);
-  EXPECT_THAT(rocking("status part").output, HasSubstr("`rocking resume part` continues the run"));
-  EXPECT_EQ(rocking("status absent").exit_code, 66);
+  EXPECT_THAT(rocking("run --status part").output, HasSubstr("`rocking resume part` continues the run"));
+  EXPECT_EQ(rocking("run --status absent").exit_code, 66);
 
   // The store on disk is behind by one commit, progress.json by seconds.
   const auto running =
       shell(in_background("run question.json -q -o out -j 1 --realisations 1000000 2>told", has_realisations("out")) +
-            "'" ROCKING_PROGRAM "' status out --json; echo $? >code; kill -INT $child; wait $child; cat code");
+            "'" ROCKING_PROGRAM "' run --status out --json; echo $? >code; kill -INT $child; wait $child; cat code");
   EXPECT_THAT(running.output, AllOf(HasSubstr("\"state\": \"running\""), HasSubstr("\"all\": 3000000")));
   EXPECT_TRUE(running.output.ends_with("0\n")) << running.output;
 }
@@ -214,7 +214,7 @@ TEST_F(NothingIsLost, ThroughARunThatIsLookedAtAllTheTime) {
   const auto watched =
       shell("'" ROCKING_PROGRAM
             "' run question.json -q -o out & child=$!; "
-            "while kill -0 $child 2>status; do '" ROCKING_PROGRAM "' status out >status 2>&1; done; wait $child");
+            "while kill -0 $child 2>status; do '" ROCKING_PROGRAM "' run --status out >status 2>&1; done; wait $child");
   EXPECT_EQ(watched.exit_code, 0) << watched.errors;
   expect_the_whole_of("out");
 }

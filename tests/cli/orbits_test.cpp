@@ -104,7 +104,7 @@ TEST_F(Orbits, AreFollowedOverTheSweptParameter) {
   ASSERT_EQ(trajectory.exit_code, 0) << trajectory.errors;
   const Json end = Json::parse(trajectory.output)["strobe"].back();
   EXPECT_NEAR(end["tilt"].get<double>(), point["state"]["tilt"].get<double>(), 1e-8);
-  EXPECT_EQ(rocking("figure out/orbits.json -o figures").exit_code, 0);
+  EXPECT_EQ(rocking("report out/orbits.json -o figures").exit_code, 0);
   EXPECT_TRUE(exists("figures/branches.tsv"));
 }
 
@@ -128,7 +128,7 @@ TEST_F(Orbits, AreFollowedAtTheirBifurcationsOverASecondParameter) {
       EXPECT_LE(point["test"].get<double>(), 1e-10);
     }
   }
-  EXPECT_EQ(rocking("figure out/orbits.json -o figures").exit_code, 0);
+  EXPECT_EQ(rocking("report out/orbits.json -o figures").exit_code, 0);
   EXPECT_TRUE(exists("figures/curves.tsv"));
 }
 

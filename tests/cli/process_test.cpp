@@ -140,8 +140,8 @@ TEST_F(Process, ReadsNoPipeAndNoDevice) {
   write("record.json", recorded.dump());
   for (const std::string arguments :
        {"run pipe -o out", "validate /dev/zero", "trajectory pipe", "cost pipe", "run record.json -o out",
-        "figure pipe -o out", "report folder", "verify folder", "status stored", "compare stored stored",
-        "replay stored --condition 0 --realisation 0"}) {
+        "report pipe -o out", "report folder", "verify folder", "run --status stored", "compare stored stored",
+        "trajectory stored --condition 0 --realisation 0"}) {
     const auto outcome = shell("exec timeout 20 " + program(arguments));
     EXPECT_EQ(outcome.exit_code, 65) << arguments << outcome.errors;
     EXPECT_THAT(outcome.errors, HasSubstr("is a pipe or a device")) << arguments;
@@ -154,8 +154,8 @@ TEST_F(Process, ReadsNoFolderAsAFile) {
   recorded["excitation"]["file"] = "folder";
   write("record.json", recorded.dump());
   for (const std::string arguments :
-       {"run folder -o out", "validate folder", "run record.json -o out", "figure folder -o out", "report folder",
-        "verify folder", "status stored", "resume stored"}) {
+       {"run folder -o out", "validate folder", "run record.json -o out", "report folder -o out", "report folder",
+        "verify folder", "run --status stored", "resume stored"}) {
     const auto outcome = rocking(arguments);
     EXPECT_EQ(outcome.exit_code, 65) << arguments << outcome.errors;
     EXPECT_THAT(outcome.errors, HasSubstr("is a folder; give a regular file")) << arguments;
@@ -169,7 +169,7 @@ TEST_F(Process, ReplacesARunOnlyOnceTheNewOneIsComplete) {
   EXPECT_EQ(stopped.exit_code, 75);
   EXPECT_THAT(stopped.errors, HasSubstr("the earlier run is kept"));
   EXPECT_EQ(files_of("out"), earlier);
-  EXPECT_THAT(rocking("status out").output, AllOf(HasSubstr("out: stopped"), HasSubstr("earlier run")));
+  EXPECT_THAT(rocking("run --status out").output, AllOf(HasSubstr("out: stopped"), HasSubstr("earlier run")));
   EXPECT_EQ(rocking("verify out -q").exit_code, 0);
   ASSERT_EQ(rocking("run quick.json -q -o out --overwrite --seed 5").exit_code, 0) << "it replaces both";
   EXPECT_EQ(Json::parse(read("out/report.json"))["input"]["experiment"]["seed"], "0x5");
@@ -184,7 +184,7 @@ TEST_F(Process, KeepsARunWhereItsReplacementFails) {
   std::string damaged = read("b/realisations.sqlite");
   damaged.replace(damaged.size() - 300, 200, 200, 'x');
   write("b/realisations.sqlite", damaged);
-  EXPECT_EQ(rocking("merge out a b -q --overwrite").exit_code, 65);
+  EXPECT_EQ(rocking("resume out a b -q --overwrite").exit_code, 65);
   EXPECT_EQ(files_of("out"), earlier);
   EXPECT_FALSE(exists("out/replacement"));
   EXPECT_EQ(shell("ulimit -f 8; exec " + program("run quick.json -q -o out --overwrite --realisations 400")).exit_code,

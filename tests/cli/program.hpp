@@ -77,7 +77,7 @@ class ProgramTest : public ::testing::Test {
 
   /// A condition: finished realisations of this folder are on disk.
   static std::string has_realisations(const std::string& folder) {
-    return "'" ROCKING_PROGRAM "' status " + folder + " | grep -q 'done *[1-9]'";
+    return "'" ROCKING_PROGRAM "' run --status " + folder + " | grep -q 'done *[1-9]'";
   }
 
   /// Runs a script that disturbs a command, again as long as the exit code is 0: on a busy machine the command may have

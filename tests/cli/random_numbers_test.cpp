@@ -96,7 +96,7 @@ TEST_F(RandomNumbers, OfLawsAlongTheWayAreTested) {
     }
     EXPECT_NEAR(check["kurtosis"]["of_law"].get<double>(), law == "uniform" ? 1.8 : 3.09, 0.01);
     write("check.json", outcome.output);
-    EXPECT_EQ(rocking("figure check.json -o drawn").exit_code, 0);
+    EXPECT_EQ(rocking("report check.json -o drawn").exit_code, 0);
     EXPECT_THAT(rocking("check-normal --n 5000 --law " + law).output, HasSubstr("numbers from " + law));
   }
   EXPECT_THAT(rocking("check-normal --json").output, Not(HasSubstr("of_law")));

@@ -168,7 +168,7 @@ TEST_F(Rare, HasOneProbabilityForASuiteOfRecords) {
 TEST_F(Rare, IsDrawnAlsoOnThePageOfItsRun) {
   ASSERT_EQ(rocking("run quick.json -o out -q --no-page").exit_code, 0);
   ASSERT_EQ(rocking(std::string("rare quick.json -q -o out") + quickly).exit_code, 0);
-  EXPECT_EQ(rocking("figure out/rare.json -o drawn").exit_code, 0);
+  EXPECT_EQ(rocking("report out/rare.json -o drawn").exit_code, 0);
   EXPECT_TRUE(exists("drawn/rare_paths.tsv"));
   EXPECT_THAT(read("drawn/rare_committor.tsv"), HasSubstr("tilt_from"));
   EXPECT_EQ(rocking("report out --format html -q").exit_code, 0);
@@ -227,7 +227,7 @@ TEST_F(Rare, IsNotUsedWithAChangedDigit) {
     const auto outcome = rocking(ask);
     EXPECT_EQ(outcome.exit_code, 65) << pointer;
     EXPECT_THAT(outcome.errors, AllOf(HasSubstr("rare.json"), HasSubstr("changed or damaged"))) << pointer;
-    EXPECT_EQ(rocking("figure out/rare.json -o drawn").exit_code, 65) << pointer;
+    EXPECT_EQ(rocking("report out/rare.json -o drawn").exit_code, 65) << pointer;
     EXPECT_EQ(rocking(std::string("rare quick.json -q -o out --resume") + quickly).exit_code, 65) << pointer;
   }
 }

@@ -105,13 +105,13 @@ TEST_F(RunFolder, OfShardsGivesTheBytesOfOneRun) {
     const std::string n = part;
     const auto outcome = rocking("run quick.json -o part" + n + " --shard " + n + "/3");
     EXPECT_EQ(outcome.exit_code, 0);
-    EXPECT_THAT(outcome.errors, HasSubstr("rocking merge"));
+    EXPECT_THAT(outcome.errors, HasSubstr("rocking resume"));
     EXPECT_FALSE(exists("part" + n + "/report.json"));
   }
-  ASSERT_EQ(rocking("merge out part3 part1 part2").exit_code, 0);
+  ASSERT_EQ(rocking("resume out part3 part1 part2").exit_code, 0);
   EXPECT_EQ(lasting_part("out/report.json"), lasting_part("whole/report.json"));
 
-  const auto partly = rocking("merge two part3 part1");
+  const auto partly = rocking("resume two part3 part1");
   EXPECT_EQ(partly.exit_code, 75);
   EXPECT_THAT(partly.errors, HasSubstr("rocking resume two"));
   EXPECT_EQ(rocking("resume two -q").exit_code, 0);
@@ -125,7 +125,7 @@ TEST_F(RunFolder, OfShardsThatOverlapOrHoldNothingGivesTheBytesOfOneRun) {
     folder[folder.find('/')] = '-';
     ASSERT_EQ(rocking("run quick.json -q -o " + folder + " --shard " + shard).exit_code, 0) << shard;
   }
-  ASSERT_EQ(rocking("merge out 2-3 40-50 2-2 1-2").exit_code, 0);
+  ASSERT_EQ(rocking("resume out 2-3 40-50 2-2 1-2").exit_code, 0);
   EXPECT_EQ(lasting_part("out/report.json"), lasting_part("whole/report.json"));
 }
 
@@ -139,7 +139,7 @@ TEST_F(RunFolder, OfShardsThatDisagreeIsNotMade) {
     store.add({1, 2}, changed);
     store.close_up();
   }
-  const auto refused = rocking("merge out a b");
+  const auto refused = rocking("resume out a b");
   EXPECT_EQ(refused.exit_code, 1);
   EXPECT_THAT(refused.errors,
               AllOf(HasSubstr("b: 1 realisation is different from"), HasSubstr("condition 1, realisation 2 (steps)")));
@@ -150,19 +150,19 @@ TEST_F(RunFolder, OfShardsThatDisagreeIsNotMade) {
 TEST_F(RunFolder, IsMergedAnewWhereThatIsAskedFor) {
   ASSERT_EQ(rocking("run quick.json -q -o whole").exit_code, 0);
   ASSERT_EQ(rocking("run quick.json -q -o a --shard 1/2").exit_code, 0);
-  EXPECT_EQ(rocking("merge out a").exit_code, 75) << "as if it had been killed";
-  const auto refused = rocking("merge out a whole");
+  EXPECT_EQ(rocking("resume out a").exit_code, 75) << "as if it had been killed";
+  const auto refused = rocking("resume out a whole");
   EXPECT_EQ(refused.exit_code, 74);
   EXPECT_THAT(refused.errors, HasSubstr("--overwrite"));
-  EXPECT_EQ(rocking("merge out out --overwrite").exit_code, 64) << "it would remove its own source";
-  EXPECT_EQ(rocking("merge out a whole --overwrite").exit_code, 0);
+  EXPECT_EQ(rocking("resume out out --overwrite").exit_code, 64) << "it would remove its own source";
+  EXPECT_EQ(rocking("resume out a whole --overwrite").exit_code, 0);
   EXPECT_EQ(lasting_part("out/report.json"), lasting_part("whole/report.json"));
 }
 
 TEST_F(RunFolder, OfAnotherExperimentIsNotMerged) {
   ASSERT_EQ(rocking("run quick.json -q -o a --shard 1/2").exit_code, 0);
   ASSERT_EQ(rocking("run quick.json -q -o b --shard 2/2 --seed 7").exit_code, 0);
-  const auto refused = rocking("merge out a b");
+  const auto refused = rocking("resume out a b");
   EXPECT_EQ(refused.exit_code, 74);
   EXPECT_THAT(refused.errors, AllOf(HasSubstr("b: belongs to another experiment"), HasSubstr("seed")));
   EXPECT_FALSE(exists("out"));
@@ -179,18 +179,18 @@ TEST_F(RunFolder, TakesOnlyAPartOfAWholeAsAShard) {
 
 TEST_F(RunFolder, IsReplayedBitForBit) {
   ASSERT_EQ(rocking("run quick.json -q -o out").exit_code, 0);
-  const auto replayed = rocking("replay out --condition 2 --realisation 3");
+  const auto replayed = rocking("trajectory out --condition 2 --realisation 3");
   EXPECT_EQ(replayed.exit_code, 0);
   EXPECT_EQ(replayed.output, rocking("trajectory quick.json --condition 2 --realisation 3").output);
-  EXPECT_EQ(rocking("replay out --condition 2 --realisation 4").exit_code, 64);
-  EXPECT_EQ(rocking("replay absent --condition 0 --realisation 0").exit_code, 66);
+  EXPECT_EQ(rocking("trajectory out --condition 2 --realisation 4").exit_code, 64);
+  EXPECT_EQ(rocking("trajectory absent --condition 0 --realisation 0").exit_code, 66);
 }
 
 TEST_F(RunFolder, HoldsAPageThatIsWrittenAgainWithTheSameBytes) {
   ASSERT_EQ(rocking("run quick.json -q -o part1 --shard 1/2").exit_code, 0);
   ASSERT_EQ(rocking("run quick.json -q -o part2 --shard 2/2").exit_code, 0);
   EXPECT_FALSE(exists("part1/report.html"));
-  EXPECT_THAT(rocking("merge out part1 part2").output, HasSubstr("page: out/report.html"));
+  EXPECT_THAT(rocking("resume out part1 part2").output, HasSubstr("page: out/report.html"));
   const std::string page = read("out/report.html");
   EXPECT_THAT(page, AllOf(HasSubstr("<title>quick</title>"), HasSubstr("</html>")));
   std::filesystem::remove(folder_ / "out/report.html");
@@ -286,9 +286,10 @@ TEST_F(RunFolder, IsNotReadWithTheReportOfAnotherRun) {
   const std::string own = read("out/report.json");
   for (const char* foreign : {"other", "longer"}) {
     write("out/report.json", read(std::string(foreign) + "/report.json"));
-    for (const char* command : {"report out", "report out --format csv", "report out --format text", "fragility out",
-                                "compare out other", "compare other out", "replay out --condition 0 --realisation 0",
-                                "status out", "merge whole out", "resume out", "resume out --realisations 8"}) {
+    for (const char* command :
+         {"report out", "report out --format csv", "report out --format text", "fragility out", "compare out other",
+          "compare other out", "trajectory out --condition 0 --realisation 0", "run --status out", "resume whole out",
+          "resume out", "resume out --realisations 8"}) {
       const auto refused = rocking(command);
       EXPECT_EQ(refused.exit_code, 65) << command << refused.errors;
       EXPECT_EQ(refused.output, "") << command;

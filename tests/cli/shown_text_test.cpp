@@ -59,7 +59,7 @@ TEST_F(ShownText, OfNamesThatAreNotUtf8IsJsonAllTheSame) {
   EXPECT_THAT(rocking("report \"$(printf 'a\\377b')\" --format csv").output, HasSubstr("a\\xffb/"));
   ASSERT_EQ(rocking("check-normal --n 1000 --json >check.json").exit_code, 0);
   const Outcome drawn =
-      shell("PATH=/nowhere exec '" ROCKING_PROGRAM "' figure check.json -o \"$(printf 'a\\377b')\" --json");
+      shell("PATH=/nowhere exec '" ROCKING_PROGRAM "' report check.json -o \"$(printf 'a\\377b')\" --json");
   EXPECT_EQ(drawn.exit_code, 0) << drawn.errors;
   EXPECT_TRUE(Json::accept(drawn.output)) << drawn.output;
 }

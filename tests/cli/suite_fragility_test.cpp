@@ -148,7 +148,7 @@ TEST_F(SuiteFragility, IsDrawnAndStandsOnThePage) {
                     HasSubstr("in a suite of 5 ground motions"), HasSubstr("The block is not lifted below 0.218"),
                     HasSubstr("stood again at a stronger one")));
   ASSERT_EQ(rocking("fragility out --ida -o kept --figure drawn").exit_code, 0);
-  ASSERT_EQ(rocking("figure kept/fragility.json -o again").exit_code, 0);
+  ASSERT_EQ(rocking("report kept/fragility.json -o again").exit_code, 0);
   for (const char* name : {"fragility.tsv", "incremental.tsv", "incremental.gp"}) {
     EXPECT_NE(read(std::string("drawn/") + name), "") << name;
     EXPECT_EQ(read(std::string("drawn/") + name), read(std::string("again/") + name)) << name;
@@ -246,7 +246,7 @@ TEST_F(SuiteFragility, HasASurfaceOverTwoMeasures) {
   EXPECT_EQ(shown.exit_code, 0) << shown.errors;
   EXPECT_THAT(shown.output, HasSubstr("surface of overturning: pgv_over_pga_s "));
   EXPECT_THAT(shown.output, HasSubstr("warning: "));
-  EXPECT_TRUE(rocking("figure out/fragility.json -o figures").exit_code == 0 && exists("figures/surface.svg"));
+  EXPECT_TRUE(rocking("report out/fragility.json -o figures").exit_code == 0 && exists("figures/surface.svg"));
   const auto unknown = rocking("fragility out --surface pga_g,pgx");
   EXPECT_EQ(unknown.exit_code, 64);
   EXPECT_THAT(unknown.errors, HasSubstr("pgv_over_pga_s"));

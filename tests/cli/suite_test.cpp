@@ -130,7 +130,7 @@ TEST_F(SuiteRun, HasTheRecordsAndFactorsThatATableGivesEachLevel) {
   EXPECT_EQ(conditions[6]["parameters"]["/excitation/file"], "records/other.at2, level 1.2");
   EXPECT_EQ(conditions[6]["scale"], 2.0);
   EXPECT_EQ(rocking("verify out").exit_code, 0);
-  const auto replayed = rocking("replay out --condition 5 --realisation 3");
+  const auto replayed = rocking("trajectory out --condition 5 --realisation 3");
   EXPECT_EQ(replayed.output, rocking("trajectory l.json --condition 5 --realisation 3").output);
   const auto curves = rocking("fragility out --json");
   ASSERT_EQ(curves.exit_code, 0) << curves.errors;
@@ -150,7 +150,7 @@ TEST_F(SuiteRun, HasTheRecordsAndFactorsThatATableGivesEachLevel) {
 TEST_F(SuiteRun, CanBeVerifiedReplayedAndExtended) {
   ASSERT_EQ(rocking("run e.json -q -o out").exit_code, 0);
   EXPECT_EQ(rocking("verify out").exit_code, 0);
-  const auto replayed = rocking("replay out --condition 5 --realisation 3");
+  const auto replayed = rocking("trajectory out --condition 5 --realisation 3");
   EXPECT_EQ(replayed.exit_code, 0);
   EXPECT_EQ(replayed.output, rocking("trajectory e.json --condition 5 --realisation 3").output);
   EXPECT_EQ(rocking("resume out --realisations 8 -q").exit_code, 0);

@@ -41,7 +41,7 @@ class Terminal : public rocking::support::ProgramTest {
   /// The commands that `rocking --help` lists.
   std::set<std::string> commands() const {
     const std::string help = rocking("--help").output;
-    return all_matches(help.substr(help.find("Subcommands:")), R"(\n  ([a-z][a-z-]*) +[A-Z])");
+    return all_matches(help.substr(help.find("Run:")), R"(\n  ([a-z][a-z-]*) +[A-Z])");
   }
 
   /// Completions that bash offers at the end of a line.
@@ -287,7 +287,7 @@ TEST_F(Terminal, IsCompletedWithFilesAndFoldersWhereTheyBelong) {
               AllOf(IsSupersetOf({"quick.json", "out one", "other"}), Not(Contains("notes.txt"))));
   EXPECT_EQ(offered("rocking resume ot"), std::vector<std::string>{"other"});
   EXPECT_EQ(offered("rocking run quick.json -o ot"), std::vector<std::string>{"other"});
-  EXPECT_EQ(offered("rocking merge whole ot"), std::vector<std::string>{"other"});
+  EXPECT_EQ(offered("rocking resume whole ot"), std::vector<std::string>{"other"});
 }
 
 TEST_F(Terminal, IsCompletedForEveryCommand) {
@@ -307,7 +307,56 @@ TEST_F(Terminal, IsToldWhatWasProbablyMeant) {
     EXPECT_EQ(outcome.exit_code, 64) << written;
     EXPECT_THAT(outcome.errors, HasSubstr("did you mean \"" + right + "\"?"));
   }
-  EXPECT_THAT(rocking("completion fish").errors, AllOf(HasSubstr("bash"), Not(HasSubstr("did you mean"))));
+  EXPECT_THAT(rocking("completion tcsh").errors, AllOf(HasSubstr("bash"), Not(HasSubstr("did you mean"))));
+  EXPECT_THAT(rocking("run quick.json --sed 4").errors, HasSubstr("Try `rocking run --help`."));
+  for (const auto& [written, right] : std::map<std::string, std::string>{
+           {"help", "--help"}, {"version", "--version"}, {"plot out", "report"}, {"simulate quick.json", "run"}}) {
+    EXPECT_THAT(rocking(written).errors, HasSubstr("that is `rocking " + right + "`"));
+  }
+}
+
+TEST_F(Terminal, KnowsFormerCommandsAndTellsTheirNames) {
+  for (const char* flags : {"-o part1 --shard 1/2", "-o part2 --shard 2/2", "-o out"}) {
+    ASSERT_EQ(rocking(std::string("run quick.json -q --no-page ") + flags).exit_code, 0);
+  }
+  for (const auto& [former, now] : std::map<std::string, std::string>{
+           {"status out", "run --status out"},
+           {"merge whole part1 part2 --overwrite --no-page", "resume whole part1 part2 --overwrite --no-page"},
+           {"replay out --condition 1 --realisation 2", "trajectory out --condition 1 --realisation 2"},
+           {"figure one.json -o drawn", "report one.json -o drawn"}}) {
+    if (former.starts_with("figure")) write("one.json", rocking("trajectory quick.json").output);
+    const Outcome by_former = rocking(former), by_now = rocking(now);
+    EXPECT_EQ(by_former.exit_code, 0) << former;
+    EXPECT_EQ(by_former.output, by_now.output);
+    EXPECT_THAT(by_former.errors, HasSubstr("is now `rocking " + now.substr(0, now.find(' '))));
+    EXPECT_THAT(by_now.errors, Not(HasSubstr("is now")));
+    EXPECT_EQ(rocking(former.substr(0, former.find(' ')) + " --help").exit_code, 0) << former;
+  }
+}
+
+TEST_F(Terminal, TakesAFileOfARunForItsFolder) {
+  ASSERT_EQ(rocking("run quick.json -q -o out").exit_code, 0);
+  for (const char* file : {"report.json", "report.html", "realisations.sqlite"}) {
+    EXPECT_EQ(rocking(std::string("verify -q out/") + file).exit_code, 0) << file;
+  }
+  EXPECT_EQ(rocking("trajectory out/report.json --condition 1 --realisation 2").output,
+            rocking("trajectory out --condition 1 --realisation 2").output);
+  // An experiment beside a report stays an experiment.
+  ASSERT_EQ(shell("cp quick.json out/").exit_code, 0);
+  EXPECT_EQ(rocking("trajectory out/quick.json --periods 3").exit_code, 0);
+}
+
+TEST_F(Terminal, HasCompletionsThatZshAndFishCanRead) {
+  for (const std::string name : {"zsh", "fish"}) {
+    const Outcome script = rocking("completion " + name);
+    EXPECT_EQ(script.exit_code, 0);
+    for (const std::string& command : commands()) EXPECT_THAT(script.output, HasSubstr(command)) << name;
+    EXPECT_THAT(script.output, AllOf(HasSubstr("dry-run"), HasSubstr("box-muller")));
+    if (shell("command -v " + name).exit_code != 0) continue;
+    write("script", script.output);
+    const Outcome check = shell(name + " -n script");
+    EXPECT_EQ(check.exit_code, 0) << check.errors;
+  }
 }
 
 TEST_F(Terminal, InterruptsABifurcationCleanlyAndIsToldHowToBeginAnew) {

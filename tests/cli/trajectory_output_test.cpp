@@ -106,15 +106,15 @@ TEST_F(TrajectoryOutput, AsATableHasTheSameNumbersByTime) {
 
 TEST_F(TrajectoryOutput, OfAReplayIsTheSame) {
   ASSERT_EQ(rocking("run quick.json -q --no-page -o out").exit_code, 0);
-  EXPECT_EQ(rocking("replay out --condition 1 --realisation 2 --units si --format csv").output,
+  EXPECT_EQ(rocking("trajectory out --condition 1 --realisation 2 --units si --format csv").output,
             rocking("trajectory quick.json --condition 1 --realisation 2 --units si --format csv").output);
 }
 
 TEST_F(TrajectoryOutput, InSiUnitsIsDrawnAsTheNormalisedOne) {
   write("a.json", printed(""));
   write("b.json", printed("--units si"));
-  ASSERT_EQ(rocking("figure a.json -o one").exit_code, 0);
-  ASSERT_EQ(shell("mv a.json kept; mv b.json a.json; exec '" ROCKING_PROGRAM "' figure a.json -o two").exit_code, 0);
+  ASSERT_EQ(rocking("report a.json -o one").exit_code, 0);
+  ASSERT_EQ(shell("mv a.json kept; mv b.json a.json; exec '" ROCKING_PROGRAM "' report a.json -o two").exit_code, 0);
   const auto one = cells_of(read("one/poincare.tsv"));
   EXPECT_FALSE(one.empty());
   EXPECT_EQ(one.size(), cells_of(read("two/poincare.tsv")).size());

@@ -67,7 +67,7 @@ TEST_F(UntilClassified, HasTheSameBytesInShards) {
   run_quietly("run until.json -o whole");
   for (const char* shard : {"1/3", "2/3", "3/3"})
     run_quietly(std::string("run until.json --shard ") + shard + " -o part" + shard[0]);
-  run_quietly("merge joined part1 part2 part3");
+  run_quietly("resume joined part1 part2 part3");
   EXPECT_EQ(lasting_part("joined/report.json"), lasting_part("whole/report.json"));
 }
 
@@ -160,7 +160,7 @@ TEST_F(UntilClassified, IsVerifiedAndReplayed) {
   run_quietly("run until.json -o whole");
   EXPECT_EQ(rocking("verify whole -q").exit_code, 0);
   for (const char* number : {"0", "7", "23"}) {
-    const auto outcome = rocking(std::string("replay whole --condition 1 --realisation ") + number);
+    const auto outcome = rocking(std::string("trajectory whole --condition 1 --realisation ") + number);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
   }
 }

@@ -54,7 +54,7 @@ inline Reading try_claims(std::string_view text) {
   }
 }
 
-/// As `rocking figure`.
+/// As `rocking report`.
 inline Reading try_output(const std::string& text) {
   try {
     for (const analysis::Figure& figure : analysis::output_figures({{.path = "file.json", .text = text}}, {})) {

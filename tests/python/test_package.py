@@ -84,7 +84,7 @@ class Pages(unittest.TestCase):
         file = os.path.join(self.folder.name, "motion.json")
         with open(file, "w") as out:
             out.write(self.program(*motion))
-        self.program("figure", file, "-o", self.out)
+        self.program("report", file, "-o", self.out)
         self.expect_same(rocking.draw(file, folder=self.ours).files, self.out)
         own = rocking.draw(rocking.trajectory(self.path, condition=1, samples_per_period=20), folder=self.ours)
         self.assertEqual(sorted(path.name for path in own.files), sorted(os.listdir(self.out)))

@@ -51,7 +51,7 @@ class AgainstTheProgram(unittest.TestCase):
 
     def test_program_and_module_read_each_others_folders(self):
         by_module = rocking.run(self.path, folder=self.out)
-        self.assertIn("60 of 60", self.program("status", self.out))
+        self.assertIn("60 of 60", self.program("run", "--status", self.out))
         self.program("resume", self.out, "--no-page", "-q")
         with open(os.path.join(self.out, "report.json")) as file:
             self.assertEqual(json.load(file)["result"]["digest"], by_module.digest)
@@ -338,7 +338,7 @@ class AgainstTheProgram(unittest.TestCase):
         self.assertEqual(whole.digest, digest)
         self.assertEqual(whole.digest, rocking.run(SLAB).digest)
         self.assertEqual(sorted(os.listdir(self.out)), ["realisations.sqlite"])
-        self.assertIn("60 of 60", self.program("status", self.out))
+        self.assertIn("60 of 60", self.program("run", "--status", self.out))
 
     def test_missing_parts_are_run_by_the_next_call(self):
         part = os.path.join(self.folder.name, "part")
@@ -412,7 +412,7 @@ class AgainstTheProgram(unittest.TestCase):
 
     def test_replay_is_that_of_the_program(self):
         self.program("run", self.path, "-o", self.out, "--no-page", "-q")
-        theirs = self.program("replay", self.out, "--condition", "1", "--realisation", "3")
+        theirs = self.program("trajectory", self.out, "--condition", "1", "--realisation", "3")
         for source in (self.out, rocking.run(SLAB)):
             self.assertEqual(rocking.replay(source, condition=1, realisation=3).text(), theirs)
         for form in ("json", "csv"):

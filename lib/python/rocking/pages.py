@@ -150,7 +150,7 @@ def write_trajectory_page(
 
 
 def draw(*sources: Any, folder: _Path, column: str = "screen") -> Written:
-    """Draw what a study has found, in a folder: as ``rocking figure`` draws what the program printed.
+    """Draw what a study has found, in a folder: as ``rocking report`` draws what the program printed.
 
     sources: results of trajectory() with ``samples_per_period``, bifurcation(), orbits() with ``branches``, cost(),
     fragility(), motion() with ``series``, check_normal(), or paths of files that the program wrote. column: as

@@ -71,7 +71,7 @@ struct RunStatus {
 /// Throws FolderError if there is none, or if a file that the experiment names cannot be read; otherwise as open_run.
 [[nodiscard]] ROCKING_API RunStatus status_of(const std::filesystem::path& folder);
 
-/// A state in words, as `rocking status` prints it.
+/// A state in words, as `rocking run --status` prints it.
 [[nodiscard]] ROCKING_API std::string describe(const RunStatus& status, const std::filesystem::path& folder);
 
 /// The same as JSON text, as with `--json`.

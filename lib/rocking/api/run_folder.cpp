@@ -159,7 +159,7 @@ void RunFolder::tidy_up(const Tell& tell) const {
   replacement().finish_installing();
   if (!forget_what_did_not_begin()) return;
   tell(name() +
-       ": a new run or an extension (`run --overwrite`, `merge`, `resume --realisations`) ended before its first "
+       ": a new run or an extension (`run --overwrite`, `resume`) ended before its first "
        "realisation was stored, and is lost; repeat its command if it is still wanted");
 }
 

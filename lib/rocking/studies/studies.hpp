@@ -46,7 +46,7 @@ struct OutputFile {
   std::string text;
 };
 
-/// The figures of the outputs of `rocking trajectory`, `replay`, `bifurcation`, `cost --json`, `fragility --json`,
+/// The figures of the outputs of `rocking trajectory`, `bifurcation`, `cost --json`, `fragility --json`,
 /// `rare`, `infer` and `check-normal --json`. Each trajectory with a history has `time_history`; several of them also
 /// have `responses`; all trajectories together have `poincare`. The other outputs have their own figures. Repeated
 /// names are numbered. Throws base::InputError with the path of a file that is none of these.

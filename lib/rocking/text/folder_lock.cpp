@@ -58,7 +58,7 @@ std::optional<FolderLock> FolderLock::of_file(const std::filesystem::path& file)
 }
 
 bool FolderLock::lock() {
-  constexpr int most_attempts = 10;  // `rocking status` holds it for a moment
+  constexpr int most_attempts = 10;  // `rocking run --status` holds it for a moment
   for (int attempt = 0; ::flock(descriptor_, LOCK_EX | LOCK_NB) != 0; ++attempt) {
     if (errno != EWOULDBLOCK) return true;  // on a file system without locks the user must prevent conflicts
     if (attempt == most_attempts) return false;

@@ -402,7 +402,7 @@ const Study& fragility_study() {
               "intervals, and fits a lognormal fragility function with its band. A grid has one curve for each "
               "combination of values of the other entries; the curves of several runs are shown together. A suite of "
               "ground motions has a pooled curve with the scatter between and within records, and one curve for each "
-              "record. `-o` saves the numbers in out/fragility.json, which `rocking figure` draws.",
+              "record. `-o` saves the numbers in out/fragility.json, which `rocking report` draws.",
       .python_notes = "Raises InputError if the experiment sweeps no intensity of the excitation or its number of "
                       "realisations is not fixed.",
       .python_example = R"(>>> import rocking

@@ -76,7 +76,7 @@ static const StructType& fields_of(const ReportedMotion*) {
                                    "null if no scale does",
                                    rule::positive, WithoutValue::omitted),
       field<&Motion::spectrum>("spectrum", "response spectrum at the periods that were asked for"),
-      field<&Motion::series>("series", "with `--series`: the motion at its samples, for `rocking figure`", {},
+      field<&Motion::series>("series", "with `--series`: the motion at its samples, for `rocking report`", {},
                              WithoutValue::omitted),
   };
   return fields;

@@ -111,7 +111,7 @@ const StructType& fields_of(const GroundMotionRequest*) {
                                                        Rule{.least = 0.0, .below = 1.0}),
             {.names = "--damping", .letter = "RATIO"}),
       asked(field<&Type::series>(
-                "series", "Add the motions sample by sample, and fine spectra: with --json, for `rocking figure`"),
+                "series", "Add the motions sample by sample, and fine spectra: with --json, for `rocking report`"),
             {.names = "--series", .kind = FlagKind::on}),
   };
   return fields;

@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include "rocking/realisation/realisation_result.hpp"
 #include "rocking/studies/rare/typical_paths.hpp"
 #include "support/rare_scenes.hpp"
 
@@ -96,7 +97,8 @@ rocking::random::DrawHistory draws_of(const rocking::rare::Path& path) {
   random::DrawHistory draws;
   for (const auto& given : path.given) {
     const auto found = std::ranges::find(random::source_names, given.source);
-    draws.given.push_back({static_cast<random::Source>(found - random::source_names.begin() + 1), given.number});
+    draws.given.push_back(
+        {static_cast<random::Source>(found - random::source_names.begin() + 1), given.number, given.index});
   }
   for (const auto& branch : path.branches) {
     random::FirstUnused from{};
@@ -127,8 +129,9 @@ TEST(RarePaths, AreMadeAgainByTheirDraws) {
 // The committor of a good grid is near the probability: from rest, where the trajectories begin.
 TEST(RareCommittor, IsNearTheProbabilityAtTheStart) {
   Condition condition = weakly_shaken(fluctuating());
+  std::get<rocking::Harmonic>(condition.scene.excitation).amplitude = 1.5;
   condition.scene.friction.reset();
-  condition.scene.fluctuation = {.amplitude = 0.6};
+  condition.scene.fluctuation = {.amplitude = 0.4};
   const RareEstimate found =
       rare_probabilities(experiment_of(condition),
                          {.question = {.event = {rocking::EventName::tilt, 0.8}}, .particles = 100})
@@ -138,6 +141,28 @@ TEST(RareCommittor, IsNearTheProbabilityAtTheStart) {
   EXPECT_LT(*found.probability, 0.1);
   EXPECT_GT(from_rest, *found.probability / 3.0);
   EXPECT_LT(from_rest, *found.probability * 3.0);
+}
+
+// Where many particles of the first pilot run have the event, a repetition is a share of realisations.
+TEST(RarePlainSampling, IsChosenWhereTheEventIsFrequent) {
+  const Condition condition = fluctuating();
+  const RareEstimate found =
+      rare_probabilities(
+          experiment_of(condition),
+          {.question = {.event = {rocking::EventName::tilt, 0.5}, .relative_error = 0.5}, .particles = 50})
+          .front();
+  EXPECT_EQ(found.method, rocking::RareMethod::plain_sampling);
+  EXPECT_FALSE(found.committor);
+  EXPECT_LT(found.pilot_work, 1001.0);
+  for (const std::uint64_t repetition : {1U, 7U}) {
+    int events = 0;
+    for (std::uint64_t i = 0; i < 50; ++i) {
+      const std::uint64_t number =
+          rocking::rare::number_of({.repetition = repetition, .stage = 0, .particle = i, .move = 0});
+      events += rocking::realise(condition, rare_seed, number).peaks.tilt > 0.5 ? 1 : 0;
+    }
+    EXPECT_EQ(found.repetitions.at(repetition - 1).estimate, events / 50.0);
+  }
 }
 
 // A clock that advances at each look.

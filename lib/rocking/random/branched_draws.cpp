@@ -36,10 +36,10 @@ void BranchedDraws::standard_normals(Source source, std::uint64_t first_index, s
 }
 
 const double* BranchedDraws::given(Source source, std::uint64_t index) const {
-  if (index != 0) return nullptr;
-  const auto found =
-      std::ranges::find_if(history_->given, [source](const GivenDraw& draw) { return draw.source == source; });
-  return found == history_->given.end() ? nullptr : &found->number;
+  // The last ones are asked for most.
+  const auto found = std::find_if(history_->given.rbegin(), history_->given.rend(),
+                                  [&](const GivenDraw& draw) { return draw.source == source && draw.index == index; });
+  return found == history_->given.rend() ? nullptr : &found->number;
 }
 
 std::size_t BranchedDraws::last_branch(Source source, std::uint64_t index) const {

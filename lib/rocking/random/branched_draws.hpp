@@ -22,10 +22,11 @@ struct Branch {
   FirstUnused from{};
 };
 
-/// Draw 0 of a source: this number in place of it.
+/// A draw of a source: this number in place of it.
 struct GivenDraw {
   Source source;
   double number;
+  std::uint64_t index = 0;
 };
 
 /// In what the draws of a realisation differ from those of its number.

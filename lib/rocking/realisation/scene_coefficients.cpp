@@ -164,6 +164,10 @@ void SceneCoefficients::continue_with(const random::BranchedDraws& draws) {
   drawn_from_ = none_drawn;  // those ahead may belong to another branch
 }
 
+void SceneCoefficients::draw_amplitude_again(const Clock& clock) {
+  if (redraws_amplitude_) amplitude_period_ = std::min(amplitude_period_, clock.now().period - 1);
+}
+
 double SceneCoefficients::kinetic_friction(const Clock& clock) {
   if (const auto* constant = std::get_if<double>(&laws_.kinetic_friction)) return held_kinetic_friction(*constant);
   return held_kinetic_friction(cells_ ? kinetic_friction_ : drawn_kinetic_friction(clock));

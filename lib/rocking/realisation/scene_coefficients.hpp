@@ -71,6 +71,8 @@ class SceneCoefficients {
   /// From now on the draws are these, which differ from the former ones only from first_unused() on. The values in
   /// force stay.
   void continue_with(const random::BranchedDraws& draws);
+  /// At the beginning of a period: its amplitude, if it has been drawn already, is drawn again.
+  void draw_amplitude_again(const dynamics::Clock& clock);
 
   /// Adds the number of draws made so far, and of those clamped when used.
   void add_to(OperationCounts& operations) const;

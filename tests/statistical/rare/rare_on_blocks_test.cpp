@@ -209,7 +209,7 @@ TEST(RareOnBlocks, IsUnbiasedWhateverTheErrorOfTheGrid) {
   FalseAlarms alarms;
   const Question question = shaken_block();
   const BlockPaths paths = question.paths();
-  Transitions transitions = rocking::rare::transitions_of(paths, few_nodes(), 0, 3, 1);
+  Transitions transitions = rocking::rare::transitions_of(paths, few_nodes(), 0, 9, 1);
   const Guide coarse = guide_of(transitions, paths);
   for (Image& image : transitions.images) image.point = {-image.point.tilt, 0.5 * image.point.tilt_rate, 0.0};
   const Guide wrong = guide_of(transitions, paths);
@@ -232,7 +232,7 @@ TEST(RareOnBlocks, IsUnbiasedWhateverTheProposalOfNumbersDrawnOnce) {
   const Proposal wrong = Proposal::fitted_to({{{1.0, -1.0}, 1.0}, {{1.5, -0.5}, 2.0}}, dimensions, 0.8);
   const Estimate other = plain(question);
   for (const Proposal* proposal : {&wide, &wrong}) {
-    const Guide guide = guide_of(rocking::rare::transitions_of(paths, few_nodes(), 0, 3, 1, proposal), paths);
+    const Guide guide = guide_of(rocking::rare::transitions_of(paths, few_nodes(), 0, 9, 1, proposal), paths);
     const Estimate found = steered(question, guide, 300, proposal);
     EXPECT_LT(std::abs(score_of(found, other)), alarms.score()) << found.mean << ' ' << other.mean;
     EXPECT_LT(std::hypot(found.error / found.mean, other.error / other.mean), 0.2);
@@ -260,9 +260,9 @@ TEST(RareOnBlocks, IsFoundOutWhereWeightsAreWrong) {
   const Question question = shaken_block();
   const BlockPaths paths = question.paths();
   const TwistedPlan plan{.seed = run_seed, .periods = paths.periods()};
-  const Guide guide = guide_of(rocking::rare::transitions_of(paths, few_nodes(), 0, 3, 1), paths);
+  const Guide guide = guide_of(rocking::rare::transitions_of(paths, few_nodes(), 0, 9, 1), paths);
   std::vector<double> estimates;
-  for (std::uint64_t i = 1; i <= 200; ++i) {
+  for (std::uint64_t i = 1; i <= 500; ++i) {
     BlockPopulation population(paths, {.particles = 60, .repetition = i, .guide = &guide});
     TooHeavy faulty(population);
     estimates.push_back(TwistedRun(faulty, plan, i).run().estimate);

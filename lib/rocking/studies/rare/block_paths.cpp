@@ -34,11 +34,12 @@ constexpr double amplitude_reach = 6.0;
 /// The samples of a transition: their weights, and what each has instead of a draw.
 struct Samples {
   std::vector<double> weights;
+  std::vector<double> amplitudes;  ///< as those of Transitions
   std::vector<DrawHistory> given;
   std::vector<Start> starts;
 };
 
-Samples samples_of(const BlockPaths& paths, std::size_t count, const Proposal* proposal) {
+Samples samples_of(const BlockPaths& paths, std::int64_t k, std::size_t count, const Proposal* proposal) {
   Samples samples;
   const Scene& scene = paths.condition->scene;
   const bool has_amplitude = redraws_amplitude(scene);
@@ -47,7 +48,10 @@ Samples samples_of(const BlockPaths& paths, std::size_t count, const Proposal* p
     const double z =
         count < 2 ? 0.0 : amplitude_reach * (2.0 * static_cast<double>(j) / (static_cast<double>(count) - 1.0) - 1.0);
     DrawHistory history;
-    if (has_amplitude) history.given.push_back({Source::amplitude, z});
+    if (has_amplitude) {
+      history.given.push_back({Source::amplitude, z, static_cast<std::uint64_t>(k)});
+      samples.amplitudes.push_back(z);
+    }
     samples.given.push_back(std::move(history));
     samples.weights.push_back(has_amplitude ? base::normal_density(z) : 1.0);
     sum += samples.weights.back();
@@ -130,8 +134,9 @@ double Guide::score(std::int64_t k, const SectionPoint& point) const {
 
 Transitions transitions_of(const BlockPaths& paths, const SectionGrid& grid, std::int64_t k, std::size_t samples,
                            unsigned threads, const Proposal* proposal) {
-  const Samples all = samples_of(paths, samples, proposal);
-  Transitions transitions{.weights = all.weights, .images = std::vector<Image>(grid.size() * samples)};
+  const Samples all = samples_of(paths, k, samples, proposal);
+  Transitions transitions{
+      .weights = all.weights, .images = std::vector<Image>(grid.size() * samples), .amplitudes = all.amplitudes};
   constexpr std::size_t nodes_at_once = 64;
   std::atomic<std::size_t> next = 0;
   base::on_threads(
@@ -205,14 +210,43 @@ BlockPopulation::Particle BlockPopulation::begin(std::size_t i, SharedExcitation
     particle.first_score = 1.0 / (root * std::sqrt(root));
     *particle.history = given_draws(condition.scene, paths_->numbers.once, point);
   }
+  if (redraws_amplitude(condition.scene)) static_cast<void>(draw_amplitude(particle, 0, plan_.first_amplitude));
   const random::BranchedDraws draws(own, particle.history.get());
   const Start start = start_of(condition.scene, draws);
-  const Beginning beginning = begin_realisation(condition, draws, start, Strobe::poincare, 1);
+  const Beginning beginning = begin_realisation(condition, draws, start, Strobe::poincare, plan_.strobe_points);
   const dynamics::Excitation& shaking = excitation.of(condition.scene, beginning);
   particle.motion = std::make_unique<StrobedMotion>(
       [&](dynamics::Observer& observer) { return motion_of(beginning, observer, shaking); });
   if (paths_->event.is_overturning()) particle.motion->motion().ignore_peaks();
   return particle;
+}
+
+/// Draws the normal number of the amplitude of a period by this law, in a part of the cases by its own one, so that the
+/// likelihood ratio, by which it multiplies that of the particle, is at most 1/own_share. Whether the number is another
+/// one than that of the particle's draws.
+bool BlockPopulation::draw_amplitude(Particle& particle, std::int64_t period, const NormalLaw& law) const {
+  constexpr double own_share = 0.5;  // a wrong law makes weights spread by this in each period
+  constexpr double like_own = 0.05;
+  constexpr std::uint64_t choices = std::uint64_t{1} << 32U;
+  if (std::abs(law.mean) < like_own && std::abs(law.width - 1.0) < like_own) return false;
+  const auto index = static_cast<std::uint64_t>(period);
+  const auto& branches = particle.history->branches;
+  const random::Draws draws(paths_->seed, branches.empty() ? particle.number : branches.back().number);
+  const bool is_own = draws.uniform(Source::rare_choice, choices + index) < own_share;
+  double number = draws.standard_normal(Source::amplitude, index);
+  if (!is_own) {
+    number = law.mean + law.width * number;
+    particle.history->given.push_back({Source::amplitude, number, index});
+  }
+  const double own = base::normal_density(number);
+  const double other = base::normal_density((number - law.mean) / law.width) / law.width;
+  particle.likelihood_ratio *= own / (own_share * own + (1.0 - own_share) * other);
+  return !is_own;
+}
+
+double BlockPopulation::first_amplitude(std::size_t i) const {
+  const random::Draws own(paths_->seed, particles_[i].number);
+  return random::BranchedDraws(own, particles_[i].history.get()).standard_normal(Source::amplitude, 0);
 }
 
 Image::Fate BlockPopulation::fate(std::size_t i) const {
@@ -242,6 +276,7 @@ void BlockPopulation::branch(std::size_t i, std::size_t parent, const Stream& st
   child.has_left = false;
   Motion& motion = child.motion->motion();
   SceneCoefficients coefficients = motion.coefficients();
+  coefficients.draw_amplitude_again(motion.clock());
   child.history->branches.push_back({.number = number_of(stream), .from = coefficients.first_unused()});
   coefficients.continue_with({random::Draws(paths_->seed, child.number), child.history.get()});
   motion.continue_with(coefficients);
@@ -250,11 +285,21 @@ void BlockPopulation::branch(std::size_t i, std::size_t parent, const Stream& st
 void BlockPopulation::advance() {
   std::vector<StrobedMotion*> going;
   for (Particle& particle : particles_) {
-    if (particle.has_left || fate_of(particle.motion->motion(), paths_->event) != Image::Fate::moves_on) continue;
+    Motion& motion = particle.motion->motion();
+    if (particle.has_left || fate_of(motion, paths_->event) != Image::Fate::moves_on) continue;
     particle.likelihood_ratio = 1.0;
-    particle.motion->motion().extend(1);
+    const NormalLaw law = plan_.guide == nullptr
+                              ? NormalLaw{}
+                              : plan_.guide->committor.amplitude(strobe_point_, point_of(*particle.motion));
+    if (draw_amplitude(particle, strobe_point_, law)) {
+      SceneCoefficients coefficients = motion.coefficients();
+      coefficients.draw_amplitude_again(motion.clock());
+      motion.continue_with(coefficients);
+    }
+    motion.extend(1);
     going.push_back(particle.motion.get());
   }
+  ++strobe_point_;
   run(going);
 }
 

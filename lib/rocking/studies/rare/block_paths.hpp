@@ -75,13 +75,15 @@ struct PopulationPlan {
   std::uint64_t repetition = 0;
   const Guide* guide = nullptr;        ///< null: all scores are 1
   const Proposal* proposal = nullptr;  ///< of the numbers drawn once; null: their own law
+  NormalLaw first_amplitude = {};      ///< with which that before strobe point 1 is drawn, if it is drawn each period
   bool keeps_paths = false;
+  std::int64_t strobe_points = 1;  ///< to which motions run at first
 };
 
 /// Motions of a condition with draws along the way, from their start on. Models rare::Population.
 class BlockPopulation {
  public:
-  /// At strobe point 1 each. Functions throw as Halt::check. The paths and what the plan refers to must outlive it.
+  /// At the strobe point of the plan each. Functions throw as Halt::check. The paths and what the plan refers to must outlive it.
   BlockPopulation(const BlockPaths& paths, const PopulationPlan& plan);
 
   [[nodiscard]] std::size_t size() const { return particles_.size(); }
@@ -92,6 +94,8 @@ class BlockPopulation {
   /// The largest abs(Theta), abs(Theta') and abs(V) for which a score was asked while h was below 0.9.
   [[nodiscard]] const SectionPoint& reach() const { return reach_; }
   [[nodiscard]] SectionPoint point(std::size_t i) const;
+  /// The normal number of its amplitude before strobe point 1.
+  [[nodiscard]] double first_amplitude(std::size_t i) const;
   /// The numbers that particle i had drawn at first; empty without a proposal.
   [[nodiscard]] const Point& drawn_at_first(std::size_t i) const { return drawn_at_first_[i]; }
   void branch(std::size_t i, std::size_t parent, const Stream& stream);
@@ -117,6 +121,7 @@ class BlockPopulation {
   };
 
   [[nodiscard]] Particle begin(std::size_t i, SharedExcitation& excitation);
+  [[nodiscard]] bool draw_amplitude(Particle& particle, std::int64_t period, const NormalLaw& law) const;
   void run(const std::vector<StrobedMotion*>& motions);
 
   const BlockPaths* paths_;
@@ -126,6 +131,7 @@ class BlockPopulation {
   std::vector<KeptPath> kept_;
   std::vector<Point> drawn_at_first_;
   SectionPoint reach_;
+  std::int64_t strobe_point_ = 1;
   double work_ = 0.0;
 };
 

@@ -79,6 +79,11 @@ class SectionGrid {
   std::optional<SectionAxis> slip_rate_;
 };
 
+struct NormalLaw {
+  double mean = 0.0;
+  double width = 1.0;
+};
+
 /// Where a motion that starts in a node is a period later.
 struct Image {
   enum class Fate : std::uint8_t {
@@ -95,6 +100,24 @@ struct Image {
 struct Transitions {
   std::vector<double> weights;
   std::vector<Image> images;
+  std::vector<double> amplitudes = {};  ///< of each sample, the normal number of its amplitude; empty: none is given
+};
+
+/// The first two moments of a normal number, of samples with weights.
+class NormalFit {
+ public:
+  void add(double weight, double number) {
+    sum_ += weight;
+    first_ += weight * number;
+    second_ += weight * number * number;
+  }
+  /// A little wider than the samples, which are few. Without any, the standard normal law.
+  [[nodiscard]] NormalLaw law() const;
+
+ private:
+  double sum_ = 0.0;
+  double first_ = 0.0;
+  double second_ = 0.0;
 };
 
 /// h(k, z): estimate of the probability that the event happens between strobe point k and the last one, number
@@ -102,7 +125,7 @@ struct Transitions {
 ///
 ///     h(k, node i) = sum over j of weights[j] h(k + 1, image j of node i),   h(periods, z) = 0
 ///
-/// with h = 1 at the event. The eighth root of h is interpolated: h falls off over many orders of magnitude between
+/// with h = 1 at the event, and of the given amplitudes the moments under weights[j] h(k + 1, image j). The eighth root of h is interpolated: h falls off over many orders of magnitude between
 /// nodes, and it may be 0.
 class Committor {
  public:
@@ -118,15 +141,31 @@ class Committor {
   [[nodiscard]] double operator()(std::int64_t k, const SectionPoint& point) const;
   /// h(k, node).
   [[nodiscard]] double at_node(std::int64_t k, std::size_t node) const;
+  /// Of the amplitude between strobe points k and k + 1, given that the event happens: its normal number is about so.
+  [[nodiscard]] NormalLaw amplitude(std::int64_t k, const SectionPoint& point) const;
 
  private:
+  struct Nodes {
+    std::vector<float> roots;   ///< h^(1/8)
+    std::vector<float> means;   ///< of the amplitude, times the roots; empty: none is given
+    std::vector<float> widths;  ///< likewise
+  };
+  /// An image with its place on the grid.
+  struct PlacedImage {
+    Image::Fate fate;
+    SectionGrid::Place place;
+  };
+  [[nodiscard]] std::vector<PlacedImage> placed(const std::vector<Image>& images) const;
+  /// `next`: the roots one period later.
+  [[nodiscard]] Nodes one_period_before(const Transitions& transitions, const std::vector<PlacedImage>& images,
+                                        const std::vector<float>& next) const;
   /// Of a long horizon, h is kept for every `stride_`-th number of remaining periods.
-  [[nodiscard]] const std::vector<float>& roots(std::int64_t k) const;
+  [[nodiscard]] const Nodes& nodes(std::int64_t k) const;
 
   SectionGrid grid_;
   std::int64_t periods_;
   std::int64_t stride_;
-  std::vector<std::vector<float>> roots_;  ///< h^(1/8) at the nodes, by remaining periods over the stride
+  std::vector<Nodes> nodes_;  ///< by remaining periods over the stride
 };
 
 [[nodiscard]] inline double eighth_power(double x) {

@@ -18,6 +18,7 @@ class ImportanceEstimator final : public Estimator {
               .work = search_.work};
   }
 
+  [[nodiscard]] RareMethod method() const override { return RareMethod::importance_sampling; }
   [[nodiscard]] const Pilot& pilot() const override { return pilot_; }
   [[nodiscard]] Repetition repeat(std::uint64_t repetition) const override {
     return repeat_importance(points_, plan_, search_.proposal, repetition);
@@ -61,8 +62,12 @@ class TwistedEstimator final : public Estimator {
         plan_{.seed = paths.seed, .periods = paths.periods()},
         proposal_(paths.numbers.once.size()) {
     find_guide();
+    if (is_plain_) sample_plainly();
   }
 
+  [[nodiscard]] RareMethod method() const override {
+    return is_plain_ ? RareMethod::plain_sampling : RareMethod::twisted_run;
+  }
   [[nodiscard]] const Pilot& pilot() const override { return pilot_; }
   [[nodiscard]] Repetition repeat(std::uint64_t repetition) const override {
     BlockPopulation population(*paths_, plan_of(particles_, repetition));
@@ -75,18 +80,52 @@ class TwistedEstimator final : public Estimator {
     static_cast<void>(TwistedRun(population, plan_, repetition).run());
     return population.kept();
   }
-  [[nodiscard]] std::optional<CommittorMap> committor() const override { return map_of(guide_->committor); }
+  [[nodiscard]] std::optional<CommittorMap> committor() const override {
+    return guide_ ? std::optional(map_of(guide_->committor)) : std::nullopt;
+  }
 
  private:
   static constexpr std::size_t pilot_particles = 1000;
+  static constexpr std::size_t many = 25;  ///< of them with the event: the pilot runs would cost more than they gain
   static constexpr double margin = 1.05;
 
   [[nodiscard]] PopulationPlan plan_of(std::size_t particles, std::uint64_t repetition) const {
-    return {
-        .particles = particles, .repetition = repetition, .guide = guide_ ? &*guide_ : nullptr, .proposal = proposal()};
+    return {.particles = particles,
+            .repetition = repetition,
+            .guide = guide_ ? &*guide_ : nullptr,
+            .proposal = proposal(),
+            .first_amplitude = first_amplitude_,
+            .strobe_points = strobe_points_};
   }
 
   [[nodiscard]] const Proposal* proposal() const { return proposal_.dimensions() > 0 ? &proposal_ : nullptr; }
+
+  /// From now on a repetition runs all particles by their own law to the horizon at once.
+  void sample_plainly() {
+    guide_.reset();
+    first_amplitude_ = {};
+    proposal_ = Proposal(proposal_.dimensions());
+    plan_.periods = 1;
+    strobe_points_ = paths_->periods();
+  }
+
+  /// Whether plain sampling would have a smaller variance in the same time as this run, which has the variance of its
+  /// sums over first ancestors: these are nearly independent (Chan & Lai 2013).
+  [[nodiscard]] static bool is_inferior(const Repetition& found, const TwistedRun<BlockPopulation>& run) {
+    constexpr double cost = 2.0;  // of simulated time, since every particle stops in each period
+    double squares = 0.0;
+    double of_ancestor = 0.0;
+    double sum = 0.0;
+    for (std::size_t i = 0; i < run.found().size(); ++i) {
+      of_ancestor += run.found()[i].weight;
+      const bool is_last = i + 1 == run.found().size() || run.found()[i + 1].ancestor != run.found()[i].ancestor;
+      if (!is_last) continue;
+      squares += of_ancestor * of_ancestor;
+      sum += of_ancestor;
+      of_ancestor = 0.0;
+    }
+    return sum > 0.0 && cost * found.work * squares / (sum * sum) * found.estimate > 1.0;
+  }
 
   /// The reach of a run, and whether it saw the event.
   SectionPoint run_pilot(std::uint64_t number) {
@@ -96,6 +135,7 @@ class TwistedEstimator final : public Estimator {
     const Repetition found = run.run();
     pilot_.work += found.work;
     pilot_.found_event = found.estimate > 0.0;
+    is_plain_ = number == 0 ? found.ancestors >= many : is_inferior(found, run);
     if (proposal() != nullptr) collect(population, run);
     return population.reach();
   }
@@ -162,6 +202,7 @@ class TwistedEstimator final : public Estimator {
   /// Coarse grids find the reach, a fine one steers the repetitions.
   void find_guide() {
     const SectionPoint seen = run_pilot(0);
+    if (is_plain_) return;
     const SectionPoint farthest{.tilt = std::max(1.3, 1.5 * seen.tilt),
                                 .tilt_rate = std::max(least_reach, 1.5 * seen.tilt_rate),
                                 .slip_rate = 1.5 * seen.slip_rate};
@@ -217,14 +258,24 @@ class TwistedEstimator final : public Estimator {
     guide_->least = least_score();
   }
 
-  /// A part of the mean of h over the beginnings of trajectories.
+  /// A part of the mean of h over the beginnings of trajectories; from these also the law of their amplitudes.
   [[nodiscard]] double least_score() {
     constexpr double part = 0.03;
     constexpr double smallest = 1e-30;
+    first_amplitude_ = {.mean = 0.0, .width = 2.5};
     BlockPopulation population(*paths_, plan_of(pilot_particles, most_repetitions));
     pilot_.work += population.work();
     double mean = 0.0;
-    for (std::size_t i = 0; i < population.size(); ++i) mean += guide_->committor(1, population.point(i));
+    NormalFit fit;
+    for (std::size_t i = 0; i < population.size(); ++i) {
+      const double of_once = proposal() == nullptr ? 1.0 : proposal_.likelihood_ratio(population.drawn_at_first(i));
+      const bool is_over = population.fate(i) == Image::Fate::event;
+      const double h =
+          population.likelihood_ratio(i) / of_once * (is_over ? 1.0 : guide_->committor(1, population.point(i)));
+      mean += h;
+      fit.add(h, population.first_amplitude(i));
+    }
+    first_amplitude_ = fit.law();
     return std::max(smallest, part * mean / static_cast<double>(population.size()));
   }
 
@@ -233,6 +284,9 @@ class TwistedEstimator final : public Estimator {
   unsigned threads_;
   TwistedPlan plan_;
   std::optional<Guide> guide_;
+  std::int64_t strobe_points_ = 1;    ///< as that of PopulationPlan
+  bool is_plain_ = false;             ///< what the last pilot run says
+  NormalLaw first_amplitude_;         ///< with which it is drawn
   Proposal proposal_;                 ///< of the numbers drawn once
   std::vector<WeightedPoint> found_;  ///< those of pilot runs that had the event
   Pilot pilot_;

@@ -20,6 +20,7 @@ class Estimator {
   Estimator& operator=(const Estimator&) = delete;
   virtual ~Estimator() = default;
 
+  [[nodiscard]] virtual RareMethod method() const = 0;
   [[nodiscard]] virtual const Pilot& pilot() const = 0;
   /// The trajectories with the event of a repetition, with weights whose sum is in proportion to its estimate.
   [[nodiscard]] virtual std::vector<KeptPath> paths_of(std::uint64_t repetition) const = 0;
@@ -31,6 +32,7 @@ class Estimator {
 /// More are never made; numbers from here on belong to pilot runs.
 inline constexpr std::uint64_t most_repetitions = 20'000;
 
+/// That before the pilot runs.
 [[nodiscard]] RareMethod method_of(const Scene& scene);
 
 /// The estimator for these paths, with this number of particles, after its pilot runs. The paths must outlive it.

@@ -38,10 +38,11 @@ struct StrobeState {
 
 /// A trajectory that has the event, and the random numbers that make it again (lib/docs/draws.md).
 struct Path {
-  /// In place of draw 0 of a source, by the name of the source.
+  /// In place of a draw of a source, by the name of the source.
   struct Given {
     std::string source;
     double number = 0.0;
+    std::uint64_t index = 0;
   };
   /// From these indices on, by the number of the source, the normal draws along the way are those of this number.
   struct Branch {
@@ -103,9 +104,11 @@ inline constexpr std::array<std::string_view, 4> rare_diagnosis_names{"none", "n
 enum class RareMethod : std::uint8_t {
   twisted_run,          ///< a particle run that the committor steers; numbers are drawn along the way
   importance_sampling,  ///< of numbers that are all drawn once
+  plain_sampling,       ///< numbers are drawn along the way, and the pilot runs expect no gain from a twisted run
 };
 /// Their names, in their order.
-inline constexpr std::array<std::string_view, 2> rare_method_names{"twisted_run", "importance_sampling"};
+inline constexpr std::array<std::string_view, 3> rare_method_names{"twisted_run", "importance_sampling",
+                                                                   "plain_sampling"};
 [[nodiscard]] constexpr std::string_view to_string(RareMethod method) {
   return rare_method_names[static_cast<std::size_t>(method)];
 }

@@ -76,7 +76,7 @@ class ConditionStudy {
       result_.interval = {0.0, 1.0};
       result_.diagnosis = RareDiagnosis::few_repetitions;
     }
-    result_.method = rare::method_of(condition_->scene);
+    if (result_.method != RareMethod::plain_sampling) result_.method = rare::method_of(condition_->scene);
     end_with_present(why);
     const bool is_complete = result_.end == RareEnd::precise || result_.end == RareEnd::most_repetitions;
     if (!is_complete) result_.paths.clear();
@@ -142,8 +142,8 @@ class ConditionStudy {
   }
 
   void begin() {
-    result_.method = rare::method_of(condition_->scene);
     estimator_ = estimator_of(paths_, request_->particles, settings_->threads);
+    result_.method = estimator_->method();
     result_.levels = estimator_->pilot().levels;
     result_.reached = estimator_->pilot().reached;
     result_.pilot_work = estimator_->pilot().work;

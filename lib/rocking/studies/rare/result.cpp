@@ -106,7 +106,8 @@ static const StructType& fields_of(const Path::Given*) {
   static const StructType fields{
       "RareGiven",
       field<&Given::source>("source", "name of the source"),
-      field<&Given::number>("number", "in place of its draw 0"),
+      field<&Given::number>("number", "in place of its draw"),
+      field<&Given::index>("index", "of the draw"),
   };
   return fields;
 }

@@ -35,6 +35,11 @@ std::string warning_about(const RareEstimate& found) {
   return "";
 }
 
+std::string method_words(const RareEstimate& found) {
+  const bool is_plain = found.method == RareMethod::plain_sampling;
+  return is_plain ? "sampled plainly: the pilot runs, before the first repetition, expected no gain from steering" : "";
+}
+
 std::string end_of(const RareEstimate& found) {
   switch (found.end) {
     case RareEnd::precise: return "";
@@ -85,7 +90,8 @@ std::string rare_table(const RareReport& report) {
                {number(estimate.probability, 3), number(estimate.interval.low, 3), number(estimate.interval.high, 3),
                 in_per_cent(estimate.relative_error), look::whole(estimate.repetitions.size()),
                 number(estimate.work, 3), number(estimate.crude_work, 3)}));
-    for (const std::string& note : {end_of(estimate), warning_about(estimate), unresolved_words(estimate)}) {
+    for (const std::string& note :
+         {method_words(estimate), end_of(estimate), warning_about(estimate), unresolved_words(estimate)}) {
       if (note.empty()) continue;
       notes += (conditions.size() > 1 ? "condition " + std::to_string(c) + ": " : "") + note + ".\n";
     }

@@ -100,7 +100,7 @@ Path path_of(const BlockPaths& paths, std::uint64_t number, const random::DrawHi
   Path path;
   path.number = number;
   for (const random::GivenDraw& draw : history.given) {
-    path.given.push_back({std::string(to_string(draw.source)), draw.number});
+    path.given.push_back({std::string(to_string(draw.source)), draw.number, draw.index});
   }
   for (const random::Branch& branch : history.branches) {
     path.branches.push_back({.number = branch.number, .from = {branch.from.begin(), branch.from.end()}});

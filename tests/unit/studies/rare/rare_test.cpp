@@ -85,6 +85,33 @@ TEST(BlockPopulation, BranchesShareThePastAndNotTheFuture) {
   }
 }
 
+// The amplitude of a period is drawn before the strobe point at its beginning: a branch there draws it again.
+TEST(BlockPopulation, BranchesDrawTheAmplitudeOfTheComingPeriod) {
+  Condition condition = fluctuating();
+  condition.scene.friction.reset();
+  condition.scene.fluctuation = {.amplitude = 0.6};
+  const BlockPaths paths = paths_of(condition);
+  BlockPopulation population(paths, {.particles = 2, .repetition = 1});
+  population.branch(1, 0, {.repetition = 1, .stage = 1, .particle = 1, .move = 0});
+  EXPECT_EQ(population.point(1).tilt, population.point(0).tilt);
+  population.advance();
+  EXPECT_NE(population.point(1).tilt, population.point(0).tilt);
+}
+
+// To the horizon at once: what the motions have at the last strobe point.
+TEST(BlockPopulation, RunsToTheStrobePointOfItsPlan) {
+  const Condition condition = fluctuating();
+  const BlockPaths paths = paths_of(condition);
+  BlockPopulation by_periods(paths, {.particles = 20, .repetition = 1});
+  run_to_horizon(by_periods, paths);
+  const BlockPopulation at_once(paths, {.particles = 20, .repetition = 1, .strobe_points = paths.periods()});
+  for (std::size_t i = 0; i < at_once.size(); ++i) {
+    EXPECT_EQ(at_once.fate(i), by_periods.fate(i));
+    if (at_once.fate(i) != Image::Fate::moves_on) continue;
+    EXPECT_EQ(at_once.point(i).tilt, by_periods.point(i).tilt);
+  }
+}
+
 TEST(BlockPoints, HaveTheScoresOfRealisationsWithTheseNumbers) {
   const Condition condition = drawn_once();
   const BlockPaths paths = paths_of(condition);
@@ -125,6 +152,23 @@ TEST(SectionGrid, GivesALinearFunctionExactly) {
     EXPECT_NEAR(grid.interpolated(values, grid.place(p)), linear(p), 1e-5);
   }
   EXPECT_NEAR(grid.interpolated(values, grid.place({9.0, 0.0, 0.0})), 8.0, 1e-5) << "the edge";
+}
+
+// Two of three samples have the event, the third does not: the mean of the numbers of the two, and their scatter.
+TEST(Committor, TellsTheAmplitudesWithWhichTheEventHappens) {
+  const SectionGrid grid({.inner = 1.0, .outer = 2.0, .inner_cells = 1, .outer_cells = 1},
+                         {.inner = 1.0, .outer = 2.0, .inner_cells = 1, .outer_cells = 1});
+  Transitions some{.weights = {0.5, 0.3, 0.2}, .images = {}, .amplitudes = {-1.0, 1.0, 3.0}};
+  for (std::size_t i = 0; i < grid.size(); ++i) {
+    some.images.push_back({.fate = Image::Fate::ends, .point = {}});
+    some.images.push_back({.fate = Image::Fate::event, .point = {}});
+    some.images.push_back({.fate = Image::Fate::event, .point = {}});
+  }
+  const Committor committor(grid, {&some, 1}, 3);
+  const auto law = committor.amplitude(1, {0.4, -0.2});
+  EXPECT_NEAR(law.mean, (0.3 * 1.0 + 0.2 * 3.0) / 0.5, 1e-5);
+  EXPECT_NEAR(law.width, std::sqrt(0.3 * 0.2 / 0.25 * 4.0 + 0.09), 1e-5);
+  EXPECT_EQ(committor.amplitude(3, {}).width, 1.0) << "at the end nothing happens any more";
 }
 
 // A motion that stays in its node, and has the event with probability 1/4 in each period.

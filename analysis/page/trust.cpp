@@ -232,7 +232,8 @@ std::string trust_in_full(const std::vector<Check>& checks) {
                            check.where);
   }
   return "<p>Possible causes of a wrong result, and what was found:</p>\n<ul class=\"checks all\">\n" + entries +
-         "</ul>\n<p><code>rocking trajectory</code> with this folder and the numbers of a condition and a realisation prints "
+         "</ul>\n<p><code>rocking trajectory</code> with this folder and the numbers of a condition and a realisation "
+         "prints "
          "this realisation in full.</p>\n";
 }
 

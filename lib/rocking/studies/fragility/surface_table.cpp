@@ -37,7 +37,7 @@ std::string median_in_words(const SurfaceMedian& median) {
 
 /// Whether y matters, and where the medians are.
 std::string answer_of(const FragilitySurface& surface) {
-  const auto& [x, y] = surface.measures;
+  const std::string &x = surface.measures[0], &y = surface.measures[1];
   const bool matters = surface.second->p_value && *surface.second->p_value <= stats::surface_significance;
   const SurfaceMedian &low = surface.medians.at(0), &high = surface.medians.at(1);
   const auto median = [&x](const SurfaceMedian& at, const std::string& quartile) {

@@ -125,8 +125,8 @@ class NormalFit {
 ///
 ///     h(k, node i) = sum over j of weights[j] h(k + 1, image j of node i),   h(periods, z) = 0
 ///
-/// with h = 1 at the event, and of the given amplitudes the moments under weights[j] h(k + 1, image j). The eighth root of h is interpolated: h falls off over many orders of magnitude between
-/// nodes, and it may be 0.
+/// with h = 1 at the event, and of the given amplitudes the moments under weights[j] h(k + 1, image j). The eighth root of
+/// h is interpolated: h falls off over many orders of magnitude between nodes, and it may be 0.
 class Committor {
  public:
   /// `transitions`: one for all periods, or that of each period k to k + 1, k = 1 ... periods - 1.

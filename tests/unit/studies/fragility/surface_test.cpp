@@ -90,7 +90,7 @@ struct Small {
 // The record decides beside both measures: if the trials counted as independent, most p-values would be small.
 TEST(SurfaceTests, HavePValuesThatAreAboutUniformWhereThereIsNothing) {
   support::FalseAlarms alarms;
-  constexpr int suites = 200;
+  constexpr int suites = 400;
   Small second, interaction;
   for (int i = 0; i < suites; ++i) {
     const auto first = 2026 + 7919 * static_cast<std::uint64_t>(i);

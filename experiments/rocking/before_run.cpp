@@ -105,12 +105,17 @@ ExitCode show_plan(const Experiment& experiment, const std::optional<Shard>& sha
 }
 
 CLI::Option* add_status(CLI::App& command, std::string& folder) {
-  return command
-      .add_option("--status", folder,
-                  "Print how many realisations of the run in DIR are finished, missing and failed, also while it is in "
-                  "progress, and its remaining time; only reads")
-      ->transform(run_folder())
-      ->type_name("DIR");
+  const std::vector<CLI::Option*> others = command.get_options();
+  CLI::Option* status =
+      command
+          .add_option(
+              "--status", folder,
+              "Print how many realisations of the run in DIR are finished, missing and failed, also while it is in "
+              "progress, and its remaining time; only reads")
+          ->transform(run_folder())
+          ->type_name("DIR");
+  for (CLI::Option* other : others) status->excludes(other);
+  return status;
 }
 
 ExitCode show_status(const std::string& folder, const Loudness& loudness) {

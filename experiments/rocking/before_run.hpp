@@ -21,7 +21,7 @@ void tell_ground_motion_notes(const Experiment& experiment);
 [[nodiscard]] ExitCode show_plan(const Experiment& experiment, const std::optional<Shard>& shard,
                                  const ExecutionOptions& execution);
 
-/// Adds `--status`.
+/// Adds `--status`, which goes with none of the options that the command has.
 CLI::Option* add_status(CLI::App& command, std::string& folder);
 
 /// Prints the progress of the run in a folder.

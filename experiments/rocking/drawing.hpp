@@ -24,7 +24,7 @@ namespace rocking::program {
 [[nodiscard]] std::vector<analysis::Figure> figures_of(const RunFolder& folder, const Report& report,
                                                        const std::optional<HazardCurve>& hazard = std::nullopt);
 
-/// The importance of a picture to a command. The purpose of `report` is to draw, so that they fail without
+/// The importance of a picture to a command. The purpose of `report` is to draw, so that it fails without
 /// it. For `run` and `resume` it is an addition: the results are complete, and a cluster would run them again
 /// after a failure.
 enum class PictureRole : std::uint8_t { purpose, addition };

@@ -62,9 +62,10 @@ void add_resume(CLI::App& app, Action& action, const ProcessPool& pool) {
           ->expected(1)
           ->allow_extra_args(false)
           ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  shards->excludes(realisations)->excludes(levels);
   add_threads(*command, request->execution);
   add_max_time(*command, request->execution);
+  shards->excludes(realisations)->excludes(levels);
+  for (const char* flag : {"--threads", "--max-time"}) shards->excludes(command->get_option(flag));
   add_page_choice(*command, request->execution.page);
   add_extent(*command, request->execution.extent);
   add_loudness(*command, request->execution.loudness);

@@ -64,8 +64,8 @@ void add_run(CLI::App& app, Action& action, const ProcessPool& pool) {
   add_extent(*command, request->execution.extent);
   const auto dry_run = command->add_flag("--dry-run", request->dry_run,
                                          "Print what would be done, with the time, and stop; writes nothing");
-  CLI::Option* status = add_status(*command, request->running)->excludes(experiment);
   command->add_flag("--overwrite", request->run.overwrite, "Replace the run in the folder when this one is complete");
+  CLI::Option* status = add_status(*command, request->running);
   add_loudness(*command, request->execution.loudness);
   command->final_callback([&action, request, experiment, folder, dry_run, status] {
     const bool is_new = status->empty();

@@ -334,6 +334,16 @@ TEST_F(Terminal, KnowsFormerCommandsAndTellsTheirNames) {
   }
 }
 
+TEST_F(Terminal, IsToldWhichFlagsWouldBeIgnored) {
+  ASSERT_EQ(rocking("run quick.json -q --no-page -o out").exit_code, 0);
+  for (const char* command : {"run --status out --seed 3", "run --status out -o other", "run quick.json --status out",
+                              "resume whole out -j 2", "resume whole out --max-time 1h", "resume whole out --levels 1",
+                              "report out --from 3", "report one.json -o drawn --format csv"}) {
+    EXPECT_EQ(rocking(command).exit_code, 64) << command;
+  }
+  EXPECT_EQ(rocking("run --status out --json -q").exit_code, 0);
+}
+
 TEST_F(Terminal, TakesAFileOfARunForItsFolder) {
   ASSERT_EQ(rocking("run quick.json -q -o out").exit_code, 0);
   for (const char* file : {"report.json", "report.html", "realisations.sqlite"}) {

@@ -13,6 +13,7 @@
 #include <new>
 #include <numbers>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -245,6 +246,35 @@ TEST(Lanes, ComeInTheWidthsOfTheInstructionSets) {
 #if defined(__AVX2__)
   EXPECT_THAT(widths, testing::Contains(8));
 #endif
+}
+
+/// The order of lanes of 1, 8 and 16 by the time of a run in each, in turn for each trial.
+std::vector<int> order_by(const std::vector<double>& of_eight, const std::vector<double>& of_sixteen) {
+  std::vector<lanes::Kernels> kernels(3);
+  kernels[0].lanes = 1;
+  kernels[1].lanes = 8;
+  kernels[2].lanes = 16;
+  std::size_t eights = 0;
+  std::size_t sixteens = 0;
+  const auto sorted = lanes::fastest_last(kernels, [&](const lanes::Kernels& tried) {
+    EXPECT_NE(tried.lanes, 1) << "it is never the fastest";
+    return tried.lanes == 8 ? of_eight.at(eights++) : of_sixteen.at(sixteens++);
+  });
+  std::vector<int> order;
+  for (const lanes::Kernels& some : sorted) order.push_back(some.lanes);
+  return order;
+}
+
+TEST(Lanes, AreTheNarrowerOnesWhereTheseAreClearlyFaster) {
+  EXPECT_THAT(order_by({0.90, 0.90, 0.90}, {1.0, 1.0, 1.0}), testing::ElementsAre(1, 16, 8));
+  EXPECT_THAT(order_by({0.97, 0.97, 0.97}, {1.0, 1.0, 1.0}), testing::ElementsAre(1, 8, 16)) << "not clearly";
+  EXPECT_THAT(order_by({5.0, 0.90, 5.0}, {1.0, 9.0, 9.0}), testing::ElementsAre(1, 16, 8)) << "the best of each counts";
+  EXPECT_THAT(order_by({0.90, 0.90, 0.90}, {9.0, 9.0, 0.90}), testing::ElementsAre(1, 8, 16)) << "up to the last trial";
+}
+
+TEST(Lanes, AreNotTriedWhereThereIsOneWidth) {
+  const auto never = [](const lanes::Kernels&) -> double { throw std::logic_error("tried"); };
+  EXPECT_THAT(lanes::fastest_last(std::vector<lanes::Kernels>(2), never), testing::SizeIs(2));
 }
 
 TEST(Lanes, AllocateNothingInTheInnerLoop) {

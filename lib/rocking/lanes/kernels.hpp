@@ -3,8 +3,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "rocking/dynamics/excitation/excitation.hpp"
 #include "rocking/dynamics/motion_series.hpp"
@@ -56,8 +58,17 @@ struct Kernels {
   ByKind advance_with_tangents;
 };
 
+/// Processor time of a run in these lanes, in seconds.
+using SecondsOfTrial = std::function<double(const Kernels&)>;
+
+/// Kernels in the order of their width, but the last two exchanged if the narrower ones take less than
+/// `narrow_advantage` of the time in the best of three trials: a processor may compute its widest registers in halves.
+/// One lane of plain doubles is never tried.
+[[nodiscard]] std::vector<Kernels> fastest_last(std::vector<Kernels> kernels, const SecondsOfTrial& seconds);
+inline constexpr double narrow_advantage = 0.95;
+
 /// The kernels that this machine can run: one lane of plain doubles first, the fastest last. Their results have the
-/// same bits.
+/// same bits. The first call compares the widest two, which takes about half a millisecond.
 [[nodiscard]] std::span<const Kernels> available_kernels();
 
 }  // namespace rocking::lanes

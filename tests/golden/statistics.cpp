@@ -20,9 +20,7 @@ int main() {
       const Proportion counts{.successes = n * parts / 100, .trials = n};
       for (const double confidence : {0.9, 0.95, 0.999}) {
         print(wilson(counts, confidence));
-        print(jeffreys(counts, confidence));
         print(clopper_pearson(counts, confidence));
-        print(goodman(counts, confidence, 5));
         const PairedCounts paired{.both = counts.successes / 2,
                                   .first_only = counts.successes - counts.successes / 2,
                                   .second_only = (n - counts.successes) / 3,

@@ -12,7 +12,6 @@ Needs python3-statsmodels and python3-scipy of Debian 12, which cannot be instal
 
 import json
 import math
-import sys
 import warnings
 
 import numpy
@@ -20,15 +19,11 @@ import scipy
 import statsmodels
 from scipy import optimize, stats
 from statsmodels.stats.contingency_tables import mcnemar
-from statsmodels.stats.proportion import multinomial_proportions_confint, proportion_confint
+from statsmodels.stats.proportion import proportion_confint
 
 warnings.filterwarnings("ignore")
 
 CONFIDENCES = (0.8, 0.95, 0.999)
-SAMPLES = (
-    [1, 0, 0, 0], [20, 0, 0, 0], [10], [1, 1], [1, 2], [2, 1, 1], [1, 1, 1, 1, 1], [0, 3, 7], [199, 1, 0, 0],
-    [5, 5, 5, 5, 5, 5, 5], [120, 70, 0, 10], [56, 72, 73, 59, 62, 87, 58], [3, 11, 0, 0, 1, 185],
-    [19000, 900, 100, 0, 0, 0], [4000, 3000, 2000, 600, 300, 99, 1, 0])
 TABLES = ([0, 0, 0, 5], [1, 1, 7, 12], [1, 5, 16, 3], [0, 3, 0, 4], [80, 12, 12, 96], [59, 6, 16, 80], [2, 0, 9, 0],
           [900, 31, 12, 57], [7000, 420, 510, 2070])
 
@@ -37,7 +32,7 @@ def proportion(k, n, confidence):
     """The intervals of one proportion; `seven`: one of seven at once; `not_prespecified`: level = share p, see family.hpp."""
     alpha = 1 - confidence
     row = {"k": k, "n": n, "confidence": confidence}
-    for name, method in (("wilson", "wilson"), ("clopper_pearson", "beta"), ("jeffreys", "jeffreys")):
+    for name, method in (("wilson", "wilson"), ("clopper_pearson", "beta")):
         row[name] = proportion_confint(k, n, alpha, method)
     row["seven"] = proportion_confint(k, n, alpha / 7, "beta")
     half_share = alpha / 14
@@ -51,18 +46,6 @@ def proportion(k, n, confidence):
         high = optimize.brentq(lambda p: stats.binom.logcdf(k, n, p) - math.log(half_share * p), max(k / n, 1e-12),
                                1 - 1e-16, xtol=1e-15)
     row["not_prespecified"] = (low, high)
-    return row
-
-
-def sample(counts, confidence):
-    """Simultaneous intervals; null if statsmodels finds none."""
-    row = {"counts": counts, "confidence": confidence}
-    for name in ("goodman", "sison_glaz"):
-        try:
-            row[name] = multinomial_proportions_confint(counts, 1 - confidence, name.replace("_", "-")).tolist()
-        except Exception as error:  # the class that statsmodels raises
-            row[name] = None
-            print(counts, confidence, name, error, file=sys.stderr)
     return row
 
 
@@ -100,7 +83,6 @@ def main():
         "about": "made by statsmodels_intervals.py, beside this file",
         "versions": {"statsmodels": statsmodels.__version__, "scipy": scipy.__version__, "numpy": numpy.__version__},
         "proportions": [proportion(k, n, c) for k, n in grid for c in CONFIDENCES],
-        "samples": [sample(counts, c) for counts in SAMPLES for c in CONFIDENCES],
         "pairs": [pairs(table) for table in TABLES],
     }
     lines = []

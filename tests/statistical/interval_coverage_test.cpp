@@ -93,12 +93,6 @@ TEST(Wald, BreaksThePromiseSoThisTestCanSee) {
   }
 }
 
-TEST(Jeffreys, CoversTheTruthAboutAsOftenAsItPromisesOnTheAverage) {
-  for (const std::uint64_t n : {5U, 10U, 30U, 100U, 200U}) {
-    EXPECT_NEAR(mean_coverage(&jeffreys, n, 0.95), 0.95, 0.01) << n;
-  }
-}
-
 Interval of_others(const Proportion& proportion, double confidence) {
   return exact_interval(proportion, Family{.prespecified = 6, .confidence = confidence}.of_others());
 }
@@ -148,19 +142,6 @@ Intervals one_prespecified(const Counts& counts, double confidence) {
   const std::uint64_t n = total(counts);
   return {exact_interval({counts[0], n}, family.of_prespecified()), exact_interval({counts[1], n}, family.of_others()),
           exact_interval({counts[2], n}, family.of_others())};
-}
-
-Intervals goodman_of_three(const Counts& counts, double confidence) {
-  Intervals intervals;
-  for (std::size_t i = 0; i < 3; ++i) intervals[i] = goodman({counts[i], total(counts)}, confidence, 3);
-  return intervals;
-}
-
-/// If the method has no answer, the interval is [0, 1].
-Intervals sison_glaz_of_three(const Counts& counts, double confidence) {
-  const auto found = sison_glaz(counts, confidence);
-  if (!found) return {Interval{0.0, 1.0}, Interval{0.0, 1.0}, Interval{0.0, 1.0}};
-  return {(*found)[0], (*found)[1], (*found)[2]};
 }
 
 /// All outcomes of n draws in three categories, each with its intervals and the number of orders that lead to it.
@@ -231,16 +212,6 @@ TEST(Family, CoversAllTruthsAtOnceAlsoOfCategoriesThatWereNotPrespecified) {
   EXPECT_GE(joint_coverage(&one_prespecified, 30, 0.95).least, 0.95);
 }
 
-TEST(Goodman, CoversAllTruthsAboutAsOftenAsItPromisesOnTheAverage) {
-  EXPECT_NEAR(joint_coverage(&goodman_of_three, 30, 0.95).mean, 0.95, 0.02);
-}
-
-TEST(SisonGlaz, CoversLessOftenThanItPromisesForThreeCategories) {
-  const Coverage found = joint_coverage(&sison_glaz_of_three, 30, 0.95);
-  EXPECT_LT(found.mean, 0.9);
-  EXPECT_LT(found.least, 0.82);
-}
-
 std::string per_cent(double probability) {
   std::array<char, 16> text{};
   std::snprintf(text.data(), text.size(), "%.2f", 100.0 * probability);
@@ -258,7 +229,6 @@ std::vector<std::string> rows_of_documents() {
   for (const std::uint64_t n : {10U, 50U, 200U, 1000U}) {
     for (const auto& [name, maker] : {std::pair<const char*, IntervalMaker>{"Wald", &wald},
                                       {"Wilson", &wilson},
-                                      {"Jeffreys", &jeffreys},
                                       {"Clopper-Pearson", &clopper_pearson}}) {
       const double at_a_thousandth = coverage(intervals_of_all_counts(maker, n, 0.95), 0.001);
       add(name, n, {least_coverage(maker, n, 0.95), mean_coverage(maker, n, 0.95), at_a_thousandth});
@@ -267,9 +237,7 @@ std::vector<std::string> rows_of_documents() {
   for (const std::uint64_t n : {10U, 30U}) {
     for (const auto& [name, maker] :
          {std::pair<const char*, SimultaneousMaker>{"Bonferroni, three shares", &bonferroni<3>},
-          {"Bonferroni, one prespecified", &one_prespecified},
-          {"Goodman", &goodman_of_three},
-          {"Sison-Glaz", &sison_glaz_of_three}}) {
+          {"Bonferroni, one prespecified", &one_prespecified}}) {
       const Coverage found = joint_coverage(maker, n, 0.95);
       add(name, n, {found.least, found.mean});
     }

@@ -18,10 +18,8 @@ inline Estimate sample_estimate(std::uint64_t count, std::uint64_t n) {
   const stats::Interval interval{.low = 0.9 * p, .high = 0.1 + 0.9 * p};
   return {.counts = {count, n},
           .estimate = p,
-          .alone = {interval, interval, interval},
-          .simultaneous = {.low = 0.8 * p, .high = 0.2 + 0.8 * p},
-          .goodman = interval,
-          .sison_glaz = interval};
+          .alone = {interval, interval},
+          .simultaneous = {.low = 0.8 * p, .high = 0.2 + 0.8 * p}};
 }
 
 /// An invented report of a grid of two frictions and three amplitudes: (1,1) is replaced by (1,3), some realisations

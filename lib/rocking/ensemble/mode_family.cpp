@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <functional>
-#include <numeric>
 #include <utility>
 
 #include "rocking/stats/interval.hpp"
@@ -35,10 +34,8 @@ struct Category {
 /// The probability of each, in their order.
 std::vector<Estimate> estimates_of(const std::vector<Category>& categories, double confidence,
                                    std::uint64_t without_answer) {
-  std::vector<std::uint64_t> all_counts;
-  for (const Category& each : categories) all_counts.push_back(each.count);
-  const std::uint64_t trials = std::accumulate(all_counts.begin(), all_counts.end(), std::uint64_t{0});
-  const auto of_sison_and_glaz = without_answer == 0 ? stats::sison_glaz(all_counts, confidence) : std::nullopt;
+  std::uint64_t trials = 0;
+  for (const Category& each : categories) trials += each.count;
   std::vector<Estimate> estimates;
   for (const auto& [mode, count, significance] : categories) {
     Estimate estimate;
@@ -52,9 +49,6 @@ std::vector<Estimate> estimates_of(const std::vector<Category>& categories, doub
     });
     estimate.simultaneous =
         covering([&level = significance](const stats::Proportion& each) { return stats::exact_interval(each, level); });
-    estimate.goodman =
-        covering([&](const stats::Proportion& each) { return stats::goodman(each, confidence, categories.size()); });
-    if (of_sison_and_glaz) estimate.sison_glaz = of_sison_and_glaz->at(estimates.size());
     estimates.push_back(estimate);
   }
   return estimates;

@@ -41,8 +41,7 @@ namespace rocking {
                                            std::uint64_t without_answer);
 
 /// Probabilities of the listed modes with their intervals, for a fixed number of realisations >= 1. `confidence` in (0,
-/// 1). The intervals cover every mode that the realisations without an answer may have; those of Sison and Glaz, which
-/// belong to one list of counts, are absent then.
+/// 1). The intervals cover every mode that the realisations without an answer may have.
 [[nodiscard]] std::vector<ModeEstimate> estimate_modes(const ModeTally& listed, double confidence,
                                                        std::uint64_t without_answer = 0);
 

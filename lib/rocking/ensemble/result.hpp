@@ -144,9 +144,6 @@ struct Estimate {
   double estimate = 0.0;
   stats::IntervalsByMethod alone{};  ///< for this mode alone
   stats::Interval simultaneous;      ///< Bonferroni-Clopper-Pearson over all possible modes
-  stats::Interval goodman;           ///< simultaneous over the listed modes
-  /// As goodman; absent if one mode has nearly all realisations, or if some have no answer.
-  std::optional<stats::Interval> sison_glaz;
   /// With `until`: covers for all modes at once, also if the data determined when to stop.
   std::optional<stats::Interval> anytime = std::nullopt;
   std::optional<Corrected> corrected = std::nullopt;  ///< present if labels were checked

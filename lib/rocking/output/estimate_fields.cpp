@@ -47,11 +47,6 @@ static const StructType& fields_of(const Estimate*) {
       inlined<&Estimate::alone>(fields_of_methods()),
       field<&Estimate::simultaneous>("simultaneous", "exact; the intervals of all possible modes hold at once",
                                      rule::share),
-      field<&Estimate::goodman>("simultaneous_goodman", "the intervals of the listed modes hold at once", rule::share),
-      field<&Estimate::sison_glaz>("simultaneous_sison_glaz",
-                                   "the same; null if almost all realisations have one mode, because the method is "
-                                   "then not defined, and if some have no answer",
-                                   rule::share),
       field<&Estimate::corrected>("corrected", "with `check_labels`: from the realisations that were run for longer",
                                   {}, WithoutValue::omitted),
       field<&Estimate::anytime>("anytime",

@@ -3,8 +3,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
-#include <span>
 #include <string_view>
 #include <vector>
 
@@ -63,13 +61,6 @@ struct Proportion {
 /// Source: Wilson (1927), J. Am. Stat. Assoc. 22, 209-212.
 [[nodiscard]] Interval wilson(const Proportion& proportion, double confidence);
 
-/// Equal-tailed posterior interval under Jeffreys's prior: quantiles of Beta(k + 1/2, n - k + 1/2). The lower end is 0
-/// for k = 0 and the upper end is 1 for k = n; otherwise the interval would never cover p near 0 or 1.
-///
-/// Its coverage is right on average over p, as for `wilson`; its centre is nearer to the proportion.
-/// Source: Brown, Cai, DasGupta (2001), Stat. Sci. 16, 101-133.
-[[nodiscard]] Interval jeffreys(const Proportion& proportion, double confidence);
-
 /// Exact interval: those p for which neither tail from the count outwards has a probability below (1 - confidence)/2.
 ///
 ///     P(K >= k | low) = (1 - confidence)/2 (low = 0 for k = 0),   P(K <= k | high) = the same (high = 1 for k = n)
@@ -86,7 +77,6 @@ struct IntervalMethod {
 };
 inline constexpr auto interval_methods =
     std::to_array<IntervalMethod>({{"wilson", "interval for this mode alone: Wilson's", wilson},
-                                   {"jeffreys", "interval for this mode alone: Jeffreys's", jeffreys},
                                    {"clopper_pearson", "interval for this mode alone, exact", clopper_pearson}});
 
 /// In the order of the methods.
@@ -100,29 +90,10 @@ using IntervalsByMethod = std::array<Interval, interval_methods.size()>;
 /// among many rare categories some are expected to occur.
 [[nodiscard]] Interval exact_interval(const Proportion& proportion, const Significance& significance);
 
-/// Interval for one of several categories: `wilson` at level 1 - (1 - confidence)/categories. For large counts only; it
-/// covers all categories at once with about, not at least, the promised probability.
-/// Source: Goodman (1965), Technometrics 7, 247-254.
-[[nodiscard]] Interval goodman(const Proportion& proportion, double confidence, std::size_t categories);
-
 /// The exact interval at level 1 - (1 - confidence)/categories, for one of `categories` >= 1 categories fixed before
 /// there were data. All of these intervals cover at once with probability at least `confidence` (Bonferroni's
 /// inequality).
 [[nodiscard]] Interval bonferroni_clopper_pearson(const Proportion& proportion, double confidence,
                                                   std::size_t categories);
-
-/// Simultaneous intervals k/n - c/n ... k/n + (c + 2 gamma)/n for all categories of a multinomial sample, limited to
-/// [0, 1].
-///
-/// c is the first integer with nu(c) <= confidence < nu(c + 1); gamma interpolates. nu(c) is the probability that every
-/// count of a sample with the observed proportions lies within c of the observed count. It is approximated as by the
-/// authors: truncated Poisson laws, conditioned on their sum by an Edgeworth expansion. nu(0) is exact.
-///
-/// Suitable for seven or more categories of similar size; the width is the same for all, also for rare ones. For few
-/// categories the coverage is lower than promised: for three at 95 % and n = 30 it is 89 % on average. Absent if no c
-/// satisfies the condition: if one category has all trials, nu(0) = 1; if it has nearly all, the expansion stays below
-/// a high confidence for every c. Cost: about n Poisson terms for each category that occurs, since c is about sqrt(n);
-/// some hundred times as much if no c exists. Source: Sison & Glaz (1995), J. Am. Stat. Assoc. 90, 366-369.
-[[nodiscard]] std::optional<std::vector<Interval>> sison_glaz(std::span<const std::uint64_t> counts, double confidence);
 
 }  // namespace rocking::stats

@@ -32,8 +32,6 @@ struct Made {
                       .estimate = static_cast<double>(k) / 100.0,
                       .alone = {},
                       .simultaneous = {0.0, 1.0},
-                      .goodman = {},
-                      .sison_glaz = {},
                       .anytime = stats::Interval{0.25, 0.375}};
     found.modes.push_back({.mode = overturned, .probability = estimate});
     estimate.anytime = stats::Interval{0.5, 0.6};

@@ -24,12 +24,7 @@ ModeEstimate mode(section::ResponseMode kind, std::uint64_t successes, std::uint
   const double p = static_cast<double>(successes) / static_cast<double>(trials);
   const stats::Interval interval{0.5 * p, 0.5 + 0.5 * p};
   return {kind,
-          {.counts = {successes, trials},
-           .estimate = p,
-           .alone = {interval, interval, interval},
-           .simultaneous = interval,
-           .goodman = interval,
-           .sison_glaz = interval}};
+          {.counts = {successes, trials}, .estimate = p, .alone = {interval, interval}, .simultaneous = interval}};
 }
 
 /// An invented result; only its output is tested.
@@ -70,15 +65,6 @@ TEST(Report, OfOneRealisationSaysThatThereIsNothingToCompare) {
   const std::string text = report_text(example(), result, facts("here"));
   EXPECT_EQ(objections("report", text), "");
   EXPECT_TRUE(Json::parse(text)["result"]["conditions"][0]["non_recurrence"].is_null());
-}
-
-TEST(Report, MayHaveNoIntervalOfSisonAndGlaz) {
-  auto result = result_for(example());
-  for (auto& listed : result.conditions[0].modes) listed.probability.sison_glaz.reset();
-  const std::string text = report_text(example(), result, facts("here"));
-  EXPECT_EQ(objections("report", text), "");
-  const Json report = Json::parse(text);
-  EXPECT_TRUE(report["result"]["conditions"][0]["probabilities"]["(1,1)"]["simultaneous_sison_glaz"].is_null());
 }
 
 SideEstimate side(std::uint64_t successes, std::uint64_t trials) {

@@ -25,8 +25,8 @@ TEST(Documents, HaveTheirSchemasInReports) {
   }
 }
 
-TEST(Documents, HaveTheirKeysInTheDocumentOfFormats) {
-  const std::string formats = content_of("lib/docs/formats.md");
+TEST(Documents, HaveTheirKeysInTheDocumentsOfFormats) {
+  const std::string formats = content_of("lib/docs/formats.md") + content_of("lib/docs/reference/keys.md");
   for (const std::string& name : format_names()) {
     const auto table = keys_of(name);
     ASSERT_TRUE(table) << name;

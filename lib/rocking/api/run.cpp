@@ -104,9 +104,12 @@ Store store_for(const Experiment& experiment, const std::optional<RunFolder>& fo
 RunResult look_at(const Experiment& experiment, Store store, base::StopRequest stop = {}) {
   const Completeness state = completeness(experiment, store);
   RunResult run{.result = {}, .done = state.done, .all = state.all, .counts = {}, .store = {}};
-  for (std::size_t i = 0; i < experiment.conditions.size(); ++i) {
-    run.counts.push_back(store.mode_counts(i, effective_realisations(experiment.conditions[i])));
-  }
+  run.counts.resize(experiment.conditions.size());
+  store.for_each([&](const RealisationKey& key, const Summary& summary) {
+    const bool is_wanted = key.condition < run.counts.size() &&
+                           key.realisation < effective_realisations(experiment.conditions[key.condition]);
+    if (is_wanted) ++run.counts[key.condition][summary.mode];
+  });
   try {
     if (!store.identity().shard) run.result = result_of(experiment, store, stop);
   } catch (const base::Stopped&) {

@@ -24,34 +24,32 @@ constexpr std::size_t first_listed = 4;
 
 constexpr section::ResponseMode overturned{.kind = ResponseKind::overturned};
 
-/// A response mode, or a part of one, of a list in which each realisation counts once.
+/// A response mode, or a part of one.
 struct Category {
   section::ResponseMode mode;
   std::uint64_t count = 0;
   stats::Significance significance;
 };
 
-/// The probability of each, in their order.
-std::vector<Estimate> estimates_of(const std::vector<Category>& categories, double confidence,
-                                   std::uint64_t without_answer) {
+std::uint64_t trials_of(const ModeTally& listed) {
   std::uint64_t trials = 0;
-  for (const Category& each : categories) trials += each.count;
-  std::vector<Estimate> estimates;
-  for (const auto& [mode, count, significance] : categories) {
-    Estimate estimate;
-    estimate.counts = {.successes = count, .trials = trials};
-    estimate.estimate = static_cast<double>(count) / static_cast<double>(trials);
-    const auto covering = [bounds = bounds_of(mode, estimate.counts, without_answer)](auto&& interval_of) {
-      return stats::covering(bounds, interval_of);
-    };
-    std::ranges::transform(stats::interval_methods, estimate.alone.begin(), [&](const stats::IntervalMethod& method) {
-      return covering([&](const stats::Proportion& each) { return method.of(each, confidence); });
-    });
-    estimate.simultaneous =
-        covering([&level = significance](const stats::Proportion& each) { return stats::exact_interval(each, level); });
-    estimates.push_back(estimate);
-  }
-  return estimates;
+  for (const auto& [mode, count] : listed) trials += count;
+  return trials;
+}
+
+Estimate estimate_of(const Category& category, std::uint64_t trials, double confidence, std::uint64_t without_answer) {
+  Estimate estimate;
+  estimate.counts = {.successes = category.count, .trials = trials};
+  estimate.estimate = static_cast<double>(category.count) / static_cast<double>(trials);
+  const auto covering = [bounds = bounds_of(category.mode, estimate.counts, without_answer)](auto&& interval_of) {
+    return stats::covering(bounds, interval_of);
+  };
+  std::ranges::transform(stats::interval_methods, estimate.alone.begin(), [&](const stats::IntervalMethod& method) {
+    return covering([&](const stats::Proportion& each) { return method.of(each, confidence); });
+  });
+  estimate.simultaneous =
+      covering([&](const stats::Proportion& each) { return stats::exact_interval(each, category.significance); });
+  return estimate;
 }
 
 }  // namespace
@@ -106,13 +104,12 @@ stats::CountBounds bounds_of(const section::ResponseMode& mode, const stats::Pro
 }
 
 std::vector<ModeEstimate> estimate_modes(const ModeTally& listed, double confidence, std::uint64_t without_answer) {
-  std::vector<Category> categories;
-  for (const auto& [mode, count] : listed) {
-    categories.push_back({.mode = mode, .count = count, .significance = significance_of(mode, confidence)});
-  }
-  const std::vector<Estimate> estimates = estimates_of(categories, confidence, without_answer);
+  const std::uint64_t trials = trials_of(listed);
   std::vector<ModeEstimate> modes;
-  for (const Category& each : categories) modes.push_back({.mode = each.mode, .probability = estimates[modes.size()]});
+  for (const auto& [mode, count] : listed) {
+    const Category category{.mode = mode, .count = count, .significance = significance_of(mode, confidence)};
+    modes.push_back({.mode = mode, .probability = estimate_of(category, trials, confidence, without_answer)});
+  }
   return modes;
 }
 
@@ -123,16 +120,11 @@ stats::Significance significance_of_side(double confidence) {
 
 std::array<SideEstimate, 2> estimate_sides(const ModeTally& listed, const SideCounts& sides, double confidence,
                                            std::uint64_t without_answer) {
-  std::vector<Category> categories;
-  for (const std::uint64_t count : sides) {
-    categories.push_back({.mode = overturned, .count = count, .significance = significance_of_side(confidence)});
-  }
-  for (const auto& [mode, count] : listed) {
-    if (mode == overturned) continue;
-    categories.push_back({.mode = mode, .count = count, .significance = significance_of(mode, confidence)});
-  }
-  const std::vector<Estimate> estimates = estimates_of(categories, confidence, without_answer);
-  return {SideEstimate{estimates[0]}, SideEstimate{estimates[1]}};
+  const auto estimate = [&, trials = trials_of(listed)](std::uint64_t count) {
+    const Category side{.mode = overturned, .count = count, .significance = significance_of_side(confidence)};
+    return SideEstimate{estimate_of(side, trials, confidence, without_answer)};
+  };
+  return {estimate(sides[0]), estimate(sides[1])};
 }
 
 }  // namespace rocking

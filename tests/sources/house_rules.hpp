@@ -178,6 +178,37 @@ inline Offences dead_links(const fs::path& folder, const std::string& document) 
   return found;
 }
 
+/// Files to which a document links, in its order, without their anchors. Links to the web are left out.
+inline std::vector<std::string> linked_files(const std::string& document) {
+  static const std::regex link(R"(\]\(([^)#:\s]+)(#[^)]*)?\))");
+  std::vector<std::string> found;
+  for (std::sregex_iterator match(document.begin(), document.end(), link), end; match != end; ++match) {
+    found.push_back(match->str(1));
+  }
+  return found;
+}
+
+inline std::size_t words_of(const std::string& text) {
+  std::istringstream words(text);
+  std::size_t count = 0;
+  for (std::string word; words >> word;) ++count;
+  return count;
+}
+
+/// Lines of a document that people wrote: none of what scripts write or the program prints, which are the reports but for
+/// their evidence, the tables of keys and those of flags. `path` is relative to the root of the tree.
+inline std::size_t lines_by_hand(const std::string& path, const std::string& document) {
+  if (path.starts_with("reports/") && !path.starts_with("reports/evidence/")) return 0;
+  if (path == "lib/docs/reference/keys.md") return 0;
+  const bool has_printed_tables = path == "lib/docs/formats.md" || path == "lib/docs/commands.md";
+  std::istringstream lines(document);
+  std::size_t count = 0;
+  for (std::string line; std::getline(lines, line);) {
+    if (!has_printed_tables || !line.starts_with('|')) ++count;
+  }
+  return count;
+}
+
 /// Headers of the library that `header` includes, directly or not, itself among them: paths after lib/.
 inline std::set<std::string> included_by(const std::string& header) {
   static const std::regex include("#include \"(rocking/[^\"]+)\"");

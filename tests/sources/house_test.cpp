@@ -184,6 +184,30 @@ TEST(TheHouse, LeadsItsReadersSomewhere) {
   }
 }
 
+TEST(TheHouse, AsksUsersToReadAtMostThirtyThousandWords) {
+  const fs::path index = fs::path(ROCKING_SOURCE_DIR) / "lib/docs/README.md";
+  std::set<fs::path> documents{index};
+  for (const std::string& link : linked_files(text_of(index))) {
+    const fs::path document = (index.parent_path() / link).lexically_normal();
+    const bool is_text = document.extension() == ".md" || document.extension() == ".rst";
+    if (is_text && document.filename() != "background.md") documents.insert(document);  // the index of the rest
+  }
+  std::size_t words = 0;
+  for (const fs::path& document : documents) words += words_of(text_of(document));
+  EXPECT_GT(documents.size(), 20U);
+  EXPECT_LE(words, 30000U);
+}
+
+TEST(TheHouse, HasNoMoreDocumentsByHandThanItsReadersCanKeepUpWith) {
+  std::size_t lines = 0;
+  for (const File& file : files_of_tree()) {
+    const std::string path = file.path.lexically_relative(ROCKING_SOURCE_DIR).generic_string();
+    if (file.path.extension() == ".md") lines += lines_by_hand(path, file.text);
+  }
+  EXPECT_GT(lines, 1000U);
+  EXPECT_LE(lines, 6400U);  // what they have; a new document takes the place of another one
+}
+
 TEST(TheHouseRules, FindAnArrowThatGoesUpOrSideways) {
   EXPECT_THAT(forbidden_uses("dynamics", "#include \"rocking/integrate/step.hpp\"\n"),
               ElementsAre("dynamics -> integrate"));
@@ -268,6 +292,17 @@ TEST(TheHouseRules, FindACallOfTheMachinesLibrary) {
 TEST(TheHouseRules, FindAReferenceToANeighbour) {
   EXPECT_THAT(neighbours(std::string("see ..") + "/shared/MODEL.md"), SizeIs(1));
   EXPECT_THAT(neighbours("shared memory"), IsEmpty());
+}
+
+TEST(TheHouseRules, CountWordsAndLinesOfPeople) {
+  EXPECT_THAT(linked_files("[a](b/c.md#d), [e](f.rst), [g](https://example.org), [h](#i)"),
+              ElementsAre("b/c.md", "f.rst"));
+  EXPECT_EQ(words_of("one  two\n\nthree\n"), 3U);
+  const std::string document = "# A\n\n| b | c |\n| --- | --- |\nd\n";
+  EXPECT_EQ(lines_by_hand("lib/docs/model.md", document), 5U);
+  EXPECT_EQ(lines_by_hand("lib/docs/formats.md", document), 3U);
+  EXPECT_EQ(lines_by_hand("reports/evidence/rare.md", document), 5U);
+  EXPECT_EQ(lines_by_hand("reports/paper/paper.md", document), 0U);
 }
 
 TEST(TheHouseRules, FindALinkToNowhere) {

@@ -9,7 +9,7 @@ import re
 from pathlib import Path
 
 from docutils import nodes
-from pygments.lexers import PythonLexer
+from pygments.lexers import PythonLexer, TextLexer
 
 root = Path(__file__).resolve().parents[3]
 
@@ -82,5 +82,6 @@ def name_folder(app, env, node, contnode):
 def setup(app):
     app.connect("source-read", add_navigation)
     app.add_lexer("python-pandas", PythonLexer)  # tests/cli/loading_test.cpp tells it from other Python
+    app.add_lexer("csv", TextLexer)  # Pygments 2.14 has none
     app.connect("missing-reference", name_folder)
     return {"parallel_read_safe": True}

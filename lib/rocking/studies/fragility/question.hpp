@@ -240,7 +240,7 @@ struct FragilityQuestion {
 /// Writes the answer about a suite of ground motions as one page of A4: HTML, or PDF if the name of the file ends with
 /// `.pdf`, which WeasyPrint makes. `found`: with annual rates, by this hazard curve. `command`: what makes the sheet
 /// again, which it states. If WeasyPrint is missing, no file is written. Throws base::InputError if there is no suite with
-/// a rate; otherwise as write_page of pages.hpp, and like it needs a library with pages.
+/// a rate; otherwise as write_page, and like it needs a library with pages.
 [[nodiscard]] ROCKING_API Written write_sheet(const StoredRun& stored, const RunFragility& found,
                                               const HazardCurve& hazard, const std::filesystem::path& file,
                                               const std::string& command = "", const Execution& execution = {});

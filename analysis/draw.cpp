@@ -13,13 +13,8 @@
 
 namespace rocking::analysis {
 
-const std::vector<std::string>& picture_formats() {
-  static const std::vector<std::string> formats{"svg", "png", "pdf"};
-  return formats;
-}
-
-const std::vector<std::string>& text_formats() {
-  static const std::vector<std::string> formats{"tsv", "gp", "py"};
+const std::vector<std::string>& figure_formats() {
+  static const std::vector<std::string> formats{"svg", "png", "pdf", "gp"};
   return formats;
 }
 
@@ -47,7 +42,7 @@ void forget_the_day(std::string& pdf) {
   pdf.replace(place + key.size(), day.size(), day);
 }
 
-fs::path picture(const fs::path& folder, const Figure& figure, const std::string& format) {
+fs::path file_of(const fs::path& folder, const Figure& figure, const std::string& format) {
   return folder / (figure.name + '.' + format);
 }
 
@@ -61,11 +56,11 @@ bool keep_picture(const fs::path& drawn, const fs::path& kept, const std::string
   return true;
 }
 
-/// Keeps the pictures if gnuplot drew all of them; otherwise removes existing ones, which show other data.
-void keep_or_remove(const Figure& figure, const fs::path& folder, const std::vector<std::string>& formats,
-                    Drawing& drawing) {
+/// Keeps the pictures if gnuplot drew all of them.
+void keep_pictures(const Figure& figure, const fs::path& folder, const std::vector<std::string>& formats,
+                   Drawing& drawing) {
   for (const std::string& format : formats) {
-    const fs::path kept = picture(folder, figure, format);
+    const fs::path kept = file_of(folder, figure, format);
     const fs::path drawn = kept.string() + unfinished;
     if (drawing.is_drawn() && !keep_picture(drawn, kept, format)) {
       drawing = {.end = DrawingEnd::broken_off,
@@ -73,19 +68,32 @@ void keep_or_remove(const Figure& figure, const fs::path& folder, const std::vec
     }
     fs::remove(drawn);
   }
-  if (drawing.is_drawn()) return;
-  for (const std::string& format : formats) fs::remove(picture(folder, figure, format));
+}
+
+/// Writes the numbers. If they have changed, removes what was written of others.
+void write_numbers(const Figure& figure, const fs::path& folder) {
+  const fs::path path = file_of(folder, figure, "tsv");
+  const std::string text = data_text(figure);
+  if (fs::exists(path) && read_file(path) == text) return;
+  for (const std::string& format : figure_formats()) fs::remove(file_of(folder, figure, format));
+  write_atomically(path, text);
 }
 
 }  // namespace
 
 Drawing write_figure(const Figure& figure, const fs::path& folder, const std::vector<std::string>& formats,
                      base::StopRequest stop, const FigureLook& look) {
-  write_atomically(folder / (figure.name + ".tsv"), data_text(figure));
-  write_atomically(folder / (figure.name + ".gp"), script_text(figure, look));
-  write_atomically(folder / (figure.name + ".py"), matplotlib_text(figure, look));
-  Drawing drawing = run_gnuplot(folder, figure.name, {.formats = formats, .ending = unfinished}, stop);
-  keep_or_remove(figure, folder, formats, drawing);
+  write_numbers(figure, folder);
+  const fs::path script = file_of(folder, figure, "gp");
+  write_atomically(script, script_text(figure, look));
+  std::vector<std::string> pictures = formats;
+  const bool is_script_wanted = std::erase(pictures, "gp") > 0;
+  Drawing drawing{.end = DrawingEnd::drawn, .reason = {}};
+  if (!pictures.empty()) {
+    drawing = run_gnuplot(folder, figure.name, {.formats = pictures, .ending = unfinished}, stop);
+    keep_pictures(figure, folder, pictures, drawing);
+  }
+  if (drawing.is_drawn() && !is_script_wanted) fs::remove(script);
   return drawing;
 }
 
@@ -94,17 +102,19 @@ void note_failure(const Drawing& drawing, std::vector<Drawing>& failures) {
   if (!drawing.is_drawn() && !is_known) failures.push_back(drawing);
 }
 
-WrittenFigures write_figures(const std::vector<Figure>& figures, const fs::path& folder, base::StopRequest stop,
-                             const FigureLook& look) {
+WrittenFigures write_figures(const std::vector<Figure>& figures, const fs::path& folder,
+                             const std::vector<std::string>& formats, base::StopRequest stop, const FigureLook& look) {
   ensure_writable(folder);
+  const std::vector<std::string> usual{look.style == FigureStyle::journal ? "pdf" : "svg"};
+  const std::vector<std::string>& wanted = formats.empty() ? usual : formats;
   WrittenFigures written;
   for (const Figure& figure : figures) {
-    const Drawing drawing = write_figure(figure, folder, picture_formats(), stop, look);
+    const Drawing drawing = write_figure(figure, folder, wanted, stop, look);
     note_failure(drawing, written.failures);
-    for (const std::string& ending : text_formats()) written.files.push_back(picture(folder, figure, ending).string());
-    if (!drawing.is_drawn()) continue;
-    for (const std::string& format : picture_formats())
-      written.files.push_back(picture(folder, figure, format).string());
+    written.files.push_back(file_of(folder, figure, "tsv").string());
+    for (const std::string& format : drawing.is_drawn() ? wanted : std::vector<std::string>{"gp"}) {
+      written.files.push_back(file_of(folder, figure, format).string());
+    }
   }
   return written;
 }

@@ -26,19 +26,15 @@ struct Drawing {
   [[nodiscard]] bool is_drawn() const { return end == DrawingEnd::drawn; }
 };
 
-/// The available picture formats: svg, png, pdf.
-[[nodiscard]] const std::vector<std::string>& picture_formats();
+/// In what a figure can be written beside its numbers: svg, png, pdf, and gp, gnuplot's script.
+[[nodiscard]] const std::vector<std::string>& figure_formats();
 
-/// Endings of the files of a figure that need no gnuplot: tsv, gp, py.
-[[nodiscard]] const std::vector<std::string>& text_formats();
-
-/// Writes NAME.tsv, NAME.gp and NAME.py into the existing folder `folder` and draws the pictures in these formats there.
-/// If a picture cannot be drawn, the three files are written all the same, existing pictures of the figure are removed
-/// (they would show other data), and the result says why. Equal figures give equal bytes. Throws std::system_error with the
-/// path.
+/// Writes NAME.tsv into the existing folder `folder`, and NAME.FORMAT in these formats. Where the numbers have changed,
+/// files of the figure in other formats are removed. If a picture cannot be drawn, the numbers and the script are written
+/// all the same, and the result says why. Equal figures give equal bytes. Throws std::system_error with the path.
 [[nodiscard]] Drawing write_figure(const Figure& figure, const std::filesystem::path& folder,
-                                   const std::vector<std::string>& formats = picture_formats(),
-                                   base::StopRequest stop = {}, const FigureLook& look = screen_look());
+                                   const std::vector<std::string>& formats, base::StopRequest stop = {},
+                                   const FigureLook& look = screen_look());
 
 /// Figures in a folder.
 struct WrittenFigures {
@@ -49,9 +45,11 @@ struct WrittenFigures {
 /// Adds an attempt that failed, unless one with this reason is there.
 void note_failure(const Drawing& drawing, std::vector<Drawing>& failures);
 
-/// Writes figures as write_figure does, into a folder that is created if necessary.
+/// Writes figures as write_figure does, into a folder that is created if necessary. Without formats: svg for pages and
+/// slides, pdf for a journal.
 [[nodiscard]] WrittenFigures write_figures(const std::vector<Figure>& figures, const std::filesystem::path& folder,
-                                           base::StopRequest stop, const FigureLook& look);
+                                           const std::vector<std::string>& formats, base::StopRequest stop,
+                                           const FigureLook& look);
 
 /// The bytes of the figure in a format, `svg`, `png` or `pdf`, drawn in a temporary folder. Empty if it cannot be drawn;
 /// `drawing` says why. Throws base::Stopped if it is asked to stop.

@@ -11,6 +11,7 @@
 
 #include "analysis/draw.hpp"
 #include "analysis/run_figures.hpp"
+#include "arguments.hpp"
 #include "exit_code.hpp"
 #include "interrupt.hpp"
 #include "machine.hpp"
@@ -119,6 +120,14 @@ void add_style(CLI::App& command, StyleRequest& request) {
   command.add_option("--width", request.width, "With --style journal: width of the column, 84 mm (default) or 174 mm")
       ->check(CLI::IsMember({"single", "double"}))
       ->type_name("COLUMN");
+  command
+      .add_option(
+          "--pictures", request.pictures,
+          "In what each figure is written beside its numbers (tsv), separated by commas; gp is gnuplot's script. "
+          "Default: svg, or pdf for a journal")
+      ->delimiter(',')
+      ->check(one_of(analysis::figure_formats()))
+      ->type_name("LIST");
 }
 
 analysis::FigureLook look_for(const StyleRequest& request) {

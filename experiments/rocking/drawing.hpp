@@ -39,10 +39,11 @@ enum class PictureRole : std::uint8_t { purpose, addition };
 inline constexpr std::string_view no_figure = "a figure was not drawn";
 inline constexpr std::string_view no_page_picture = "report.html has no pictures for printing";
 
-/// The flags `--style` and `--width`.
+/// The flags `--style`, `--width` and `--pictures`.
 struct StyleRequest {
   std::string style = "screen";
-  std::string width;  ///< empty: not given
+  std::string width;                  ///< empty: not given
+  std::vector<std::string> pictures;  ///< of analysis::figure_formats(); empty: what the style needs
 };
 
 void add_style(CLI::App& command, StyleRequest& request);

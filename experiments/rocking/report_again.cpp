@@ -95,8 +95,8 @@ ExitCode report_again(const ReportRequest& request) {
     written.push_back(folder.page_path().string());
   }
   if (formats.contains("gnuplot")) {
-    analysis::WrittenFigures figures =
-        analysis::write_figures(figures_of(folder, report, hazard), fs::path(path) / "figures", stop_on_signal(), look);
+    analysis::WrittenFigures figures = analysis::write_figures(
+        figures_of(folder, report, hazard), fs::path(path) / "figures", request.style.pictures, stop_on_signal(), look);
     of_figures = std::move(figures.failures);
     std::move(figures.files.begin(), figures.files.end(), std::back_inserter(written));
   }
@@ -123,7 +123,7 @@ ExitCode draw_files(const ReportRequest& request) {
     files.push_back({.path = path, .text = input_of([&path] { return read_file(path); })});
   }
   const auto figures = analysis::output_figures(files, request.window);
-  const auto written = analysis::write_figures(figures, request.drawn, stop_on_signal(), look);
+  const auto written = analysis::write_figures(figures, request.drawn, request.style.pictures, stop_on_signal(), look);
   print_result(request.loudness.json ? facts_text(std::vector<Fact>{{"written", written.files}})
                                      : base::printable(fmt::format("{}\n", fmt::join(written.files, "\n"))));
   return tell(written.failures, no_figure, PictureRole::purpose);

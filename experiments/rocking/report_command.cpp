@@ -17,9 +17,9 @@ void add_report(CLI::App& app, Action& action) {
       "report", "Write page, figures and tables of a finished run again, or draw files that rocking printed");
   command->footer(
       "Example: rocking report out --format html,gnuplot\n"
-      "html: out/report.html, a page that needs no other file. gnuplot: the figures in out/figures, each as data "
-      "(tsv), script (gp) and pictures drawn by gnuplot (svg, png, pdf). csv and latex: tables in out/tables. text: "
-      "the table of response modes, on standard output.\n"
+      "html: out/report.html, a page that needs no other file. gnuplot: the figures in out/figures, each as numbers "
+      "(tsv) and a picture. csv and latex: tables in out/tables. text: the table of response modes, on standard "
+      "output.\n"
       "`rocking report first.json second.json -o drawn --from 100` draws two files that `rocking trajectory --samples "
       "100` printed: each against time, both in one figure, their phase portrait and their Poincare section. It also "
       "draws bifurcation.json, orbits.json, cost.json, fragility.json, rare.json, infer.json, and what `rocking motion "

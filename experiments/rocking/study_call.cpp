@@ -90,7 +90,8 @@ std::string write(const StudyCommand& command, const Subject& subject, const Ans
   for (const TextFile& file : answer.files) write_atomically(command.file.folder() / file.name, file.text);
   std::string where = command.file.write(answer.document) + lines_on(answer.files, command);
   if (!command.figures.empty()) {
-    extras.figures = analysis::write_figures(answer.figures, command.figures, stop_on_signal(), look);
+    extras.figures =
+        analysis::write_figures(answer.figures, command.figures, command.style.pictures, stop_on_signal(), look);
     where += fmt::format("{}\n", fmt::join(extras.figures.files, "\n"));
   }
   if (answer.write_more) extras.more = answer.write_more({.stop = &stop_on_interrupt()});

@@ -51,9 +51,16 @@ analysis::FigureLook look_for(Column column) {
   return analysis::screen_look();
 }
 
-Written write_all(const std::vector<analysis::Figure>& figures, const fs::path& folder, Column column,
+Written write_all(const std::vector<analysis::Figure>& figures, const fs::path& folder, const Drawn& drawn,
                   const Execution& execution) {
-  const analysis::WrittenFigures all = analysis::write_figures(figures, folder, execution.stop, look_for(column));
+  const std::vector<std::string>& known = analysis::figure_formats();
+  for (const std::string& picture : drawn.pictures) {
+    if (std::ranges::find(known, picture) == known.end()) {
+      refuse("pictures", picture, "is no kind of picture: write svg, png, pdf or gp");
+    }
+  }
+  const analysis::WrittenFigures all =
+      analysis::write_figures(figures, folder, drawn.pictures, execution.stop, look_for(drawn.column));
   return written_of({all.files.begin(), all.files.end()}, all.failures);
 }
 
@@ -66,8 +73,8 @@ Written write_page(const StoredRun& stored, const fs::path& file, const Provenan
   return written_of({file}, pages::write_page(file, report, figures_of(stored, report), motions, execution.stop));
 }
 
-Written write_figures(const StoredRun& stored, const fs::path& folder, Column column, const Execution& execution) {
-  return write_all(figures_of(stored, report_of(stored)), folder, column, execution);
+Written write_figures(const StoredRun& stored, const fs::path& folder, const Drawn& drawn, const Execution& execution) {
+  return write_all(figures_of(stored, report_of(stored)), folder, drawn, execution);
 }
 
 Written write_tables(const StoredRun& stored, const fs::path& folder) {
@@ -97,10 +104,11 @@ void write_trajectory_page(const Experiment& experiment, const TrajectoryRequest
   write_atomically(file, *text);
 }
 
-Written draw(const std::vector<StudyText>& texts, const fs::path& folder, Column column, const Execution& execution) {
+Written draw(const std::vector<StudyText>& texts, const fs::path& folder, const Drawn& drawn,
+             const Execution& execution) {
   std::vector<analysis::OutputFile> files;
   for (const StudyText& each : texts) files.push_back({.path = each.name, .text = each.text});
-  return write_all(analysis::output_figures(files, {}), folder, column, execution);
+  return write_all(analysis::output_figures(files, {}), folder, drawn, execution);
 }
 
 }  // namespace rocking

@@ -25,10 +25,17 @@ enum class Column : std::uint8_t {
 [[nodiscard]] ROCKING_API Written write_page(const StoredRun& stored, const std::filesystem::path& file,
                                              const Provenance& provenance = {}, const Execution& execution = {});
 
-/// Draws the figures of a complete run in a folder, which is created if necessary: data (tsv), gnuplot's script (gp) and
-/// pictures (svg, png, pdf). Otherwise as write_page.
+/// How figures are drawn.
+struct Drawn {
+  Column column = Column::screen;
+  /// In what each is written beside its numbers: svg, png, pdf, or gp, gnuplot's script. Empty: svg, or pdf for a journal.
+  std::vector<std::string> pictures;
+};
+
+/// Draws the figures of a complete run in a folder, which is created if necessary: numbers (tsv) and pictures. Throws
+/// base::InputError for a kind of picture that there is not; otherwise as write_page.
 [[nodiscard]] ROCKING_API Written write_figures(const StoredRun& stored, const std::filesystem::path& folder,
-                                                Column column = Column::screen, const Execution& execution = {});
+                                                const Drawn& drawn = {}, const Execution& execution = {});
 
 /// Writes the tables of a complete run into a folder, which is created if necessary: modes.csv, non_recurrence.csv,
 /// quantiles.csv, modes.tex. Otherwise as write_page.
@@ -50,6 +57,6 @@ struct StudyText {
 /// Draws trajectories, and what studies found that has figures, from their JSON text, in a folder. Throws
 /// base::InputError with the name of a text that is none of these, and otherwise as write_page.
 [[nodiscard]] ROCKING_API Written draw(const std::vector<StudyText>& texts, const std::filesystem::path& folder,
-                                       Column column = Column::screen, const Execution& execution = {});
+                                       const Drawn& drawn = {}, const Execution& execution = {});
 
 }  // namespace rocking

@@ -47,12 +47,13 @@ void add_pages(py::module_& module) {
           return Written{.files = {file}, .not_drawn = {}};
         });
       });
-  module.def("write_figures",
-             [](const Experiment& experiment, const RunResult& run, const std::string& folder, int column) {
-               return write_watched([&](const Execution& execution) {
-                 return write_figures({experiment, run}, folder, static_cast<Column>(column), execution);
-               });
-             });
+  module.def("write_figures", [](const Experiment& experiment, const RunResult& run, const std::string& folder,
+                                 int column, std::vector<std::string> pictures) {
+    return write_watched([&](const Execution& execution) {
+      return write_figures({experiment, run}, folder,
+                           {.column = static_cast<Column>(column), .pictures = std::move(pictures)}, execution);
+    });
+  });
   module.def("write_sheet",
              [](const Experiment& experiment, const RunResult& run, const std::string& hazard,
                 std::optional<double> years, std::optional<std::string> imt, const std::vector<double>& site,
@@ -71,11 +72,12 @@ void add_pages(py::module_& module) {
     return write_watched([&](const Execution&) { return write_tables({experiment, run}, folder); });
   });
   module.def("draw", [](const std::vector<std::pair<std::string, std::string>>& sources, const std::string& folder,
-                        int column) {
+                        int column, std::vector<std::string> pictures) {
     std::vector<StudyText> texts;
     for (const auto& [name, text] : sources) texts.push_back({.name = name, .text = text});
-    return write_watched(
-        [&](const Execution& execution) { return draw(texts, folder, static_cast<Column>(column), execution); });
+    return write_watched([&](const Execution& execution) {
+      return draw(texts, folder, {.column = static_cast<Column>(column), .pictures = std::move(pictures)}, execution);
+    });
   });
 }
 

@@ -85,7 +85,7 @@ TEST_F(Figures, OfARunShowSomethingAndAreDrawnWithoutRunning) {
   if (!has_gnuplot()) GTEST_SKIP() << "gnuplot was not found (Debian: gnuplot-nox)";
   ASSERT_EQ(rocking("run quick.json -o out -q").exit_code, 0);
   const std::string report = read("out/report.json");
-  const Outcome outcome = rocking("report out --format gnuplot,csv,latex");
+  const Outcome outcome = rocking("report out --format gnuplot,csv,latex --pictures svg,png,pdf");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
   expect_pictures(outcome.output);
   EXPECT_THAT(outcome.output, AllOf(HasSubstr("out/figures/divergence_times.svg"), HasSubstr("out/figures/scene.pdf"),
@@ -96,38 +96,6 @@ TEST_F(Figures, OfARunShowSomethingAndAreDrawnWithoutRunning) {
   const Outcome again = rocking("report out --format gnuplot");
   EXPECT_EQ(again.exit_code, 0) << again.errors;
   EXPECT_EQ(read("out/figures/mode_bands.svg"), bands);
-}
-
-/// matplotlib is a package of the system's Python, which may not be the first one in PATH.
-const std::string plotting_python = "PATH=/usr/bin:$PATH MPLBACKEND=Agg python3";
-
-TEST_F(Figures, AreDrawnByMatplotlibToo) {
-  if (shell(plotting_python + " -c 'import matplotlib'").exit_code != 0) {
-    GTEST_SKIP() << "matplotlib was not found (Debian: python3-matplotlib)";
-  }
-  Json titled = quick_experiment();
-  titled["title"] = "costs $1 or $2, \\frac{ 'so\" it # is %s";
-  write("titled.json", titled.dump());
-  ASSERT_EQ(rocking("run titled.json -o out -q --no-page").exit_code, 0);
-  ASSERT_EQ(rocking("report out --format gnuplot -q").exit_code, 0);
-  write("path.json", rocking("trajectory titled.json --samples 20").output);
-  write("numbers.json", rocking("check-normal --json").output);
-  ASSERT_EQ(rocking("cost titled.json --sample 8 -o out -q").exit_code, 0);
-  ASSERT_EQ(rocking("bifurcation titled.json -o out -q").exit_code, 0);
-  titled.erase("fluctuation");
-  write("certain.json", titled.dump());
-  ASSERT_EQ(rocking("orbits certain.json -o out -q --periods 1 --branches 2").exit_code, 0);
-  ASSERT_EQ(rocking("report path.json numbers.json out/cost.json out/bifurcation.json out/orbits.json -o out/figures "
-                    "--style journal -q")
-                .exit_code,
-            0);
-  const Outcome outcome = shell("cd out/figures && ls *.py && for f in *.py; do " + plotting_python +
-                                " -W ignore $f && test -s ${f%.py}-matplotlib.pdf || exit 1; done");
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
-  EXPECT_EQ(outcome.errors, "");
-  for (const char* name : {"branches.py", "mode_bands.py", "phase_portrait.py", "scene.py", "work_precision.py"}) {
-    EXPECT_THAT(outcome.output, HasSubstr(name));
-  }
 }
 
 TEST_F(Figures, OfTheReadmeThatMovesIsWhatItsScriptMakes) {
@@ -156,6 +124,23 @@ TEST_F(Figures, AreWrittenAsDataWithoutGnuplot) {
   EXPECT_FALSE(exists("out/figures/mode_bands.svg"));
 }
 
+TEST_F(Figures, AreNumbersAndOnePictureUnlessOthersAreAskedFor) {
+  if (!has_gnuplot()) GTEST_SKIP() << "gnuplot was not found (Debian: gnuplot-nox)";
+  write("one.json", rocking("trajectory quick.json --periods 6 --samples 50").output);
+  write("two.json", rocking("trajectory quick.json --realisation 1 --periods 6 --samples 50").output);
+  const auto files = [this](const std::string& command) {
+    const Outcome drawn = rocking("report " + command);
+    EXPECT_EQ(drawn.exit_code, 0) << drawn.errors;
+    return shell("ls drawn | grep poincare").output;
+  };
+  EXPECT_EQ(files("one.json -o drawn"), "poincare.svg\npoincare.tsv\n");
+  EXPECT_EQ(files("one.json -o drawn --pictures gp"), "poincare.gp\npoincare.svg\npoincare.tsv\n") << "equal numbers";
+  EXPECT_EQ(files("two.json -o drawn --style journal"), "poincare.pdf\npoincare.tsv\n") << "pictures of others go";
+  const Outcome wrong = rocking("report one.json -o drawn --pictures svg,eps");
+  EXPECT_EQ(wrong.exit_code, 64);
+  EXPECT_THAT(wrong.errors, AllOf(HasSubstr("eps"), HasSubstr("png")));
+}
+
 TEST_F(Figures, ThatFailAreAnErrorAlsoWhereTheCommandIsToBeQuiet) {
   ASSERT_EQ(
       shell("mkdir bin; printf '#!/bin/sh\\necho half >scene.svg.unfinished; echo no such word; exit 1' >bin/gnuplot; "
@@ -169,7 +154,7 @@ TEST_F(Figures, ThatFailAreAnErrorAlsoWhereTheCommandIsToBeQuiet) {
   const Outcome report = shell("PATH=\"$PWD/bin:$PATH\" exec '" ROCKING_PROGRAM "' report out --format gnuplot -q");
   EXPECT_EQ(report.exit_code, 70);
   EXPECT_THAT(report.output, AllOf(HasSubstr("scene.gp"), ::testing::Not(HasSubstr(".svg"))));
-  EXPECT_EQ(shell("ls out/figures | grep -v -e 'tsv$' -e 'gp$' -e 'py$'").output, "");
+  EXPECT_EQ(shell("ls out/figures | grep -v -e 'tsv$' -e 'gp$'").output, "");
 }
 
 TEST_F(Figures, ShowEveryTitleAndSaySoWhereThereIsNothing) {
@@ -205,7 +190,8 @@ TEST_F(Figures, OfOtherOutputsShowSomething) {
   write("two.json", rocking("trajectory quick.json --realisation 1 --periods 6 --samples 50").output);
   write("normal.json", rocking("check-normal --json").output);
   ASSERT_EQ(rocking("bifurcation quick.json -o out -q").exit_code, 0);
-  const Outcome outcome = rocking("report one.json two.json normal.json out/bifurcation.json -o drawn");
+  const Outcome outcome =
+      rocking("report one.json two.json normal.json out/bifurcation.json -o drawn --pictures png,svg");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
   EXPECT_EQ(outcome.errors, "");
   expect_pictures(outcome.output);
@@ -215,11 +201,10 @@ TEST_F(Figures, OfOtherOutputsShowSomething) {
 TEST_F(Figures, ForAJournalHaveTheSizeOfItsColumn) {
   if (!has_gnuplot()) GTEST_SKIP() << "gnuplot was not found (Debian: gnuplot-nox)";
   write("one.json", rocking("trajectory quick.json --periods 6 --samples 50").output);
-  const Outcome single = rocking("report one.json -o single --style journal");
+  const Outcome single = rocking("report one.json -o single --style journal --pictures png,pdf,gp");
   ASSERT_EQ(single.exit_code, 0) << single.errors;
   expect_pictures(single.output);
-  EXPECT_THAT(single.output, AllOf(HasSubstr("single/phase_portrait.pdf"), HasSubstr("single/poincare.svg")));
-  ASSERT_EQ(rocking("report one.json -o double --style journal --width double").exit_code, 0);
+  ASSERT_EQ(rocking("report one.json -o double --style journal --width double --pictures pdf,gp").exit_code, 0);
   EXPECT_TRUE(has_width("single/poincare", single_column));
   EXPECT_TRUE(has_width("double/poincare", double_column));
   EXPECT_EQ(read("single/poincare.tsv"), read("double/poincare.tsv"));
@@ -228,7 +213,7 @@ TEST_F(Figures, ForAJournalHaveTheSizeOfItsColumn) {
   EXPECT_THAT(screen.errors, HasSubstr("--style journal"));
   EXPECT_EQ(rocking("report one.json -o screen --style poster").exit_code, 64);
   ASSERT_EQ(rocking("run quick.json -o out -q").exit_code, 0);
-  ASSERT_EQ(rocking("report out --format gnuplot --style journal --width double").exit_code, 0);
+  ASSERT_EQ(rocking("report out --format gnuplot --style journal --width double --pictures pdf,gp").exit_code, 0);
   EXPECT_TRUE(has_width("out/figures/mode_bands", double_column));
 }
 

@@ -147,8 +147,8 @@ TEST_F(SuiteFragility, IsDrawnAndStandsOnThePage) {
               AllOf(HasSubstr("figure id=\"fragility\""), HasSubstr("figure id=\"incremental\""),
                     HasSubstr("in a suite of 5 ground motions"), HasSubstr("The block is not lifted below 0.218"),
                     HasSubstr("stood again at a stronger one")));
-  ASSERT_EQ(rocking("fragility out --ida -o kept --figure drawn").exit_code, 0);
-  ASSERT_EQ(rocking("report kept/fragility.json -o again").exit_code, 0);
+  ASSERT_EQ(rocking("fragility out --ida -o kept --figure drawn --pictures gp").exit_code, 0);
+  ASSERT_EQ(rocking("report kept/fragility.json -o again --pictures gp").exit_code, 0);
   for (const char* name : {"fragility.tsv", "incremental.tsv", "incremental.gp"}) {
     EXPECT_NE(read(std::string("drawn/") + name), "") << name;
     EXPECT_EQ(read(std::string("drawn/") + name), read(std::string("again/") + name)) << name;

@@ -10,6 +10,7 @@ import json
 import os
 import pickle
 import pkgutil
+import shutil
 import subprocess
 import tempfile
 import unittest
@@ -51,11 +52,16 @@ class Pages(unittest.TestCase):
         for source in (self.out, rocking.run(SLAB)):
             self.expect_same(rocking.write_figures(source, self.ours).files, os.path.join(self.out, "figures"))
             self.expect_same(rocking.write_tables(source, self.ours).files, os.path.join(self.out, "tables"))
-        self.program("report", self.out, "--format", "gnuplot", "--style", "journal", "--width", "double")
-        written = rocking.write_figures(self.out, self.ours, column="journal_double")
+        shutil.rmtree(os.path.join(self.out, "figures"))
+        pictures = ["png", "gp"]
+        journal = ["--style", "journal", "--width", "double", "--pictures", ",".join(pictures)]
+        self.program("report", self.out, "--format", "gnuplot", *journal)
+        written = rocking.write_figures(self.out, self.ours, column="journal_double", pictures=pictures)
         self.expect_same(written.files, os.path.join(self.out, "figures"))
         with self.assertRaises(ValueError):
             rocking.write_figures(self.out, self.ours, column="wide")
+        with self.assertRaises(rocking.InputError):
+            rocking.write_figures(self.out, self.ours, pictures=["eps"])
 
     def test_page_of_a_trajectory_is_that_of_the_program(self):
         theirs = os.path.join(self.folder.name, "theirs.html")
@@ -110,7 +116,7 @@ class Pages(unittest.TestCase):
         written = rocking.write_figures(rocking.run(SLAB), self.ours)
         self.assertEqual(len(written.not_drawn), 1)
         self.assertIn("gnuplot", written.not_drawn[0])
-        self.assertEqual({path.suffix for path in written.files}, {".tsv", ".gp", ".py"})
+        self.assertEqual({path.suffix for path in written.files}, {".tsv", ".gp"})
 
     def test_what_cannot_be_written_is_refused(self):
         with self.assertRaises(OSError):

@@ -361,7 +361,7 @@ class AgainstTheProgram(unittest.TestCase):
 
     def test_colours_are_those_of_the_figures(self):
         self.program("run", self.path, "-o", self.out, "--no-page", "-q")
-        self.program("report", self.out, "--format", "gnuplot")
+        self.program("report", self.out, "--format", "gnuplot", "--pictures", "gp")
         with open(os.path.join(self.out, "figures", "mode_bands.gp")) as file:
             drawn = file.read()
         result = rocking.run(SLAB)

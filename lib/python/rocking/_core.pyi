@@ -114,7 +114,7 @@ def write_trajectory_page(
     experiment: Experiment, condition: int, realisation: int, periods: Optional[int], samples: int, file: str
 ) -> Tuple[List[str], List[str]]: ...
 def write_figures(
-    experiment: Experiment, run: Run, folder: str, column: int
+    experiment: Experiment, run: Run, folder: str, column: int, pictures: List[str]
 ) -> Tuple[List[str], List[str]]: ...
 def write_sheet(
     experiment: Experiment,
@@ -129,7 +129,7 @@ def write_sheet(
 ) -> Tuple[List[str], List[str]]: ...
 def write_tables(experiment: Experiment, run: Run, folder: str) -> Tuple[List[str], List[str]]: ...
 def draw(
-    sources: List[Tuple[str, str]], folder: str, column: int
+    sources: List[Tuple[str, str]], folder: str, column: int, pictures: List[str]
 ) -> Tuple[List[str], List[str]]: ...
 def verify(
     experiment: Experiment, run: Run, sample: Optional[int], threads: int, on_progress: _Progress

@@ -45,11 +45,14 @@ def write_page(source: Union[Result, _Path], file: _Path) -> Written:
     return _call("write_page", result.experiment._core, result._core, os.fspath(file), *result._provenance)
 
 
-def write_figures(source: Union[Result, _Path], folder: _Path, *, column: str = "screen") -> Written:
-    """Draw the figures of a complete run in a folder: data (tsv), scripts (gp, py) and pictures (svg, png, pdf).
+def write_figures(
+    source: Union[Result, _Path], folder: _Path, *, column: str = "screen", pictures: Sequence[str] = ()
+) -> Written:
+    """Draw the figures of a complete run in a folder: numbers (tsv) and pictures.
 
     source: a Result, or the folder of a run. column: ``screen``, ``journal_single`` (84 mm, 8 points, no titles) or
-    ``journal_double`` (174 mm). Errors as write_page().
+    ``journal_double`` (174 mm). pictures: of ``svg``, ``png``, ``pdf`` and ``gp``, gnuplot's script; default: svg, or pdf
+    for a journal. Raises InputError for another kind of picture, otherwise errors as write_page().
 
     >>> import tempfile, rocking
     >>> slab = {"format": "rocking.experiment/1", "block": {"width_m": 1, "height_m": 4},
@@ -57,12 +60,12 @@ def write_figures(source: Union[Result, _Path], folder: _Path, *, column: str = 
     ...                    "phase_rad": {"uniform": [0, 6.28]}}, "restitution": 0.9,
     ...     "horizon": {"transient_periods": 5, "sampled_periods": 15}, "realisations": 10, "seed": "0x1"}
     >>> with tempfile.TemporaryDirectory() as folder:
-    ...     written = rocking.write_figures(rocking.run(slab), folder, column="journal_single")
+    ...     written = rocking.write_figures(rocking.run(slab), folder, column="journal_single", pictures=["gp"])
     >>> "scene.gp" in [file.name for file in written.files]
     True
     """
     result = _complete(source)
-    return _call("write_figures", result.experiment._core, result._core, os.fspath(folder), _number_of(column))
+    return _call("write_figures", result.experiment._core, result._core, os.fspath(folder), _number_of(column), list(pictures))
 
 
 def write_sheet(
@@ -149,12 +152,12 @@ def write_trajectory_page(
     return _call("write_trajectory_page", checked._core, *extent, os.fspath(file)).files[0]
 
 
-def draw(*sources: Any, folder: _Path, column: str = "screen") -> Written:
+def draw(*sources: Any, folder: _Path, column: str = "screen", pictures: Sequence[str] = ()) -> Written:
     """Draw what a study has found, in a folder: as ``rocking report`` draws what the program printed.
 
     sources: results of trajectory() with ``samples_per_period``, bifurcation(), orbits() with ``branches``, cost(),
-    fragility(), motion() with ``series``, check_normal(), or paths of files that the program wrote. column: as
-    write_figures(). Raises InputError for a source that is none of these.
+    fragility(), motion() with ``series``, check_normal(), or paths of files that the program wrote. column, pictures:
+    as write_figures(). Raises InputError for a source that is none of these.
 
     >>> import tempfile, rocking
     >>> with tempfile.TemporaryDirectory() as folder:
@@ -163,7 +166,7 @@ def draw(*sources: Any, folder: _Path, column: str = "screen") -> Written:
     True
     """
     texts = [_document_of(source, number) for number, source in enumerate(sources)]
-    return _call("draw", texts, os.fspath(folder), _number_of(column))
+    return _call("draw", texts, os.fspath(folder), _number_of(column), list(pictures))
 
 
 def _complete(source: Union[Result, _Path]) -> Result:

@@ -89,12 +89,12 @@ TEST(Drawing, LeavesNoPictureBehindWhereGnuplotFails) {
       rocking::write_atomically(folder / (std::string("mode_bands") + ending), "of before");
     }
     const OtherGnuplot gnuplot(script);
-    const auto drawing = write_figure(sample_figure(), folder / "");
+    const auto drawing = write_figure(sample_figure(), folder / "", {"svg", "png", "pdf"});
     EXPECT_EQ(drawing.end, end) << script;
     EXPECT_THAT(drawing.reason, HasSubstr(reason));
     std::vector<std::string> left;
     for (const auto& entry : std::filesystem::directory_iterator(folder / "")) left.push_back(entry.path().filename());
-    EXPECT_THAT(left, ::testing::UnorderedElementsAre("mode_bands.tsv", "mode_bands.gp", "mode_bands.py")) << script;
+    EXPECT_THAT(left, ::testing::UnorderedElementsAre("mode_bands.tsv", "mode_bands.gp")) << script;
   }
 }
 
@@ -102,7 +102,7 @@ TEST(Drawing, SaysWhatIsMissingAndLeavesTheData) {
   const rocking::support::TemporaryFolder folder;
   const std::string path = std::getenv("PATH");
   ::setenv("PATH", "/nowhere", 1);
-  const auto drawing = write_figure(sample_figure(), folder / "");
+  const auto drawing = write_figure(sample_figure(), folder / "", {"svg"});
   ::setenv("PATH", path.c_str(), 1);
   EXPECT_FALSE(drawing.is_drawn());
   EXPECT_THAT(drawing.reason, HasSubstr("gnuplot-nox"));

@@ -326,7 +326,6 @@ void expect_content(const fs::path& file) {
   const std::map<std::string, std::vector<std::string>> parts{{".html", {"<svg", "(1,1)", "</html>"}},
                                                               {".svg", {"<svg", "<path", "</svg>"}},
                                                               {".gp", {"plot"}},
-                                                              {".py", {"import matplotlib", "savefig"}},
                                                               {".tsv", {"\t", "\n"}},
                                                               {".png", {"PNG", "IDAT", "IEND"}},
                                                               {".pdf", {"%PDF", "%%EOF"}},
@@ -345,13 +344,16 @@ TEST_F(Interface, WritesTrajectoriesPagesAndFigures) {
   const std::string text = trajectory_text(request, trajectory(experiment, request));
   EXPECT_THAT(trajectory_csv(request, trajectory(experiment, request), TrajectoryUnits::si), HasSubstr("tilt_rad"));
   const auto drawn = draw({{.name = "motion", .text = text}}, in("drawn"));
-  for (const auto& written : {write_page(stored, in("page.html")), write_figures(stored, in("figures")),
+  for (const auto& written : {write_page(stored, in("page.html")),
+                              write_figures(stored, in("figures"), {.pictures = {"svg", "png", "pdf", "gp"}}),
                               write_tables(stored, in("tables")), drawn}) {
     EXPECT_FALSE(written.files.empty());
     for (const fs::path& file : written.files) expect_content(file);
   }
   EXPECT_THAT(refusal([&] { static_cast<void>(draw({{.name = "none", .text = "{}"}}, in("drawn"))); }),
               HasSubstr("none"));
+  EXPECT_THAT(refusal([&] { static_cast<void>(write_figures(stored, in("figures"), {.pictures = {"eps"}})); }),
+              HasSubstr("svg, png, pdf or gp"));
   const Experiment made = experiment_of(experiment.conditions);
   EXPECT_THAT(refusal([&] {
                 static_cast<void>(write_page({made, run(made)}, in("page.html")));

@@ -18,6 +18,15 @@ namespace {
 
 namespace py = pybind11;
 
+/// Before its version 2.12 pybind11 reads the item size of an array where numpy 1 has it, so that arrays would be wrong.
+void refuse_numpy_2() {
+  const auto version = py::module_::import("numpy").attr("__version__").cast<std::string>();
+  if (PYBIND11_VERSION_HEX >= 0x020C0000 || version.starts_with("1.")) return;
+  throw py::import_error("this module was built with pybind11 " + std::to_string(PYBIND11_VERSION_MAJOR) + '.' +
+                         std::to_string(PYBIND11_VERSION_MINOR) + ", which does not know numpy " + version +
+                         ": install numpy<2");
+}
+
 /// Sets the Python error for an exception of the library; the classes are those of rocking/errors.py.
 void set_error(const char* name, const py::object& argument) {
   const py::object type = py::module_::import("rocking.errors").attr(name);
@@ -103,6 +112,7 @@ PYBIND11_MODULE(_core, module) {
   namespace py = pybind11;
   using namespace rocking;
   module.doc() = "Core of the package rocking; its interface is that of the package.";
+  python::refuse_numpy_2();
   py::register_exception_translator(&python::translate);
   python::add_experiment(module);
   python::add_arrays(module);

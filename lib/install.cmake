@@ -24,7 +24,9 @@ set_target_properties(rocking_library PROPERTIES
   VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
 target_compile_features(rocking_library INTERFACE cxx_std_20)
 target_include_directories(rocking_library INTERFACE ${room_headers} $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
-target_link_libraries(rocking_library PRIVATE OpenSSL::Crypto SQLite::SQLite3 pugixml::pugixml Threads::Threads)
+target_link_libraries(rocking_library PRIVATE SQLite::SQLite3 Threads::Threads
+  $<BUILD_INTERFACE:rocking_crypto> $<BUILD_INTERFACE:rocking_pugixml>
+  $<INSTALL_INTERFACE:OpenSSL::Crypto> $<INSTALL_INTERFACE:pugixml::pugixml>)
 if(ROCKING_SANITIZE)
   target_link_options(rocking_library PUBLIC -fsanitize=${ROCKING_SANITIZE})
 endif()
@@ -61,7 +63,7 @@ file(WRITE \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_LIBDIR}/pkgc
 
 # Licences of what is compiled into the library and the program, or into the pages that it writes, as Debian has them.
 foreach(package libjs-dygraphs librandom123-dev nlohmann-json3-dev libeigen3-dev libboost1.81-dev libboost-dev libfmt-dev
-    libcli11-dev libssl-dev libsqlite3-dev libpugixml-dev)
+    libcli11-dev pybind11-dev libssl-dev libsqlite3-dev libpugixml-dev)
   if(EXISTS /usr/share/doc/${package}/copyright)
     install(FILES /usr/share/doc/${package}/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR}/licences RENAME ${package})
   endif()

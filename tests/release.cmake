@@ -20,15 +20,17 @@ set_tests_properties(Golden.HasTheSameBitsWithEveryCompilerAndProcessor PROPERTI
 
 # Installs the packages of the set-up on bare systems made by debootstrap. Each takes about two minutes and needs the
 # network. Skipped with a message if debootstrap, the keys of an archive or the network are missing, or if the archive is
-# too slow. Debian 12 gets the package of cpack as well.
+# too slow. The system of the build also gets the packages of the build; the others refuse them.
 if(ROCKING_INSTALL)
-  set(bookworm_build ${PROJECT_BINARY_DIR})
+  set(packages ${PROJECT_BINARY_DIR})
+  add_test(NAME Install.MakesThePackages COMMAND ${CMAKE_COMMAND} --build ${PROJECT_BINARY_DIR} --target packages)
+  set_tests_properties(Install.MakesThePackages PROPERTIES FIXTURES_SETUP packages TIMEOUT 600 LABELS install COST 300)
 endif()
 foreach(suite bookworm trixie noble)
   add_test(NAME Platform.OffersThePackagesOfTheSetUp/${suite} COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/platform/bare_system ${suite}
-    ${${suite}_build})
+    ${packages})
   set_tests_properties(Platform.OffersThePackagesOfTheSetUp/${suite} PROPERTIES
-    SKIP_RETURN_CODE 77 TIMEOUT 400 LABELS platform COST 90)
+    FIXTURES_REQUIRED packages SKIP_RETURN_CODE 77 TIMEOUT 600 LABELS platform COST 90)
 endforeach()
 
 add_test(NAME Museum.GivesAPageAndAnAnnualRate COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/examples/museum $<TARGET_FILE:rocking>)
@@ -41,13 +43,14 @@ if(ROCKING_INSTALL)
     TIMEOUT 600 LABELS install COST 100)
   add_test(NAME Install.MakesADebianPackage
     COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/install/debian_package ${PROJECT_BINARY_DIR})
-  set_tests_properties(Install.MakesADebianPackage PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 600 LABELS install)
+  set_tests_properties(Install.MakesADebianPackage PROPERTIES FIXTURES_REQUIRED packages TIMEOUT 600 LABELS install)
 endif()
-if(TARGET rocking_python)
+if(ROCKING_INSTALL AND TARGET rocking_python)
   add_test(NAME Install.InstallsThePythonModuleWithPip
     COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/python/pip_install ${ROCKING_PYTHON_EXECUTABLE} ${PROJECT_BINARY_DIR}
       ${PROJECT_SOURCE_DIR})
-  set_tests_properties(Install.InstallsThePythonModuleWithPip PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 600 LABELS install)
+  set_tests_properties(Install.InstallsThePythonModuleWithPip PROPERTIES
+    FIXTURES_REQUIRED packages SKIP_RETURN_CODE 77 TIMEOUT 600 LABELS install)
 endif()
 add_test(NAME Documents.AreASiteWithoutWarnings
   COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/reference/build ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR}

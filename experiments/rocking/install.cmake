@@ -13,6 +13,8 @@ list(APPEND help_files ${help_folder}/rocking)
 find_program(ROCKING_PYTHON_INTERPRETER python3)
 if(ROCKING_PYTHON_INTERPRETER)
   add_custom_command(OUTPUT ${help_folder}/man1/rocking.1
+    COMMAND ${CMAKE_COMMAND} -E rm -rf ${help_folder}/man1
+    COMMAND ${CMAKE_COMMAND} -E make_directory ${help_folder}/man1
     COMMAND ${ROCKING_PYTHON_INTERPRETER} ${CMAKE_CURRENT_SOURCE_DIR}/manual_pages $<TARGET_FILE:rocking>
       ${help_folder}/man1
     DEPENDS rocking manual_pages help_text.py VERBATIM)

@@ -91,7 +91,7 @@ def main():
     folder = pathlib.Path(sys.argv[1])
     folder.mkdir(parents=True, exist_ok=True)
     grid, modes = basins(int(sys.argv[2]) if len(sys.argv) > 2 else 300)
-    orbits = rocking.orbits(experiment(), longest=LONGEST, branches=False).conditions[0].orbits
+    orbits = rocking.orbits(experiment(), periods=LONGEST, no_branches=True).conditions[0].orbits
     saddles = [orbit for orbit in orbits if orbit.kind == "saddle" and abs(orbit.points[0][0]) < 0.9]
     stable = [orbit for orbit in orbits if orbit.stable]
     lines = [line for orbit in saddles for line in manifold(orbit)]

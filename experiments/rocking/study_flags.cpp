@@ -109,10 +109,8 @@ void tell_default_list(CLI::Option& option, const Json& values) {
 CLI::Option* add_flag(CLI::App& command, const Field& field, void* question) {
   const FlagKind flag = field.flag.kind;
   if (flag == FlagKind::on || flag == FlagKind::off) {
-    std::string sentence(field.sentence);
-    if (flag == FlagKind::off) sentence = "Do not " + CLI::detail::to_lower(sentence.substr(0, 1)) + sentence.substr(1);
     const auto set_it = [&field, question, flag] { set(field, Json(flag == FlagKind::on), question); };
-    return command.add_flag_callback(std::string(field.flag.names), set_it, sentence);
+    return command.add_flag_callback(std::string(field.flag.names), set_it, sentence_of_flag(field));
   }
   const Json schema = field.type->schema(field.rule);
   const std::string kind = kind_of(schema);
@@ -157,14 +155,9 @@ std::vector<std::filesystem::path> new_files(const StructType& fields, const voi
 }
 
 base::InputError with_flags(const base::InputError& error, const StructType& fields) {
-  std::vector<base::Problem> problems = error.problems();
-  for (base::Problem& problem : problems) {
-    for (const Field& field : fields.fields()) {
-      const std::string_view names = field.flag.names;
-      if (field.key == problem.place && !names.empty()) problem.place = names.substr(0, names.find(','));
-    }
-  }
-  return base::InputError(std::move(problems));
+  return with_names(error, fields.fields(), [](const Field& field) {
+    return std::string(field.flag.names.substr(0, field.flag.names.find(',')));
+  });
 }
 
 }  // namespace rocking::program

@@ -1,5 +1,6 @@
 #include "rocking/pages.hpp"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -11,6 +12,7 @@
 #include "rocking/api/refuse.hpp"
 #include "rocking/api/run_store.hpp"
 #include "rocking/api/system_facts.hpp"
+#include "rocking/base/number_text.hpp"
 #include "rocking/output/report.hpp"
 #include "rocking/studies/studies.hpp"
 #include "rocking/text/files.hpp"
@@ -27,10 +29,13 @@ Report report_of(const StoredRun& stored, const Provenance& provenance = {}) {
   return report_of(stored.experiment, complete_result(stored.experiment, stored.run), facts_of(provenance));
 }
 
-std::vector<analysis::Figure> figures_of(const StoredRun& stored, const Report& report) {
+std::vector<analysis::Figure> figures_of(const StoredRun& stored, const Report& report, const Execution& execution,
+                                         const std::optional<HazardCurve>& hazard) {
   std::vector<analysis::Figure> figures = analysis::run_figures(report, &store_of(stored.run));
+  if (!sweeps_records(report) && hazard) refuse("hazard", hazard->name, "needs a run with a suite of ground motions");
   if (!sweeps_records(report)) return figures;
-  for (analysis::Figure& figure : figures_of_studies({stored.experiment, store_of(stored.run), 1, std::nullopt})) {
+  for (analysis::Figure& figure :
+       figures_of_studies({stored.experiment, store_of(stored.run), execution.threads, hazard})) {
     figures.push_back(std::move(figure));
   }
   return figures;
@@ -67,14 +72,16 @@ Written write_all(const std::vector<analysis::Figure>& figures, const fs::path& 
 }  // namespace
 
 Written write_page(const StoredRun& stored, const fs::path& file, const Provenance& provenance,
-                   const Execution& execution) {
+                   const Execution& execution, const std::optional<HazardCurve>& hazard) {
   const Report report = report_of(stored, provenance);
   const auto motions = pages::animations_of(stored.experiment, store_of(stored.run), report);
-  return written_of({file}, pages::write_page(file, report, figures_of(stored, report), motions, execution.stop));
+  return written_of(
+      {file}, pages::write_page(file, report, figures_of(stored, report, execution, hazard), motions, execution.stop));
 }
 
-Written write_figures(const StoredRun& stored, const fs::path& folder, const Drawn& drawn, const Execution& execution) {
-  return write_all(figures_of(stored, report_of(stored)), folder, drawn, execution);
+Written write_figures(const StoredRun& stored, const fs::path& folder, const Drawn& drawn, const Execution& execution,
+                      const std::optional<HazardCurve>& hazard) {
+  return write_all(figures_of(stored, report_of(stored), execution, hazard), folder, drawn, execution);
 }
 
 Written write_tables(const StoredRun& stored, const fs::path& folder) {
@@ -105,10 +112,13 @@ void write_trajectory_page(const Experiment& experiment, const TrajectoryRequest
 }
 
 Written draw(const std::vector<StudyText>& texts, const fs::path& folder, const Drawn& drawn,
-             const Execution& execution) {
+             const Execution& execution, const ShownPeriods& shown) {
+  analysis::Window window{.from = shown.from};
+  if (shown.to) window.to = *shown.to;
+  if (!(window.from < window.to)) refuse("from", base::shortest(window.from), "must be less than the end");
   std::vector<analysis::OutputFile> files;
   for (const StudyText& each : texts) files.push_back({.path = each.name, .text = each.text});
-  return write_all(analysis::output_figures(files, {}), folder, drawn, execution);
+  return write_all(analysis::output_figures(files, window), folder, drawn, execution);
 }
 
 }  // namespace rocking

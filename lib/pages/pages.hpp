@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,11 +20,13 @@ enum class Column : std::uint8_t {
 };
 
 /// Writes the page of a complete run, one HTML file without external resources, as the program's `report.html`. Runs
-/// gnuplot for its pictures. Uses `stop` of the execution. Throws std::invalid_argument if the run is not complete,
-/// base::InputError if its experiment was made in C++ (the page shows the text of the experiment), base::Stopped if it is
-/// asked to stop, and std::system_error with the path where the file cannot be written.
+/// gnuplot for its pictures. Uses `threads` and `stop` of the execution. `hazard`: the page of a suite then tells its annual
+/// rates. Throws std::invalid_argument if the run is not complete, base::InputError if its experiment was made in C++ (the
+/// page shows the text of the experiment) or a hazard curve does not fit, base::Stopped if it is asked to stop, and
+/// std::system_error with the path where the file cannot be written.
 [[nodiscard]] ROCKING_API Written write_page(const StoredRun& stored, const std::filesystem::path& file,
-                                             const Provenance& provenance = {}, const Execution& execution = {});
+                                             const Provenance& provenance = {}, const Execution& execution = {},
+                                             const std::optional<HazardCurve>& hazard = {});
 
 /// How figures are drawn.
 struct Drawn {
@@ -35,7 +38,8 @@ struct Drawn {
 /// Draws the figures of a complete run in a folder, which is created if necessary: numbers (tsv) and pictures. Throws
 /// base::InputError for a kind of picture that there is not; otherwise as write_page.
 [[nodiscard]] ROCKING_API Written write_figures(const StoredRun& stored, const std::filesystem::path& folder,
-                                                const Drawn& drawn = {}, const Execution& execution = {});
+                                                const Drawn& drawn = {}, const Execution& execution = {},
+                                                const std::optional<HazardCurve>& hazard = {});
 
 /// Writes the tables of a complete run into a folder, which is created if necessary: modes.csv, non_recurrence.csv,
 /// quantiles.csv, modes.tex. Otherwise as write_page.
@@ -54,9 +58,16 @@ struct StudyText {
   std::string text;
 };
 
+/// Excitation periods of trajectories.
+struct ShownPeriods {
+  double from = 0.0;
+  std::optional<double> to = {};  ///< absent: the last
+};
+
 /// Draws trajectories, and what studies found that has figures, from their JSON text, in a folder. Throws
 /// base::InputError with the name of a text that is none of these, and otherwise as write_page.
 [[nodiscard]] ROCKING_API Written draw(const std::vector<StudyText>& texts, const std::filesystem::path& folder,
-                                       const Drawn& drawn = {}, const Execution& execution = {});
+                                       const Drawn& drawn = {}, const Execution& execution = {},
+                                       const ShownPeriods& shown = {});
 
 }  // namespace rocking

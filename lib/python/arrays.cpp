@@ -27,6 +27,15 @@ py::array rows(const std::vector<Row>& rows, const py::object& owner) {
   return array;
 }
 
+/// Times and states in SI units: of strobe points, events and history.
+py::tuple arrays_in_si(const Trajectory& trajectory) {
+  const TrajectoryInSi rows = in_si(trajectory);
+  const auto array = [](const std::vector<StateInSi>& states) {
+    return py::array_t<StateInSi>(static_cast<py::ssize_t>(states.size()), states.data());
+  };
+  return py::make_tuple(array(rows.strobe), array(rows.events), array(rows.history));
+}
+
 /// JSON text of the trajectory without its states and events.
 std::string facts_of(const Trajectory& trajectory, std::uint64_t condition, std::uint64_t realisation) {
   Trajectory facts = trajectory;
@@ -95,6 +104,7 @@ void add_arrays(py::module_& module) {
   PYBIND11_NUMPY_DTYPE(TrajectorySample, period, tilt, tilt_rate, slip, slip_rate, contact);
   PYBIND11_NUMPY_DTYPE(TrajectoryEvent, tau, kind, tilt, tilt_rate, slip, slip_rate);
   PYBIND11_NUMPY_DTYPE(HistorySample, tau, tilt, tilt_rate, slip, slip_rate, contact, base_acceleration);
+  PYBIND11_NUMPY_DTYPE(StateInSi, time_s, tilt_rad, tilt_rate_rad_s, slip_m, slip_rate_m_s);
   py::class_<Trajectory, std::shared_ptr<Trajectory>>(module, "Trajectory")
       .def_property_readonly("strobe",
                              [](const py::object& self) { return rows(self.cast<const Trajectory&>().strobe, self); })
@@ -103,6 +113,7 @@ void add_arrays(py::module_& module) {
       .def_property_readonly("history",
                              [](const py::object& self) { return rows(self.cast<const Trajectory&>().history, self); })
       .def_readonly("period_length", &Trajectory::period_length)
+      .def("in_si", &arrays_in_si)
       .def("facts", &facts_of)
       .def(py::pickle(&state_of, &trajectory_of_state));
   module.def("trajectory", [](const Experiment& experiment, std::uint64_t condition, std::uint64_t realisation,

@@ -129,12 +129,23 @@ py::array rows_of(const RunResult& run) {
 /// (run, whether Ctrl-C stopped it).
 py::tuple run_watched(const Experiment& experiment, unsigned threads, const std::string& folder,
                       const std::string& files, std::optional<std::pair<std::uint64_t, std::uint64_t>> shard,
-                      bool repair, py::object on_progress) {
-  Watched<RunResult> watched(std::move(on_progress));
+                      bool repair, std::optional<double> max_time, py::object on_progress) {
+  Watched<RunResult> watched(std::move(on_progress), max_time);
   Execution asked{.threads = threads, .folder = folder, .repair = repair, .files = files};
   if (shard) asked.shard = Shard{.part = shard->first, .parts = shard->second};
   auto result = watched.run(std::move(asked), [&](const Execution& execution) { return run(experiment, execution); });
   return py::make_tuple(std::move(result), watched.was_interrupted());
+}
+
+/// (experiment, run, whether Ctrl-C stopped it).
+py::tuple resume_watched(const std::string& folder, std::optional<std::string> realisations,
+                         const std::vector<double>& levels, unsigned threads, std::optional<double> max_time,
+                         py::object on_progress) {
+  Watched<StoredRun> watched(std::move(on_progress), max_time);
+  auto stored = watched.run({.threads = threads}, [&](const Execution& execution) {
+    return resume(folder, {.realisations = std::move(realisations), .levels = levels}, execution);
+  });
+  return py::make_tuple(std::move(stored->experiment), std::move(stored->run), watched.was_interrupted());
 }
 
 /// (words, JSON text).
@@ -180,6 +191,7 @@ void add_runs(py::module_& module) {
             {.machine = std::move(machine), .start = std::move(start), .duration_s = duration, .threads = threads});
       });
   module.def("run", &run_watched);
+  module.def("resume", &resume_watched);
   module.def("run_of", [](const Experiment& experiment, const std::string& bytes,
                           const std::optional<std::string>& damaged_file) {
     const py::gil_scoped_release release;

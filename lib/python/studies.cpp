@@ -1,7 +1,9 @@
 #include <cstddef>
 #include <ctime>
+#include <map>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -23,24 +25,28 @@ double seconds_of_this_thread() {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-std::string answer_of(const std::string& study, const std::string& question, const Experiment* experiment,
-                      const std::string& files, const std::vector<std::pair<Experiment, RunResult>>& runs,
-                      unsigned threads, std::string machine, std::string start, py::object on_progress) {
-  StudySubject subject{.files = files};
+/// (JSON text, notices). Runs are (name, experiment, run).
+py::tuple answer_of(const std::string& study, const std::string& question, const Experiment* experiment,
+                    const std::string& files, const std::vector<std::tuple<std::string, Experiment, RunResult>>& runs,
+                    const std::map<std::string, std::string>& texts, const std::string& earlier, unsigned threads,
+                    std::string machine, std::string start, py::object on_progress) {
+  StudySubject subject{.files = files, .texts = texts, .earlier = earlier};
   if (experiment != nullptr) subject.experiment = *experiment;
-  for (const auto& [of_run, run] : runs) subject.runs.push_back({of_run, run});
+  for (const auto& [name, of_run, run] : runs) {
+    subject.runs.push_back({of_run, run});
+    subject.run_names.push_back(name);
+  }
   const Clocks clocks{.elapsed_seconds = seconds_from_now(), .processor_seconds = seconds_of_this_thread};
   const Provenance provenance{.machine = std::move(machine), .start = std::move(start), .threads = threads};
-  return watch(threads, std::move(on_progress), [&](const Execution& execution) {
+  StudyAnswer found = watch(threads, std::move(on_progress), [&](const Execution& execution) {
     return answer(study, question, subject, clocks, execution, provenance);
   });
+  return py::make_tuple(std::move(found.document), std::move(found.notices));
 }
 
 /// (measure, intensities, annual rates, years, statistic, site, points left out).
-py::tuple hazard_of(const std::string& file, std::optional<double> years, std::optional<std::string> imt,
-                    const std::vector<double>& site, std::optional<std::string> statistic) {
-  const HazardCurve curve = hazard_curve(
-      file, {.years = years, .measure = std::move(imt), .site = hazard_site(site), .statistic = std::move(statistic)});
+py::tuple hazard_of(const GivenHazard& given) {
+  const HazardCurve curve = curve_of(given).value();
   const auto column = [&curve](double HazardPoint::*number) {
     py::array_t<double> values(static_cast<py::ssize_t>(curve.points.size()));
     for (std::size_t i = 0; i < curve.points.size(); ++i) values.mutable_data()[i] = curve.points[i].*number;
@@ -53,6 +59,13 @@ py::tuple hazard_of(const std::string& file, std::optional<double> years, std::o
 }
 
 }  // namespace
+
+std::optional<HazardCurve> curve_of(const std::optional<GivenHazard>& given) {
+  if (!given) return std::nullopt;
+  const auto& [name, text, years, imt, site, statistic] = *given;
+  const HazardReading reading{.years = years, .measure = imt, .site = hazard_site(site), .statistic = statistic};
+  return text ? hazard_curve_in(*text, name, reading) : hazard_curve(name, reading);
+}
 
 void add_studies(py::module_& module) {
   module.def("answer", &answer_of);

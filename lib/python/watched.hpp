@@ -19,12 +19,21 @@
 
 namespace rocking::python {
 
+/// A clock of the seconds since now.
+inline std::function<double()> seconds_from_now() {
+  return [start = std::chrono::steady_clock::now()] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
+}
+
 /// A computation in a thread of its own, while the calling thread, without the interpreter's lock, waits for it, looks
 /// for signals and tells Python of progress. Ctrl-C, or an exception of the Python function, stops it.
 template <class Result>
 class Watched {
  public:
-  explicit Watched(pybind11::object on_progress) : on_progress_(std::move(on_progress)) {}
+  /// `max_time`: stops it after this time [s].
+  explicit Watched(pybind11::object on_progress, std::optional<double> max_time = {})
+      : on_progress_(std::move(on_progress)), max_time_(max_time) {}
 
   /// compute(execution) with the fields that stop it and tell of progress. Absent only where it threw base::Stopped.
   template <class Compute>
@@ -65,6 +74,7 @@ class Watched {
 
   void look_up() {
     if (stop_) return;
+    if (max_time_ && elapsed_() >= *max_time_) stop_ = true;
     try {
       if (PyErr_CheckSignals() != 0) throw pybind11::error_already_set();
       tell();
@@ -96,6 +106,8 @@ class Watched {
   }
 
   pybind11::object on_progress_;
+  std::optional<double> max_time_;
+  std::function<double()> elapsed_ = seconds_from_now();
   std::atomic<bool> stop_{false};
   std::atomic<std::uint64_t> done_{0}, all_{0};
   std::uint64_t reported_done_ = 0, reported_all_ = 0;
@@ -106,13 +118,6 @@ class Watched {
   std::condition_variable ended_;
   bool has_ended_ = false;
 };
-
-/// A clock of the seconds since now.
-inline std::function<double()> seconds_from_now() {
-  return [start = std::chrono::steady_clock::now()] {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  };
-}
 
 /// What compute(execution) returns. Ctrl-C raises KeyboardInterrupt.
 template <class Compute>

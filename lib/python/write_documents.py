@@ -131,8 +131,10 @@ def main(output, *schemas):
     for path in schemas:
         with open(path, encoding="utf-8") as file:
             classes.add(json.load(file), "Document")
+    names = "".join(f'    "{name}",\n' for name in sorted(classes.sources))
+    head = f"{HEAD.rstrip()}\n\n__all__ = [\n{names}]\n\n\ndef __dir__() -> List[str]:\n    return __all__\n"
     with open(output, "w", encoding="utf-8") as file:
-        file.write("\n\n".join([HEAD.rstrip() + "\n", *(source + "\n" for source in classes.sources.values())]))
+        file.write("\n\n".join([head, *(source + "\n" for source in classes.sources.values())]))
 
 
 if __name__ == "__main__":

@@ -4,6 +4,7 @@ usage: write_studies.py OUTPUT STUDIES
 """
 
 import json
+import keyword
 import os
 import re
 import sys
@@ -14,12 +15,13 @@ HEAD = '''"""Studies. Made of the fields of their questions, by lib/python/write
 from __future__ import annotations
 
 import os
-from typing import Optional, Sequence, Tuple, Union
+from typing import Optional, Sequence, Union
 
 from . import documents
-from .asking import Path, Source, answer, ends, numbers, paths, words
+from .asking import Path, Source, answer, numbers, paths, several, words
 from .experiments import ExperimentLike
 from .running import Progress
+from .tables import Given, file, files
 
 '''
 
@@ -31,9 +33,9 @@ SUBJECTS = {
     "files": ("", "", ""),
     "experiment": ("source: ExperimentLike", "source: an experiment.", "source=source"),
     "runs": (
-        "source: Source",
-        "source: a Result, the folder of a complete run, or an experiment, which is run first.",
-        "runs=(source,)",
+        "source: Union[Source, Sequence[Source]]",
+        "source: a Result, the folder of a complete run, or an experiment, which is run first; several in a list.",
+        "runs=several(source)",
     ),
     "two_runs": (
         "first: Source, second: Source",
@@ -43,27 +45,34 @@ SUBJECTS = {
 }
 
 
-class Parameter:
-    """A parameter of a function: one keyword, or both ends of a range, such as `branch_range[0]`."""
+def in_a_sentence(words):
+    """Without a capital letter at the start, but of a name such as JSON."""
+    return words if words[:2].isupper() else words[:1].lower() + words[1:]
 
-    def __init__(self, keywords):
-        first = keywords[0]
-        self.name = first["keyword"].split("[")[0]
-        self.is_range = len(keywords) > 1
-        self.sentence = "; ".join(each["sentence"][:1].lower() + each["sentence"][1:] for each in keywords)
-        self.is_required = first["is_required"] or self.name in ("files",)
-        schema = first["schema"].get("anyOf", [first["schema"]])[0]
+
+class Parameter:
+    """A parameter of a function, for one keyword. Python keeps some words for itself: `from` is `from_`."""
+
+    def __init__(self, asked, study):
+        self.keyword = asked["keyword"]
+        self.name = self.keyword + ("_" if keyword.iskeyword(self.keyword) else "")
+        self.sentence = re.sub(r", e\.g\. \w+", " [s]", in_a_sentence(asked["sentence"]))
+        self.is_required = asked["is_required"] or self.name in ("files",)
+        schema = asked["schema"].get("anyOf", [asked["schema"]])[0]
         types = schema.get("type", "string")
         types = [types] if isinstance(types, str) else types
         self.is_list = types[0] == "array"
-        self.is_path = first["is_path"]
+        self.is_path = asked["is_path"]
+        self.may_be_table = self.is_path and not asked["is_written"] and study["subject"] != "files"
         kind = schema["items"].get("type", "string") if self.is_list else types[0]
-        self.type, self.default, self.value = self.described(SIMPLE[kind], first["default"])
+        self.type, self.default, self.value = self.described(SIMPLE[kind], asked["default"])
 
     def described(self, simple, default):
         """Annotation, default and the value of the question."""
-        if self.is_range:
-            return "Tuple[Optional[float], Optional[float]]", "(None, None)", f"ends(\"{self.name}\", {self.name})"
+        if self.may_be_table and self.is_list:
+            return "Union[None, Given, Sequence[Given]]", "None", f"files(\"{self.name}\", {self.name})"
+        if self.may_be_table:
+            return ("Given" if self.is_required else "Optional[Given]"), "None", f"file(\"{self.name}\", {self.name})"
         if self.is_list and simple == "str":
             single = "Path" if self.is_path else "str"
             convert = "paths" if self.is_path else "words"
@@ -86,16 +95,30 @@ class Parameter:
         return f"{self.name}: {self.type}" + ("" if self.is_required else f" = {self.default}")
 
 
-def parameters_of(study):
-    groups = {}
-    for keyword in study["keywords"]:
-        groups.setdefault(keyword["keyword"].split("[")[0], []).append(keyword)
-    return [Parameter(group) for group in groups.values()]
+# What several studies take, by the flags of the same names.
+REPLACING = {"seed": "seed: Union[int, str, None] = None", "realisations": "realisations: Optional[int] = None",
+             "resume": "resume: Optional[Given] = None"}
+
+
+def replacing(study):
+    """Those of a study, with what they say."""
+    found = {}
+    if study["takes_seed"]:
+        found["seed"] = "instead of that of the experiment"
+    if study["realisations"]:
+        found["realisations"] = in_a_sentence(study["realisations"]).replace("file", "experiment")
+    if study["kept"]:
+        found["resume"] = f"go on from the {study['kept']} of an earlier answer, or of its file"
+    return found
 
 
 def sentences(parameters, study, of_subject):
     parts = [of_subject] if of_subject else []
     parts += [f"{each.name}: {each.sentence}." for each in parameters]
+    parts += [f"{name}: {sentence}." for name, sentence in replacing(study).items()]
+    if any(each.may_be_table for each in parameters):
+        parts.append("In place of a file stand its columns by name, rows, a structured array, a table of pandas, or what "
+                     "a function of this module has returned.")
     if study["has_progress"]:
         parts.append("threads: one for each processor, unless given; they change the time, never the result.")
         parts.append("progress: called with what is done and all, once that is known.")
@@ -107,22 +130,23 @@ def sentences(parameters, study, of_subject):
 
 def function(study):
     own, of_subject, about = SUBJECTS[study["subject"]]
-    parameters = parameters_of(study)
+    parameters = [Parameter(asked, study) for asked in study["keywords"]]
     required = [each for each in parameters if each.is_required]
     optional = [each for each in parameters if not each.is_required]
     if study["name"] == "check_normal":  # how many may stand first
         required, optional = optional[:1], optional[1:]
     arguments = [own] if own else []
     arguments += [each.source() for each in required]
-    optional_sources = [each.source() for each in optional]
+    optional_sources = [each.source() for each in optional] + [REPLACING[name] for name in replacing(study)]
     if study["has_progress"]:
         optional_sources += ["threads: Optional[int] = None", "progress: Optional[Progress] = None"]
     if optional_sources:
         arguments += ["*", *optional_sources]
-    values = [f"**{each.value}" if each.is_range else f"\"{each.name}\": {each.value}" for each in parameters]
+    values = [f"\"{each.keyword}\": {each.value}" for each in parameters]
     call = [json.dumps(study["name"]), "{" + ", ".join(values) + "}"]
     if about:
         call.append(about)
+    call += [f"{name}={name}" for name in replacing(study)]
     if study["has_progress"]:
         call += ["threads=threads", "progress=progress"]
     lines = [f"def {study['name']}("] + [f"    {each}," for each in arguments]

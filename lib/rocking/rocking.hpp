@@ -13,6 +13,7 @@
 /// Whatever else is installed with them are their details.
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -39,6 +40,9 @@ struct StudySubject {
   Experiment experiment = {};
   std::filesystem::path files = ".";  ///< folder from which the files of the experiment are seen
   std::vector<StoredRun> runs = {};
+  std::vector<std::string> run_names = {};        ///< as problems and tables name the runs, in their order
+  std::map<std::string, std::string> texts = {};  ///< by name: files that the question names and that are not read
+  std::string earlier = {};                       ///< document from which a study goes on, such as `rare`; empty: none
 };
 
 /// Clocks of the caller, which the library does not have: wall-clock time since some instant, which several threads ask
@@ -48,16 +52,21 @@ struct Clocks {
   std::function<double()> processor_seconds;
 };
 
-/// The answer of any study as JSON text, with the bytes that the program writes. `study`: its name, as `check_normal`.
-/// `question`: a JSON object of keywords, as studies_text() lists them; absent ones have their default. Throws
-/// base::InputError with the keyword where a question is wrong or does not fit its subject, base::Stopped if it is asked to
-/// stop, and std::invalid_argument for a study that does not exist.
-[[nodiscard]] ROCKING_API std::string answer(std::string_view study, std::string_view question,
+/// The answer of a study.
+struct StudyAnswer {
+  std::string document;              ///< JSON text, with the bytes that the program writes
+  std::vector<std::string> notices;  ///< what the program says beside it
+};
+
+/// The answer of any study. `study`: its name, as `check_normal`. `question`: a JSON object of keywords, as studies_text()
+/// lists them; absent ones have their default. Throws base::InputError with the keyword where a question is wrong or does
+/// not fit its subject, base::Stopped if it is asked to stop, and std::invalid_argument for a study that does not exist.
+[[nodiscard]] ROCKING_API StudyAnswer answer(std::string_view study, std::string_view question,
                                              const StudySubject& subject, const Clocks& clocks,
                                              const Execution& execution = {}, const Provenance& provenance = {});
 
-/// The studies as JSON text: name, sentence, subject, document, and the keywords of a question with their sentence, schema
-/// and default.
+/// The studies as JSON text: name, sentence, subject, document, whether a seed and what number of realisations may replace
+/// those of an experiment, and the keywords of a question with their sentence, schema and default.
 [[nodiscard]] ROCKING_API std::string studies_text();
 
 /// The JSON Schema (draft 07) of a format: `experiment`, `report`, ... ; empty where there is none of this name.

@@ -59,7 +59,7 @@ class AgainstTheProgram(unittest.TestCase):
 
     def test_trajectory_is_that_of_the_program(self):
         theirs = json.loads(self.program("trajectory", self.path, "--condition", "1", "--realisation", "3"))
-        ours = rocking.trajectory(self.path, condition=1, realisation=3, samples_per_period=4)
+        ours = rocking.trajectory(self.path, condition=1, realisation=3, samples=4)
         self.assertEqual(len(ours.strobe), len(theirs["strobe"]))
         self.assertEqual([rocking.EVENTS[kind] for kind in ours.events["kind"]], [e["kind"] for e in theirs["events"]])
         for name in ("tau", "tilt", "tilt_rate"):
@@ -87,9 +87,9 @@ class AgainstTheProgram(unittest.TestCase):
         # command; its file in the folder (None: standard output); the same in Python
         studies = [
             (["orbits", still, "--periods", "1", "--no-branches"], "orbits.json",
-             lambda: rocking.orbits(still, longest=1)),
+             lambda: rocking.orbits(still, periods=1, no_branches=True)),
             (["orbits", still, "--periods", "1", "--from", "3.8"], "orbits.json",
-             lambda: rocking.orbits(still, longest=1, branches=True, branch_range=(3.8, None))),
+             lambda: rocking.orbits(still, periods=1, from_=3.8)),
             (["bifurcation", self.path, "--realisation", "2"], "bifurcation.json",
              lambda: rocking.bifurcation(self.path, realisation=2)),
             (["rare", self.path, "--peak-tilt", "0.3", "--particles", "50", "--relative-error", "0.5"],
@@ -97,7 +97,7 @@ class AgainstTheProgram(unittest.TestCase):
             (["infer", counted, "--tests", tests, "--candidates", candidates, "--next-tests", "3"], "infer.json",
              lambda: rocking.infer(counted, tests, candidates=candidates, next_tests=3)),
             (["fragility", first, "--peak-tilt", "0.5", "--ida", "--json"], None,
-             lambda: rocking.fragility(first, peak_tilts=[0.5], incremental=True)),
+             lambda: rocking.fragility(first, peak_tilt=[0.5], ida=True)),
             (["compare", first, second, "--json"], None, lambda: rocking.compare(first, second)),
             (["motion", pulse, "--units", "m/s2", "--block", "1", "4", "--periods", "0.2", "1", "--series", "--json"], None,
              lambda: rocking.motion(pulse, units="m/s2", block=(1, 4), periods=[0.2, 1], series=True)),
@@ -118,12 +118,13 @@ class AgainstTheProgram(unittest.TestCase):
     def test_orbits_without_branches_have_none(self):
         still = changed(excitation={"kind": "harmonic", "amplitude": 4.0, "frequency_ratio": 10.0},
                         sweep=[{"parameter": "/excitation/amplitude", "values": [3.9, 4.0]}])
-        self.assertIsNone(rocking.orbits(still, longest=1).branches)
-        for wrong in ({"branch_range": (4.0, 3.0)}, {"source": changed(excitation=still["excitation"], sweep=[
-                {"parameter": "/horizon/sampled_periods", "values": [20, 30]}])},
+        self.assertIsNone(rocking.orbits(still, periods=1, no_branches=True).branches)
+        periods = [{"parameter": "/horizon/sampled_periods", "values": [20, 30]}]
+        for wrong in ({"from_": 4.0, "to": 3.0},
+                      {"source": changed(excitation=still["excitation"], sweep=periods), "from_": 20},
                       {"source": SLAB, "second_parameter": "/excitation/frequency_ratio"}):
             with self.assertRaises(rocking.InputError):
-                rocking.orbits(**{"source": still, "longest": 1, "branches": True, **wrong})
+                rocking.orbits(**{"source": still, "periods": 1, **wrong})
 
     def test_table_and_plan_are_those_of_the_program(self):
         theirs = self.program("run", self.path, "-o", self.out, "--no-page", "-q")
@@ -175,115 +176,6 @@ class AgainstTheProgram(unittest.TestCase):
         np.testing.assert_allclose(series.vertical_g, 0.1 * np.cos(0.3 * np.arange(200)), rtol=1e-15)
         self.assertIsNone(rocking.motion(path, units="g", columns=columns, series=False).motions[0].series)
 
-    def test_hazard_gives_the_curve_of_every_format(self):
-        levels, probabilities = np.array([0.1, 0.2, 0.4]), np.array([0.3, 0.1, 0.02])
-
-        def read(text, **asked):
-            path = os.path.join(self.folder.name, "hazard.csv")
-            with open(path, "w") as file:
-                file.write(text)
-            return rocking.hazard(path, **asked)
-
-        words = ",".join(f"poe-{level}" for level in levels)
-        two_sites = (f'#,,,,"generated_by=\'OpenQuake engine 3.16.2\', start_date=\'2023-02-03T10:00:00\', '
-                     f"checksum=1, kind='mean', investigation_time=50.0, imt='PGA'\"\n"
-                     f"lon,lat,depth,{words}\n10.0,45.0,0.0,0.3,0.1,0.02\n11.0,45.0,0.0,0.5,0.2,0.1\n")
-        for curve in (read("pga_g, poe\n0.1, 0.3\n0.2, 0.1\n0.4, 0.02\n", years=50), read(two_sites, site=(10, 45))):
-            self.assertEqual((curve.measure, curve.years, len(curve.intensity)), ("pga_g", 50.0, 3))
-            np.testing.assert_array_equal(curve.intensity, levels)
-            np.testing.assert_allclose(curve.annual_rate, -np.log1p(-probabilities) / 50.0, rtol=1e-14)
-        self.assertEqual((curve.statistic, curve.site), ("mean", (10.0, 45.0)))
-        self.assertEqual(read("0.1 1e-2\n0.4 5e-4\n", imt="SA(0.5)").measure, "sa_g[0.5]")
-        for again in (pickle.loads(pickle.dumps(curve)), copy.deepcopy(curve)):
-            self.assertEqual(repr(again), repr(curve))
-            np.testing.assert_array_equal(again.annual_rate, curve.annual_rate)
-        try:
-            self.assertEqual(curve.to_xarray()["annual_rate"].dims, ("pga_g",))
-            self.assertEqual(len(curve.to_pandas()), 3)
-        except ImportError:
-            self.skipTest("xarray was not found (Debian: python3-xarray)")
-
-    def test_hazard_refuses_what_it_cannot_read(self):
-        path = os.path.join(self.folder.name, "hazard.csv")
-        with open(path, "w") as file:
-            file.write("pga_g, annual_rate\n0.4, 1e-2\n0.1, 5e-4\n")
-        with self.assertRaisesRegex(rocking.InputError, "hazard.csv, line 3"):
-            rocking.hazard(path)
-        with self.assertRaises(FileNotFoundError):
-            rocking.hazard(path + ".none")
-        with self.assertRaises(rocking.InputError):
-            rocking.hazard(path, site=(1.0,))
-        for wrong in ({"file": 3}, {"years": "a"}, {"site": "here"}, {"imt": 3}):
-            with self.assertRaises((TypeError, ValueError), msg=wrong):
-                rocking.hazard(**{"file": path, **wrong})
-
-    def test_fragility_is_that_of_the_program(self):
-        self.program("run", self.path, "-o", self.out, "--no-page", "-q")
-        theirs = json.loads(self.program("fragility", self.out, "--json"))["curves"][0]
-        for source in (SLAB, self.out, rocking.run(SLAB)):
-            self.assertEqual(rocking.fragility(source).data["curves"][0], theirs)
-        hazard = os.path.join(self.folder.name, "hazard.csv")
-        with open(hazard, "w") as file:
-            file.write("amplitude,rate\n0.5,1e-2\n20,1e-4\n")
-        theirs = json.loads(self.program("fragility", self.out, "--peak-tilt", "0.5", "--hazard", hazard, "--json"))
-        ours = rocking.fragility(self.out, peak_tilts=[0.5], hazard=hazard)
-        self.assertEqual(ours.data, theirs)
-        self.assertEqual(len(ours.curves), 2)
-        self.assertEqual([curve.annual_rate.data for curve in ours.curves], [c["annual_rate"] for c in theirs["curves"]])
-        self.assertEqual(ours.curves[1].event.peak_tilt, 0.5)
-        same = rocking.fragility(self.out, event=["overturning", "tilt > 0.5"], hazard=hazard)
-        self.assertEqual(same.data, ours.data)
-        self.assertEqual(rocking.fragility(self.out, event="tilt > 0.5").data["curves"][0]["event"], {"peak_tilt": 0.5})
-        still = rocking.fragility(self.out, hazard=[hazard, hazard], years=[1, 50], survived=100)
-        rate = still.curves[0].annual_rate
-        self.assertEqual([each.years for each in rate.in_years], [1, 50])
-        self.assertAlmostEqual(rate.in_years[1].probability, -math.expm1(-50 * rate.value), 12)
-        self.assertAlmostEqual(still.survival.branches[1].all.probability, math.exp(-100 * rate.value), 12)
-        self.assertEqual([branch.weight for branch in still.survival.branches], [0.5, 0.5])
-        probabilities = os.path.join(self.folder.name, "poe.csv")
-        with open(probabilities, "w") as file:
-            file.write(f"0.5,{-math.expm1(-0.5)!r}\n20,{-math.expm1(-0.005)!r}\n")
-        ours = rocking.fragility(self.out, hazard=probabilities, years=50, imt="amplitude")
-        self.assertAlmostEqual(ours.curves[0].annual_rate.value, theirs["curves"][0]["annual_rate"]["value"], 12)
-        for wrong in ({}, {"years": 50}, {"imt": "amplitude", "years": 0}):
-            with self.assertRaises(rocking.InputError):
-                rocking.fragility(self.out, hazard=probabilities, **wrong)
-        with self.assertRaises(ValueError):
-            rocking.fragility(self.out, years=50)
-        with open(hazard, "w") as file:
-            file.write("pga_g,rate\n0.5,1e-2\n20,1e-4\n")
-        for wrong in ({"hazard": hazard}, {"peak_tilts": [0.0]}, {"event": "slip > 0.05"}, {"event": "slip > 0.05 m"}):
-            with self.assertRaises(rocking.InputError):
-                rocking.fragility(self.out, **wrong)
-        with self.assertRaises(FileNotFoundError):
-            rocking.fragility(self.out, hazard="/nowhere/hazard.csv")
-
-    def test_fragility_of_a_suite_is_that_of_the_program(self):
-        self.program("run", suite_in(self.folder.name), "-o", self.out, "--no-page", "-q")
-        theirs = json.loads(self.program("fragility", self.out, "--ida", "--json"))
-        told = []
-        for source in (self.out, rocking.open_run(self.out)):
-            ours = rocking.fragility(source, incremental=True, progress=lambda *numbers: told.append(numbers))
-            self.assertEqual(ours.data, theirs)
-        curve, = ours.curves
-        self.assertIsInstance(curve, rocking.documents.SuiteFragility)
-        self.assertEqual(curve.levels.column("realisations").tolist(), [32] * 4)
-        self.assertEqual(told[-1][0], told[-1][1])
-
-    def test_sheet_of_a_suite_is_that_of_the_program(self):
-        hazard = os.path.join(self.folder.name, "hazard.csv")
-        with open(hazard, "w", encoding="utf-8") as file:
-            file.write("pga_g, annual_rate\n0.1, 1e-2\n10, 1e-5\n")
-        self.program("run", suite_in(self.folder.name), "-o", self.out, "--no-page", "-q")
-        ours, theirs = os.path.join(self.folder.name, "ours.html"), os.path.join(self.folder.name, "theirs.html")
-        self.program("fragility", self.out, "--hazard", hazard, "--sheet", theirs, "-q")
-        self.assertEqual([path.name for path in rocking.write_sheet(self.out, ours, hazard=hazard).files], ["ours.html"])
-        texts = []
-        for path in (ours, theirs):
-            with open(path, encoding="utf-8") as file:
-                texts.append(file.read().partition("Made by")[0])
-        self.assertEqual(*texts)
-
     def test_comparison_is_that_of_the_program(self):
         softer = changed(sweep=[{"parameter": "/excitation/amplitude", "values": [0.5, 8.0, 4.0]}])
         folders = [os.path.join(self.folder.name, name) for name in ("first", "second")]
@@ -303,7 +195,7 @@ class AgainstTheProgram(unittest.TestCase):
         asked = ["--sample", "4", "--tolerances", "1e-5,1e-8,1e-14"]
         theirs = json.loads(self.program("cost", self.path, *asked, "--json", "-q"))
         told = []
-        ours = rocking.cost(self.path, sample=4, tolerances=[1e-5, 1e-8, 1e-14], seconds=0.1,
+        ours = rocking.cost(self.path, sample=4, tolerances=[1e-5, 1e-8, 1e-14], max_time=0.1,
                             progress=lambda done, all: told.append(done))
         self.assertEqual(told[-1], 4)
         for key in ("format", "input", "result"):
@@ -317,7 +209,7 @@ class AgainstTheProgram(unittest.TestCase):
         self.assertTrue((ours.system.processor_s_per_period > 0).all())
 
     def test_cost_ends_when_its_time_is_up(self):
-        found = rocking.cost(LONG, seconds=0.5, tolerances=[1e-5, 1e-14], threads=1)
+        found = rocking.cost(LONG, max_time=0.5, tolerances=[1e-5, 1e-14], threads=1)
         self.assertTrue(1 <= found.result.sample.realisations < 100000)
 
     def test_parts_merge_to_the_whole(self):
@@ -334,7 +226,7 @@ class AgainstTheProgram(unittest.TestCase):
         self.program("merge", by_program, *parts, "--no-page", "-q")
         with open(os.path.join(by_program, "report.json")) as file:
             digest = json.load(file)["result"]["digest"]
-        whole = rocking.merge(self.out, parts)
+        whole = rocking.resume(self.out, parts)
         self.assertEqual(whole.digest, digest)
         self.assertEqual(whole.digest, rocking.run(SLAB).digest)
         self.assertEqual(sorted(os.listdir(self.out)), ["realisations.sqlite"])
@@ -343,7 +235,7 @@ class AgainstTheProgram(unittest.TestCase):
     def test_missing_parts_are_run_by_the_next_call(self):
         part = os.path.join(self.folder.name, "part")
         rocking.run(SLAB, shard=(1, 4), folder=part)
-        whole = rocking.merge(self.out, [part])
+        whole = rocking.resume(self.out, [part])
         self.assertTrue(0 < whole.done < whole.all)
         self.assertFalse(whole.is_complete)
         self.assertEqual(rocking.run(SLAB, folder=self.out).digest, rocking.run(SLAB).digest)
@@ -400,7 +292,7 @@ class AgainstTheProgram(unittest.TestCase):
         for condition in range(3):
             for realisation in range(20):
                 try:
-                    rocking.replay(falsified, condition=condition, realisation=realisation)
+                    rocking.trajectory(falsified, condition=condition, realisation=realisation)
                 except rocking.DifferentBits:
                     different += 1
         rest = int(run.counts[:, list(run.modes).index("rest")].sum())
@@ -408,20 +300,20 @@ class AgainstTheProgram(unittest.TestCase):
         self.assertTrue(different <= found.different <= 60)
         self.assertIn("condition 0, realisation 0: the new result differs", found.findings[0])
         with self.assertRaises(rocking.DifferentBits):
-            rocking.replay(falsified, condition=1, realisation=3)
+            rocking.trajectory(falsified, condition=1, realisation=3)
 
     def test_replay_is_that_of_the_program(self):
         self.program("run", self.path, "-o", self.out, "--no-page", "-q")
         theirs = self.program("trajectory", self.out, "--condition", "1", "--realisation", "3")
         for source in (self.out, rocking.run(SLAB)):
-            self.assertEqual(rocking.replay(source, condition=1, realisation=3).text(), theirs)
+            self.assertEqual(rocking.trajectory(source, condition=1, realisation=3).text(), theirs)
         for form in ("json", "csv"):
             for units in ("normalised", "si"):
                 asked = ["--condition", "1", "--realisation", "3", "--samples", "4", "--format", form, "--units", units]
-                motion = rocking.trajectory(self.path, condition=1, realisation=3, samples_per_period=4)
+                motion = rocking.trajectory(self.path, condition=1, realisation=3, samples=4)
                 self.assertEqual(motion.text(form, units), self.program("trajectory", self.path, *asked))
         with self.assertRaises(rocking.InputError):
-            rocking.replay(self.out, realisation=20)
+            rocking.trajectory(self.out, realisation=20)
 
     def test_progress_is_told_to_its_end(self):
         for study, is_known in (

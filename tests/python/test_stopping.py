@@ -77,7 +77,7 @@ class Interrupting(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             result = rocking.run(suite_in(folder))
             with self.assertRaises(KeyboardInterrupt):
-                rocking.fragility(result, peak_tilts=np.linspace(0.001, 0.9, 200), threads=1, progress=interrupt)
+                rocking.fragility(result, peak_tilt=np.linspace(0.001, 0.9, 200), threads=1, progress=interrupt)
 
     def test_ctrl_c_stops_rare_and_verify_and_orbits(self):
         told = []
@@ -91,7 +91,7 @@ class Interrupting(unittest.TestCase):
                           sweep=[{"parameter": "/excitation/amplitude", "values": np.linspace(1.0, 4.0, 200)}])
         for call in (lambda: rocking.rare(SLAB, relative_error=1e-3, threads=1, progress=interrupt),
                      lambda: rocking.verify(result, threads=1, progress=interrupt),
-                     lambda: rocking.orbits(several, longest=1, threads=1, progress=interrupt)):
+                     lambda: rocking.orbits(several, periods=1, threads=1, progress=interrupt)):
             with self.assertRaises(KeyboardInterrupt):
                 call()
             done, all = told[-1]
@@ -107,8 +107,8 @@ class Interrupting(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             page = os.path.join(folder, "page.html")
             for call in (lambda: rocking.trajectory(SLAB, condition=1, **long), lambda: rocking.trajectory(rest, **long),
-                         lambda: rocking.trajectory(SLAB, condition=1, samples_per_period=2, **long),
-                         lambda: rocking.replay(result, condition=1, **long),
+                         lambda: rocking.trajectory(SLAB, condition=1, samples=2, **long),
+                         lambda: rocking.trajectory(result, condition=1, **long),
                          lambda: rocking.write_trajectory_page(SLAB, page, condition=1, **long)):
                 timer = threading.Timer(0.2, os.kill, (os.getpid(), signal.SIGINT))
                 with self.assertRaises(KeyboardInterrupt):
@@ -193,6 +193,46 @@ class Interrupting(unittest.TestCase):
             with self.assertRaises(rocking.InputError):
                 rocking.run(SLAB, realisations=40, folder=folder)
 
+    def test_a_run_is_extended_by_levels(self):
+        wider = changed(sweep=[{"parameter": "/excitation/amplitude", "values": [1.0, 2.0, 4.0, 12.0]}])
+        with tempfile.TemporaryDirectory() as folder:
+            rocking.run(SLAB, folder=folder)
+            longer = rocking.resume(folder, levels=[2.0])
+            self.assertEqual(longer.parameter("/excitation/amplitude").tolist(), [1.0, 2.0, 4.0, 12.0])
+            self.assertEqual(longer.digest, rocking.run(wider).digest)
+            self.assertEqual(rocking.resume(folder).digest, longer.digest)
+            more = rocking.resume(folder, levels=np.array([3.0]), realisations=25, threads=1)
+            self.assertEqual((more.done, more.all), (125, 125))
+            for wrong in ({"realisations": 3}, {"levels": [-1.0]}):
+                with self.assertRaises((OSError, rocking.InputError)):
+                    rocking.resume(folder, **wrong)
+            with self.assertRaises(TypeError):
+                rocking.resume(folder, [folder], levels=[2.0])
+        with self.assertRaises(FileNotFoundError):
+            rocking.resume("/nowhere/run")
+
+    def test_a_run_ends_when_its_time_is_up(self):
+        long = changed(realisations=2000)
+        with tempfile.TemporaryDirectory() as folder:
+            part = rocking.run(LONG, max_time=0.2, threads=1, folder=folder)
+            self.assertTrue(0 < part.done < part.all)
+            self.assertFalse(part.is_complete)
+            more = rocking.resume(folder, max_time=0.2, threads=1)
+            self.assertTrue(part.done < more.done < more.all)
+        self.assertTrue(rocking.run(long, max_time=600).is_complete)
+        with self.assertRaises(ValueError):
+            rocking.run(SLAB, max_time=0)
+
+    def test_ctrl_c_stops_resume(self):
+        def interrupt(done, all):
+            os.kill(os.getpid(), signal.SIGINT)
+
+        with tempfile.TemporaryDirectory() as folder:
+            rocking.run(LONG, max_time=0.1, threads=1, folder=folder)
+            with self.assertRaises(rocking.Interrupted) as caught:
+                rocking.resume(folder, progress=interrupt, threads=1)
+            self.assertLess(caught.exception.result.done, caught.exception.result.all)
+
     def test_a_damaged_store_is_repaired(self):
         with tempfile.TemporaryDirectory() as folder:
             store = os.path.join(folder, "realisations.sqlite")
@@ -218,7 +258,7 @@ class Interrupting(unittest.TestCase):
         result = rocking.run(SLAB)
         for study in (lambda: rocking.run(LONG, progress=tell), lambda: rocking.cost(LONG, progress=tell),
                       lambda: rocking.rare(SLAB, relative_error=1e-3, progress=tell),
-                      lambda: rocking.orbits(still, longest=2, progress=tell),
+                      lambda: rocking.orbits(still, periods=2, progress=tell),
                       lambda: rocking.bifurcation(SLAB, progress=tell), lambda: rocking.verify(result, progress=tell)):
             with self.assertRaises(Enough):
                 study()

@@ -17,10 +17,10 @@ True
 """
 
 import json
-from typing import Any, Dict
+from typing import Any, Dict, List
 
 from . import _core, documents, studies
-from .checks import RunCheck, doctor, replay, verify
+from .checks import RunCheck, doctor, verify
 from .errors import DifferentBits, InputError, Interrupted, Problem, StoreError
 from .experiments import Experiment, ExperimentLike, experiment, validate
 from .fields import Document, Fields, Rows
@@ -28,7 +28,7 @@ from .hazards import Hazard, hazard
 from .intervals import clopper_pearson, colour, wilson
 from .pages import Written, draw, write_figures, write_page, write_sheet, write_tables, write_trajectory_page
 from .results import Result
-from .running import Plan, merge, open_run, plan, run
+from .running import Plan, open_run, plan, resume, run
 from .studies import *  # noqa: F403
 from .trajectories import CONTACTS, EVENTS, TERMINATIONS, Trajectory, trajectory
 
@@ -61,10 +61,9 @@ __all__ = [
     "draw",
     "experiment",
     "hazard",
-    "merge",
     "open_run",
     "plan",
-    "replay",
+    "resume",
     "run",
     "schema",
     "trajectory",
@@ -78,6 +77,10 @@ __all__ = [
     "write_trajectory_page",
 ]
 __all__ += studies.__all__
+
+
+def __dir__() -> List[str]:
+    return [*__all__, "__version__"]
 
 
 def schema(name: str) -> Dict[str, Any]:

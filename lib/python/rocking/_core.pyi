@@ -9,6 +9,8 @@ terminations: Tuple[str, ...]
 
 _Progress = Optional[Callable[[int, int], object]]
 
+_Hazard = Tuple[str, Optional[str], Optional[float], Optional[str], List[float], Optional[str]]
+
 class Experiment:
     @property
     def title(self) -> str: ...
@@ -51,6 +53,7 @@ class Trajectory:
     def history(self) -> npt.NDArray[Any]: ...
     @property
     def period_length(self) -> float: ...
+    def in_si(self) -> Tuple[npt.NDArray[Any], npt.NDArray[Any], npt.NDArray[Any]]: ...
     def facts(self, condition: int, realisation: int) -> str: ...
 
 def parse(
@@ -71,8 +74,17 @@ def run(
     files: str,
     shard: Optional[Tuple[int, int]],
     repair: bool,
+    max_time: Optional[float],
     on_progress: _Progress,
 ) -> Tuple[Run, bool]: ...
+def resume(
+    folder: str,
+    realisations: Optional[str],
+    levels: List[float],
+    threads: int,
+    max_time: Optional[float],
+    on_progress: _Progress,
+) -> Tuple[Experiment, Run, bool]: ...
 def run_of(experiment: Experiment, bytes: bytes, damaged_file: Optional[str]) -> Run: ...
 def plan(
     experiment: Experiment, threads: int, shard: Optional[Tuple[int, int]], timed: bool
@@ -83,15 +95,15 @@ def answer(
     question: str,
     experiment: Optional[Experiment],
     files: str,
-    runs: List[Tuple[Experiment, Run]],
+    runs: List[Tuple[str, Experiment, Run]],
+    texts: Dict[str, str],
+    earlier: str,
     threads: int,
     machine: str,
     start: str,
     on_progress: _Progress,
-) -> str: ...
-def hazard(
-    file: str, years: Optional[float], imt: Optional[str], site: List[float], statistic: Optional[str]
-) -> Tuple[
+) -> Tuple[str, List[str]]: ...
+def hazard(given: _Hazard) -> Tuple[
     str,
     npt.NDArray[np.float64],
     npt.NDArray[np.float64],
@@ -108,28 +120,27 @@ def trajectory_text(
     trajectory: Trajectory, condition: int, realisation: int, si: bool, as_table: bool
 ) -> str: ...
 def write_page(
-    experiment: Experiment, run: Run, file: str, machine: str, start: str, duration: float, threads: int
+    experiment: Experiment,
+    run: Run,
+    file: str,
+    machine: str,
+    start: str,
+    duration: float,
+    threads: int,
+    hazard: Optional[_Hazard],
 ) -> Tuple[List[str], List[str]]: ...
 def write_trajectory_page(
     experiment: Experiment, condition: int, realisation: int, periods: Optional[int], samples: int, file: str
 ) -> Tuple[List[str], List[str]]: ...
 def write_figures(
-    experiment: Experiment, run: Run, folder: str, column: int, pictures: List[str]
+    experiment: Experiment, run: Run, folder: str, column: int, pictures: List[str], hazard: Optional[_Hazard]
 ) -> Tuple[List[str], List[str]]: ...
 def write_sheet(
-    experiment: Experiment,
-    run: Run,
-    hazard: str,
-    years: Optional[float],
-    imt: Optional[str],
-    site: List[float],
-    statistic: Optional[str],
-    file: str,
-    threads: int,
+    experiment: Experiment, run: Run, file: str, threads: int, hazard: _Hazard
 ) -> Tuple[List[str], List[str]]: ...
 def write_tables(experiment: Experiment, run: Run, folder: str) -> Tuple[List[str], List[str]]: ...
 def draw(
-    sources: List[Tuple[str, str]], folder: str, column: int, pictures: List[str]
+    sources: List[Tuple[str, str]], folder: str, column: int, pictures: List[str], from_: float, to: Optional[float]
 ) -> Tuple[List[str], List[str]]: ...
 def verify(
     experiment: Experiment, run: Run, sample: Optional[int], threads: int, on_progress: _Progress

@@ -6,11 +6,11 @@ import os
 from typing import Any, Dict, List, Optional, Union
 
 from . import _core
+from .fields import interface
 from .results import Result
-from .running import Progress, open_run, processors
-from .trajectories import Trajectory
+from .running import Progress, processors
 
-__all__ = ["RunCheck", "doctor", "replay", "verify"]
+__all__ = ["RunCheck", "doctor", "verify"]
 
 
 class RunCheck:
@@ -20,6 +20,8 @@ class RunCheck:
         self.checked = checked  #: realisations that were run again
         self.different = different  #: of them, with another result
         self.findings = findings  #: what differs, in words: the first few
+
+    __dir__ = interface
 
     @property
     def is_verified(self) -> bool:
@@ -57,33 +59,6 @@ def verify(
     else:
         found = _core.verify_folder(os.fspath(source), sample, threads or processors(), progress)
     return RunCheck(*found)
-
-
-def replay(
-    source: Union[Result, str, "os.PathLike[str]"],
-    *,
-    condition: int = 0,
-    realisation: int = 0,
-    periods: Optional[int] = None,
-    samples_per_period: int = 0,
-) -> Trajectory:
-    """Simulate one realisation of a run again, checked against its digest. Arguments as trajectory().
-
-    source: a Result, or the folder of a run. Raises InputError if the run has no such realisation, and DifferentBits if
-    this version gives it another result.
-
-    >>> import rocking
-    >>> slab = {"format": "rocking.experiment/1", "block": {"width_m": 1, "height_m": 4},
-    ...     "excitation": {"kind": "harmonic", "amplitude": 2.0, "frequency_ratio": 10.0,
-    ...                    "phase_rad": {"uniform": [0, 6.28]}}, "restitution": 0.9,
-    ...     "horizon": {"transient_periods": 20, "sampled_periods": 20}, "realisations": 10, "seed": "0x1"}
-    >>> rocking.replay(rocking.run(slab), realisation=3).termination
-    'reached_horizon'
-    """
-    result = source if isinstance(source, Result) else open_run(source)
-    extent = (condition, realisation, periods, samples_per_period)
-    found = _core.replay(result.experiment._core, result._core, *extent)
-    return Trajectory(found, condition, realisation)
 
 
 def doctor() -> Dict[str, Any]:

@@ -2,12 +2,23 @@
 
 from __future__ import annotations
 
+import re
 from typing import TYPE_CHECKING, Any, NamedTuple, Sequence, Tuple
+
+from .fields import interface
 
 if TYPE_CHECKING:
     from .results import Result
 
 __all__ = ["DifferentBits", "InputError", "Interrupted", "Problem", "StoreError"]
+
+
+def in_python(words: str) -> str:
+    """Words about flags as those of keywords; a command of the program, between backticks, stays."""
+    parts = words.split("`")
+    flag = re.compile(r"(?<![\w-])--(\w[\w-]*)")
+    parts[::2] = [flag.sub(lambda found: found[1].replace("-", "_"), part) for part in parts[::2]]
+    return "`".join(parts)
 
 
 class Problem(NamedTuple):
@@ -17,7 +28,9 @@ class Problem(NamedTuple):
     value: str  #: the value found there, as written; empty if there is none
     reason: str  #: why it is not accepted
     remedy: str  #: what would be accepted; empty if the reason says it
-    where: str  #: file and line; empty if ``place`` says it
+    where: str  #: file and line; empty if ``place`` says it, or the text of the input was made here
+
+    __dir__ = interface
 
     def __str__(self) -> str:
         text = f"{self.where}: " if self.where else ""
@@ -41,8 +54,13 @@ class InputError(ValueError):
 
     problems: Tuple[Problem, ...]
 
+    __dir__ = interface
+
     def __init__(self, problems: Sequence[Tuple[str, str, str, str, str]]) -> None:
-        self.problems = tuple(Problem(*problem) for problem in problems)
+        self.problems = tuple(
+            Problem(in_python(place), value, in_python(reason), in_python(remedy), where)
+            for place, value, reason, remedy, where in problems
+        )
         super().__init__("\n".join(str(problem) for problem in self.problems))
 
     def __reduce__(self) -> Tuple[Any, ...]:  # so that it reaches the parent of a process pool
@@ -66,6 +84,8 @@ class Interrupted(KeyboardInterrupt):
     """Ctrl-C stopped the run. What is done is kept in ``result``, and in the folder if there is one."""
 
     result: "Result"
+
+    __dir__ = interface
 
     def __init__(self, result: "Result") -> None:
         self.result = result

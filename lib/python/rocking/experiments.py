@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import json
+import math
 import os
 from typing import Any, Dict, Mapping, Optional, Tuple, Union
 
 from . import _core
+from .fields import interface
 
 __all__ = ["Experiment", "ExperimentLike", "experiment", "validate"]
 
@@ -14,13 +16,19 @@ ExperimentLike = Union["Experiment", Mapping[str, Any], str, "os.PathLike[str]"]
 
 
 def _plain(value: Any) -> Any:
-    """Numbers and arrays of numpy as those of Python."""
+    """Numbers and arrays of numpy as those of Python; what JSON has not is named, and refused with its place."""
     if hasattr(value, "tolist"):
-        return value.tolist()
+        value = value.tolist()
+    if isinstance(value, Mapping):
+        return {str(key): _plain(each) for key, each in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [_plain(each) for each in value]
+    if isinstance(value, float) and not math.isfinite(value):
+        return str(value)
     if isinstance(value, os.PathLike):
         return os.fspath(value)
-    if isinstance(value, Mapping):
-        return dict(value)
+    if value is None or isinstance(value, (str, int, float)):
+        return value
     raise TypeError(f"an experiment cannot contain a {type(value).__name__}")
 
 
@@ -61,6 +69,8 @@ class Experiment:
         found: Dict[str, Any] = json.loads(self._core.text)
         return found
 
+    __dir__ = interface
+
     def __reduce__(self) -> Tuple[Any, ...]:
         return _of_text, (self._core.text, self._files)
 
@@ -72,7 +82,7 @@ class Experiment:
 
 
 def _of_text(text: str, files: str) -> Experiment:
-    return Experiment(_core.parse(text, "experiment", files, None, None, False), files)
+    return Experiment(_core.parse(text, "", files, None, None, False), files)
 
 
 def experiment(
@@ -89,7 +99,8 @@ def experiment(
     skip_unreadable: leaves out records of a suite that cannot be read; `excitation.left_out` names them.
 
     Ground motions that a dictionary names are relative to the current folder, those of a file to the file's.
-    Raises InputError with all problems, and OSError where a file cannot be read.
+    Raises InputError with all problems, each with its place in the experiment, and of a file with the line; and OSError
+    where a file cannot be read.
 
     >>> import rocking
     >>> slab = rocking.experiment({"format": "rocking.experiment/1", "block": {"width_m": 1, "height_m": 4},
@@ -98,20 +109,24 @@ def experiment(
     (1, 1)
     """
     if isinstance(source, Experiment):
-        if seed is not None or realisations is not None:
-            raise TypeError("seed and realisations replace those of a dictionary or a file, not of an Experiment")
+        if seed is not None or realisations is not None or skip_unreadable:
+            raise TypeError("seed, realisations and skip_unreadable are of a dictionary or a file, not of an Experiment")
         return source
     seed_text = None if seed is None else str(seed)
     number_text = None if realisations is None else str(realisations)
     if isinstance(source, Mapping):
-        text = json.dumps(source, default=_plain)
-        return Experiment(_core.parse(text, "experiment", ".", seed_text, number_text, skip_unreadable), os.getcwd())
+        text = json.dumps(_plain(source))
+        return Experiment(_core.parse(text, "", ".", seed_text, number_text, skip_unreadable), os.getcwd())
     path = os.fspath(source)
     return Experiment(_core.read(path, seed_text, number_text, skip_unreadable), os.path.dirname(os.path.abspath(path)))
 
 
 def validate(
-    source: ExperimentLike, *, seed: Union[int, str, None] = None, realisations: Optional[int] = None
+    source: ExperimentLike,
+    *,
+    seed: Union[int, str, None] = None,
+    realisations: Optional[int] = None,
+    skip_unreadable: bool = False,
 ) -> Dict[str, Any]:
     """The experiment with every default written out, as a dictionary. Nothing is simulated. Arguments as experiment().
 
@@ -121,4 +136,4 @@ def validate(
     >>> rocking.validate(slab)["horizon"]
     {'transient_periods': 500, 'sampled_periods': 120}
     """
-    return experiment(source, seed=seed, realisations=realisations).to_dict()
+    return experiment(source, seed=seed, realisations=realisations, skip_unreadable=skip_unreadable).to_dict()

@@ -24,6 +24,11 @@ _Row = TypeVar("_Row")
 _MOST_ROWS = 60  # of a table in a notebook
 
 
+def interface(thing: object) -> List[str]:
+    """What dir() shows of an object: its interface alone."""
+    return [name for name in object.__dir__(thing) if not name.startswith("_")]
+
+
 class Fields:
     """An object with the keys of a document as attributes; None where a key is absent. ``from`` is ``from_``."""
 
@@ -44,7 +49,7 @@ class Fields:
             return made
 
     def __dir__(self) -> List[str]:
-        return sorted({*super().__dir__(), *(name_of(key) for key in self._keys)})
+        return sorted({*interface(self), *(name_of(key) for key in self._keys)})
 
     def __eq__(self, other: object) -> bool:
         return type(self) is type(other) and isinstance(other, Fields) and self.data == other.data
@@ -77,6 +82,8 @@ class Rows(List[_Row]):
     >>> levels.column("tilt")
     array([0.5, nan])
     """
+
+    __dir__ = interface
 
     def column(self, name: str) -> npt.NDArray[Any]:
         """The values of one attribute, ``intensity`` or ``law.median.value``, by row; NaN where a number is missing."""
@@ -116,17 +123,17 @@ class Document(Fields):
 
     def _repr_html_(self) -> str:
         tables = [f"<h4>{name}</h4>{getattr(self, name)._repr_html_()}" for name in self._tables()]
-        return super()._repr_html_() + "".join(tables) + pictures("draw", [("", self.text)])
+        return super()._repr_html_() + "".join(tables) + pictures("draw", [("", self.text)], shown=(0.0, None))
 
     def _tables(self) -> List[str]:
         return [name for name, value in self._shown() if value and isinstance(getattr(self, name), Rows)]
 
 
-def pictures(function: str, *source: Any) -> str:
+def pictures(function: str, *source: Any, shown: Tuple[Any, ...]) -> str:
     """The first figures that a function of the core draws, as HTML; empty where gnuplot or fmt is missing."""
     with tempfile.TemporaryDirectory() as folder:
         try:
-            files, _ = getattr(_core, function)(*source, folder, 0)
+            files, _ = getattr(_core, function)(*source, folder, 0, *shown)
         except (AttributeError, ValueError):  # built without fmt; an InputError where there is nothing to draw
             return ""
         drawn = [Path(file) for file in files if file.endswith(".svg")][:3]

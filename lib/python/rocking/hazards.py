@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import os
-from typing import TYPE_CHECKING, Any, Dict, Optional, Tuple
+from typing import TYPE_CHECKING, Any, Dict, List, Optional, Sequence, Tuple
 
 import numpy as np
 
 from . import _core
-from .asking import Path
-from .fields import dataset
+from .fields import dataset, interface
+from .tables import Given, file, told_by_row
 
 if TYPE_CHECKING:
     import numpy.typing as npt
@@ -33,7 +32,7 @@ class Hazard:
         site: Optional[Tuple[float, float]],
         certain: int,
     ) -> None:
-        self.file = file  #: as it was given
+        self.file = file  #: as it was given; ``hazard`` of one that was given as numbers
         self.measure = measure  #: of the intensities, as a sweep names it: ``pga_g``, ``sa_g[0.5]``
         self.intensity = intensity  #: in the unit of the measure, rising
         self.annual_rate = annual_rate  #: at which it is exceeded [1/year], not rising
@@ -41,6 +40,14 @@ class Hazard:
         self.statistic = statistic  #: ``mean``, ``quantile-0.84``; empty: the file does not say
         self.site = site  #: (longitude, latitude) [degrees]; None: the file does not say
         self.certain = certain  #: weaker points of probability 1, which are left out: no rate gives it
+
+    __dir__ = interface
+
+    @property
+    def text(self) -> str:
+        """The points as a file that ``rocking fragility --hazard`` reads."""
+        points = zip(self.intensity.tolist(), self.annual_rate.tolist())
+        return f"{self.measure},annual_rate\n" + "".join(f"{intensity!r},{rate!r}\n" for intensity, rate in points)
 
     def to_pandas(self) -> "pandas.DataFrame":
         """A row for each point."""
@@ -58,27 +65,43 @@ class Hazard:
         return f"<rocking.Hazard of {self.measure}: {len(self.intensity)} points from {ends}>"
 
 
+#: As the core takes it: name, text, years, measure, site, statistic.
+Asked = Tuple[str, Optional[str], Optional[float], Optional[str], List[float], Optional[str]]
+
+
+def asked_hazard(
+    given: Given, years: Optional[float], imt: Optional[str], site: Optional[Sequence[float]], statistic: Optional[str]
+) -> Asked:
+    """What is asked of a file, or of what stands in place of one."""
+    found = file("hazard", given)
+    if found is None:
+        raise TypeError("hazard = None: give a path, or columns by name")
+    name, text = (found, None) if isinstance(found, str) else found
+    return name, text, years, imt, [float(each) for each in site or ()], statistic
+
+
 def hazard(
-    file: Path,
+    source: Given,
     *,
     years: Optional[float] = None,
     imt: Optional[str] = None,
-    site: Optional[Tuple[float, float]] = None,
+    site: Optional[Sequence[float]] = None,
     statistic: Optional[str] = None,
 ) -> Hazard:
     """Read a hazard curve, as ``rocking fragility --hazard`` does: two columns, or a file of OpenQuake or the USGS.
 
-    years: of probabilities of exceedance, where the file does not state them. imt, site, statistic: which curve is meant,
+    source: a path; or columns by their names in such a file, as ``{"pga_g": [...], "annual_rate": [...]}``, a structured
+    array or a table of pandas; or a pair of arrays, intensities and annual rates, whose measure ``imt`` names. years: of probabilities of exceedance, where the file does not state them. imt, site, statistic: which curve is meant,
     where a file has several: an intensity measure such as ``PGA`` or ``SA(0.5)``, longitude and latitude, ``mean`` or
-    ``quantile-0.84``. Raises InputError with file, line and value of each fault, and OSError where it cannot be read.
+    ``quantile-0.84``. Raises InputError with file, line (or row) and value of each fault, and OSError where it cannot be
+    read.
 
-    >>> import os, rocking, tempfile
-    >>> path = os.path.join(tempfile.mkdtemp(), "hazard.csv")
-    >>> with open(path, "w") as file:
-    ...     _ = file.write("pga_g, annual_rate\\n0.1, 1e-2\\n0.4, 5e-4\\n")
-    >>> rocking.hazard(path).annual_rate
+    >>> import rocking
+    >>> rocking.hazard({"pga_g": [0.1, 0.4], "annual_rate": [1e-2, 5e-4]}).annual_rate
     array([0.01  , 0.0005])
+    >>> rocking.hazard(([0.1, 0.4], [1e-2, 5e-4]), imt="SA(0.5)").measure
+    'sa_g[0.5]'
     """
-    name = os.fspath(file)
-    where = [] if site is None else [float(each) for each in site]
-    return Hazard(name, *_core.hazard(name, years, imt, where, statistic))
+    asked = asked_hazard(source, years, imt, site, statistic)
+    with told_by_row([asked[0]] if asked[1] is not None else []):
+        return Hazard(asked[0], *_core.hazard(asked))

@@ -4,19 +4,26 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import Any, List, NamedTuple, Optional, Sequence, Tuple, Union
+from typing import Any, Dict, List, NamedTuple, Optional, Sequence, Tuple, Union
 
 from . import _core
 from .experiments import ExperimentLike, experiment
-from .fields import Document
+from .fields import Document, interface
+from .hazards import asked_hazard
 from .results import Result
 from .running import open_run, processors
+from .tables import Given, told_by_row
 from .trajectories import Trajectory
 
 __all__ = ["Written", "draw", "write_figures", "write_page", "write_sheet", "write_tables", "write_trajectory_page"]
 
 _Path = Union[str, "os.PathLike[str]"]
-_COLUMNS = ("screen", "journal_single", "journal_double")
+_COLUMNS: Dict[Tuple[str, Optional[str]], int] = {  # numbers of the core, by style and width
+    ("screen", None): 0,
+    ("journal", None): 1,
+    ("journal", "single"): 1,
+    ("journal", "double"): 2,
+}
 
 
 class Written(NamedTuple):
@@ -25,11 +32,23 @@ class Written(NamedTuple):
     files: List[Path]
     not_drawn: List[str]  #: reasons why pictures are missing: gnuplot is not installed, or failed
 
+    __dir__ = interface
 
-def write_page(source: Union[Result, _Path], file: _Path) -> Written:
+
+def write_page(
+    source: Union[Result, _Path],
+    file: _Path,
+    *,
+    hazard: Optional[Given] = None,
+    years: Optional[float] = None,
+    imt: Optional[str] = None,
+    site: Sequence[float] = (),
+    statistic: Optional[str] = None,
+) -> Written:
     """Write the page of a complete run: one HTML file without external resources, as the program's ``report.html``.
 
-    source: a Result, or the folder of a run. Runs gnuplot for the pictures; without it the page has none for printing,
+    source: a Result, or the folder of a run. hazard, years, imt, site, statistic: a hazard curve, as of hazard(); the page
+    of a suite then tells its annual rates. Runs gnuplot for the pictures; without it the page has none for printing,
     and ``not_drawn`` says so. Raises ValueError if the run is not complete, OSError where the file cannot be written.
 
     >>> import os, tempfile, rocking
@@ -42,17 +61,31 @@ def write_page(source: Union[Result, _Path], file: _Path) -> Written:
     ['report.html']
     """
     result = _complete(source)
-    return _call("write_page", result.experiment._core, result._core, os.fspath(file), *result._provenance)
+    where = os.fspath(file)
+    with told_by_row(["hazard"]):
+        curve = None if hazard is None else asked_hazard(hazard, years, imt, site, statistic)
+        return _call("write_page", result.experiment._core, result._core, where, *result._provenance, curve)
 
 
 def write_figures(
-    source: Union[Result, _Path], folder: _Path, *, column: str = "screen", pictures: Sequence[str] = ()
+    source: Union[Result, _Path],
+    folder: _Path,
+    *,
+    style: str = "screen",
+    width: Optional[str] = None,
+    pictures: Sequence[str] = (),
+    hazard: Optional[Given] = None,
+    years: Optional[float] = None,
+    imt: Optional[str] = None,
+    site: Sequence[float] = (),
+    statistic: Optional[str] = None,
 ) -> Written:
     """Draw the figures of a complete run in a folder: numbers (tsv) and pictures.
 
-    source: a Result, or the folder of a run. column: ``screen``, ``journal_single`` (84 mm, 8 points, no titles) or
-    ``journal_double`` (174 mm). pictures: of ``svg``, ``png``, ``pdf`` and ``gp``, gnuplot's script; default: svg, or pdf
-    for a journal. Raises InputError for another kind of picture, otherwise errors as write_page().
+    source: a Result, or the folder of a run. style: ``screen`` or ``journal`` (8 points, no titles). width: of the column
+    of a journal, ``single`` (84 mm) or ``double`` (174 mm). pictures: of ``svg``, ``png``, ``pdf`` and ``gp``, gnuplot's
+    script; default: svg, or pdf for a journal. hazard, years, imt, site, statistic, errors: as write_page(). Raises
+    InputError for another kind of picture.
 
     >>> import tempfile, rocking
     >>> slab = {"format": "rocking.experiment/1", "block": {"width_m": 1, "height_m": 4},
@@ -60,19 +93,22 @@ def write_figures(
     ...                    "phase_rad": {"uniform": [0, 6.28]}}, "restitution": 0.9,
     ...     "horizon": {"transient_periods": 5, "sampled_periods": 15}, "realisations": 10, "seed": "0x1"}
     >>> with tempfile.TemporaryDirectory() as folder:
-    ...     written = rocking.write_figures(rocking.run(slab), folder, column="journal_single", pictures=["gp"])
+    ...     written = rocking.write_figures(rocking.run(slab), folder, style="journal", pictures=["gp"])
     >>> "scene.gp" in [file.name for file in written.files]
     True
     """
     result = _complete(source)
-    return _call("write_figures", result.experiment._core, result._core, os.fspath(folder), _number_of(column), list(pictures))
+    with told_by_row(["hazard"]):
+        curve = None if hazard is None else asked_hazard(hazard, years, imt, site, statistic)
+        cores = result.experiment._core, result._core
+        return _call("write_figures", *cores, os.fspath(folder), _number_of(style, width), list(pictures), curve)
 
 
 def write_sheet(
     source: Union[Result, _Path],
     file: _Path,
     *,
-    hazard: _Path,
+    hazard: Given,
     years: Optional[float] = None,
     imt: Optional[str] = None,
     site: Sequence[float] = (),
@@ -82,7 +118,7 @@ def write_sheet(
 
     source: a Result, or the folder of a run. file: ends with ``.html`` or ``.pdf``; the latter needs WeasyPrint, without
     which no file is written and ``not_drawn`` says so. hazard, years, imt, site, statistic: a hazard curve, as of
-    fragility(). Raises InputError if the run has no suite, otherwise errors as write_page().
+    hazard(). Raises InputError if the run has no suite, otherwise errors as write_page().
 
     >>> import json, math, os, tempfile, rocking
     >>> suite = {"format": "rocking.experiment/1", "block": {"width_m": 0.35, "height_m": 1.6},
@@ -100,8 +136,9 @@ def write_sheet(
     ['sheet.html']
     """
     result = _complete(source)
-    cores = result.experiment._core, result._core
-    return _call("write_sheet", *cores, os.fspath(hazard), years, imt, list(site), statistic, os.fspath(file), processors())
+    with told_by_row(["hazard"]):
+        curve = asked_hazard(hazard, years, imt, site, statistic)
+        return _call("write_sheet", result.experiment._core, result._core, os.fspath(file), processors(), curve)
 
 
 def write_tables(source: Union[Result, _Path], folder: _Path) -> Written:
@@ -129,12 +166,12 @@ def write_trajectory_page(
     condition: int = 0,
     realisation: int = 0,
     periods: Optional[int] = None,
-    samples_per_period: Optional[int] = None,
+    samples: Optional[int] = None,
     seed: Union[int, str, None] = None,
 ) -> Path:
     """Write the page of one realisation, in which the block moves: as ``rocking trajectory --html``. Returns the file.
 
-    periods: excitation periods; default: all of the horizon. samples_per_period: default: as many as the eye needs.
+    periods: excitation periods; default: all of the horizon. samples: in a period; default: as many as the eye needs.
     Raises InputError as trajectory(), and if the block overturns before two samples; OSError where the file cannot be
     written.
 
@@ -145,19 +182,28 @@ def write_trajectory_page(
     ...     rocking.write_trajectory_page(slab, os.path.join(folder, "motion.html"), periods=5).stat().st_size > 1000
     True
     """
-    if samples_per_period is not None and samples_per_period < 1:
-        raise ValueError(f"samples_per_period = {samples_per_period}: must be at least 1")
+    if samples is not None and samples < 1:
+        raise ValueError(f"samples = {samples}: must be at least 1")
     checked = experiment(source, seed=seed)
-    extent = (condition, realisation, periods, samples_per_period or 0)
+    extent = (condition, realisation, periods, samples or 0)
     return _call("write_trajectory_page", checked._core, *extent, os.fspath(file)).files[0]
 
 
-def draw(*sources: Any, folder: _Path, column: str = "screen", pictures: Sequence[str] = ()) -> Written:
+def draw(
+    *sources: Any,
+    folder: _Path,
+    from_: float = 0,
+    to: Optional[float] = None,
+    style: str = "screen",
+    width: Optional[str] = None,
+    pictures: Sequence[str] = (),
+) -> Written:
     """Draw what a study has found, in a folder: as ``rocking report`` draws what the program printed.
 
-    sources: results of trajectory() with ``samples_per_period``, bifurcation(), orbits() with ``branches``, cost(),
-    fragility(), motion() with ``series``, check_normal(), or paths of files that the program wrote. column, pictures:
-    as write_figures(). Raises InputError for a source that is none of these.
+    sources: results of trajectory() with ``samples``, bifurcation(), orbits() with branches, cost(), fragility(),
+    rare(), infer(), motion() with ``series``, check_normal(), or paths of files that the program wrote. from_, to: the first
+    and the last excitation period of trajectories that is shown. style, width, pictures: as write_figures(). Raises InputError for a source that is
+    none of these.
 
     >>> import tempfile, rocking
     >>> with tempfile.TemporaryDirectory() as folder:
@@ -166,7 +212,7 @@ def draw(*sources: Any, folder: _Path, column: str = "screen", pictures: Sequenc
     True
     """
     texts = [_document_of(source, number) for number, source in enumerate(sources)]
-    return _call("draw", texts, os.fspath(folder), _number_of(column), list(pictures))
+    return _call("draw", texts, os.fspath(folder), _number_of(style, width), list(pictures), float(from_), to)
 
 
 def _complete(source: Union[Result, _Path]) -> Result:
@@ -175,10 +221,10 @@ def _complete(source: Union[Result, _Path]) -> Result:
     return result
 
 
-def _number_of(column: str) -> int:
-    if column not in _COLUMNS:
-        raise ValueError(f"column = {column!r}: must be one of {', '.join(_COLUMNS)}")
-    return _COLUMNS.index(column)
+def _number_of(style: str, width: Optional[str]) -> int:
+    if (style, width) not in _COLUMNS:
+        raise ValueError(f"style = {style!r}, width = {width!r}: must be screen; or journal, single or double")
+    return _COLUMNS[style, width]
 
 
 def _document_of(source: Any, number: int) -> Tuple[str, str]:

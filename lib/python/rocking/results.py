@@ -10,7 +10,7 @@ import numpy as np
 
 from . import _core, documents
 from .experiments import Experiment
-from .fields import dataset, pictures
+from .fields import dataset, interface, pictures
 
 if TYPE_CHECKING:
     import numpy.typing as npt
@@ -26,7 +26,7 @@ Provenance = Tuple[str, str, float, int]  # machine, start, duration [s], thread
 class Result:
     """Result of a run. Rows are conditions, columns are response modes.
 
-    Of a run that was stopped, and of a part of a divided run, there are ``done``, ``all``, ``counts`` and
+    Of a run that was stopped or has come to its ``max_time``, and of a part of a divided run, there are ``done``, ``all``, ``counts`` and
     ``realisations()`` only; the others raise ValueError, because estimates of a part of the realisations are not those of
     the experiment.
     """
@@ -36,6 +36,8 @@ class Result:
         self.folder: Optional[str] = folder
         self._core = core
         self._provenance = provenance
+
+    __dir__ = interface
 
     @property
     def done(self) -> int:
@@ -199,13 +201,14 @@ class Result:
         if self.is_complete:
             return
         if self.done == self.all:
-            raise ValueError("one part of a divided run has no estimates; rocking.merge() joins the parts")
+            raise ValueError("one part of a divided run has no estimates; rocking.resume() joins the parts")
         raise ValueError(f"{self.done} of {self.all} realisations are done: the run was stopped, or parts are missing")
 
     def _repr_html_(self) -> str:
         if not self.is_complete:
             return repr(self)
-        return f"<pre>{html.escape(self.table())}</pre>" + pictures("write_figures", self.experiment._core, self._core)
+        return f"<pre>{html.escape(self.table())}</pre>" + pictures(
+            "write_figures", self.experiment._core, self._core, shown=(None,))
 
     def __repr__(self) -> str:
         state = "" if self.is_complete else f", {self.done} done"

@@ -12,9 +12,10 @@ from typing import Any, Callable, List, Mapping, Optional, Sequence, Tuple, Unio
 from . import _core
 from .errors import Interrupted
 from .experiments import Experiment, ExperimentLike, experiment
+from .fields import interface
 from .results import Result
 
-__all__ = ["Plan", "Progress", "merge", "open_run", "plan", "run"]
+__all__ = ["Plan", "Progress", "open_run", "plan", "resume", "run"]
 
 Progress = Callable[[int, int], object]
 
@@ -36,7 +37,9 @@ def run(
     realisations: Optional[int] = None,
     threads: Optional[int] = None,
     folder: Union[str, "os.PathLike[str]", None] = None,
+    skip_unreadable: bool = False,
     shard: Optional[Tuple[int, int]] = None,
+    max_time: Optional[float] = None,
     repair: bool = False,
     progress: Optional[Progress] = None,
 ) -> Result:
@@ -51,8 +54,12 @@ def run(
     folder: keeps the realisations in ``folder/realisations.sqlite``, as the program does; a run that was stopped goes
     on there, and one of fewer realisations is extended, unless its report is there. Default: in memory.
 
-    shard: (i, n) runs the i-th of n parts, from 1; merge() joins their folders. The Result of a part has counts and no
+    skip_unreadable: leave out records of a suite that cannot be read; the report names them.
+
+    shard: (i, n) runs the i-th of n parts, from 1; resume() joins their folders. The Result of a part has counts and no
     estimates.
+
+    max_time: stop cleanly after this time [s]. The Result then has what is done; with ``folder``, resume() goes on.
 
     repair: keep the intact realisations of a damaged store, and run the others again; ``damaged_file`` of the Result is
     where the damaged store is now. Otherwise it raises StoreError.
@@ -74,16 +81,30 @@ def run(
     >>> result.digest == rocking.run(slab, threads=1).digest
     True
     """
-    checked = experiment(source, seed=seed, realisations=realisations)
-    if threads is None:
-        threads = processors()
-    if threads < 1:
-        raise ValueError(f"threads = {threads}: must be at least 1")
+    checked = experiment(source, seed=seed, realisations=realisations, skip_unreadable=skip_unreadable)
+    asked = _asked(threads)
     where = None if folder is None else os.fspath(folder)
     start, began = now(), time.perf_counter()
-    core, interrupted = _core.run(checked._core, threads, where or "", checked._files, shard, repair, progress)
-    provenance = (platform.platform(), start, time.perf_counter() - began, threads)
-    result = Result(checked, core, provenance, where)
+    core, interrupted = _core.run(
+        checked._core, asked, where or "", checked._files, shard, repair, _limit(max_time), progress
+    )
+    provenance = (platform.platform(), start, time.perf_counter() - began, asked)
+    return _finished(Result(checked, core, provenance, where), interrupted)
+
+
+def _asked(threads: Optional[int]) -> int:
+    if threads is not None and threads < 1:
+        raise ValueError(f"threads = {threads}: must be at least 1")
+    return processors() if threads is None else threads
+
+
+def _limit(max_time: Optional[float]) -> Optional[float]:
+    if max_time is not None and not max_time > 0:
+        raise ValueError(f"max_time = {max_time}: must be above 0 [s]")
+    return max_time
+
+
+def _finished(result: Result, interrupted: bool) -> Result:
     if interrupted and result.done < result.all:
         raise Interrupted(result)
     if interrupted:
@@ -105,6 +126,8 @@ class Plan:
         self.effects: List[str] = list(data["effects"])  #: what is on beside rocking
         self.seconds: Optional[float] = data.get("seconds")  #: estimate of the time; None where it was not measured
 
+    __dir__ = interface
+
     def __repr__(self) -> str:
         return f"<rocking.Plan of {self.realisations} realisations of {self.conditions} condition(s)>"
 
@@ -115,6 +138,7 @@ def plan(
     seed: Union[int, str, None] = None,
     realisations: Optional[int] = None,
     threads: Optional[int] = None,
+    skip_unreadable: bool = False,
     shard: Optional[Tuple[int, int]] = None,
     timed: bool = True,
 ) -> Plan:
@@ -131,12 +155,8 @@ def plan(
     >>> rocking.plan(slab, timed=False).periods
     400
     """
-    checked = experiment(source, seed=seed, realisations=realisations)
-    if threads is None:
-        threads = processors()
-    if threads < 1:
-        raise ValueError(f"threads = {threads}: must be at least 1")
-    words, text = _core.plan(checked._core, threads, shard, timed)
+    checked = experiment(source, seed=seed, realisations=realisations, skip_unreadable=skip_unreadable)
+    words, text = _core.plan(checked._core, _asked(threads), shard, timed)
     return Plan(words, json.loads(text))
 
 
@@ -156,21 +176,34 @@ def open_run(folder: Union[str, "os.PathLike[str]"]) -> Result:
     ...     rocking.open_run(folder).digest == digest
     True
     """
-    where = os.fspath(folder)
-    core_experiment, core = _core.open_run(where)
-    provenance = (platform.platform(), "1970-01-01T00:00:00Z", 0.0, 1)
-    return Result(Experiment(core_experiment, where), core, provenance, where)
+    return _stored(os.fspath(folder), *_core.open_run(os.fspath(folder)))
 
 
-def merge(
-    folder: Union[str, "os.PathLike[str]"], parts: Sequence[Union[str, "os.PathLike[str]"]]
+def _stored(folder: str, experiment: _core.Experiment, core: _core.Run) -> Result:
+    return Result(Experiment(experiment, folder), core, (platform.platform(), "1970-01-01T00:00:00Z", 0.0, 1), folder)
+
+
+def resume(
+    folder: Union[str, "os.PathLike[str]"],
+    shards: Sequence[Union[str, "os.PathLike[str]"]] = (),
+    *,
+    realisations: Optional[int] = None,
+    levels: Sequence[float] = (),
+    threads: Optional[int] = None,
+    max_time: Optional[float] = None,
+    progress: Optional[Progress] = None,
 ) -> Result:
-    """Join the parts of a divided run in a new folder. The result has the bits of one run.
+    """Finish a run that was stopped, extend one, or join its shards. The result has the bits of one run.
 
-    folder: for the whole; has no run yet. parts: folders that ``run(shard=..., folder=...)`` or the program has filled;
-    they may overlap if their common realisations agree. While realisations are missing, the Result is not complete:
-    ``run(..., folder=folder)`` adds them. Raises InputError if the parts are not of one experiment or contradict each
-    other; nothing is kept then. OSError and StoreError as open_run().
+    folder: of the run, or for the whole of the shards; that has no run yet. shards: folders that
+    ``run(shard=..., folder=...)`` or the program has filled; they may overlap if their common realisations agree. While
+    realisations are missing, the Result is not complete. The others are not for shards. realisations: extend the run,
+    finished or not, to as many per condition. levels: extend it by these intensities. max_time: stop cleanly after this
+    time [s].
+
+    An extended run replaces a complete one when it is complete itself, and its report.json is then gone. A damaged store
+    is mended. Raises InputError if the shards are not of one experiment or contradict each other, and nothing is kept then;
+    OSError if there is no run, or it cannot be extended so; StoreError as open_run(); Interrupted as run().
 
     >>> import os, tempfile, rocking
     >>> slab = {"format": "rocking.experiment/1", "block": {"width_m": 1, "height_m": 4},
@@ -181,10 +214,19 @@ def merge(
     ...     parts = [os.path.join(folder, str(i)) for i in (1, 2)]
     ...     for i, part in enumerate(parts, 1):
     ...         part_of_it = rocking.run(slab, shard=(i, 2), folder=part)
-    ...     rocking.merge(os.path.join(folder, "whole"), parts).digest == rocking.run(slab).digest
-    True
+    ...     whole = rocking.resume(os.path.join(folder, "whole"), parts)
+    ...     longer = rocking.resume(os.path.join(folder, "whole"), realisations=20)
+    >>> whole.digest == rocking.run(slab).digest, longer.digest == rocking.run(slab, realisations=20).digest
+    (True, True)
     """
     where = os.fspath(folder)
-    core_experiment, core = _core.merge(where, [os.fspath(part) for part in parts])
-    provenance = (platform.platform(), "1970-01-01T00:00:00Z", 0.0, 1)
-    return Result(Experiment(core_experiment, where), core, provenance, where)
+    if isinstance(shards, (str, os.PathLike)):
+        raise TypeError("shards: give a list of folders")
+    if shards:
+        if realisations is not None or len(levels) or threads is not None or max_time is not None:
+            raise TypeError("realisations, levels, threads and max_time are not for shards: join them first")
+        return _stored(where, *_core.merge(where, [os.fspath(part) for part in shards]))
+    number = None if realisations is None else str(realisations)
+    further = [float(level) for level in levels]
+    experiment, core, interrupted = _core.resume(where, number, further, _asked(threads), _limit(max_time), progress)
+    return _finished(_stored(where, experiment, core), interrupted)

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import functools
+import os
 from typing import TYPE_CHECKING, Any, Optional, Tuple, Union, cast
 
 import numpy as np
 
 from . import _core, documents
 from .experiments import ExperimentLike, experiment
-from .fields import dataset
+from .fields import dataset, interface
+from .results import Result
+from .running import open_run
 
 if TYPE_CHECKING:
     import numpy.typing as npt
@@ -27,18 +30,38 @@ TERMINATIONS = _core.terminations
 
 
 class Trajectory:
-    """One realisation: structured arrays, without copies.
+    """One realisation: structured arrays, read only.
 
-    States are Theta (tilt over psi), Theta', X (slip over R) and V; times are tau = p t.
+    States are Theta (tilt over psi), Theta', X (slip over R) and V; times are tau = p t. Beside them stand the same in SI
+    units, as ``rocking trajectory --format csv --units si`` names them: time_s, tilt_rad, tilt_rate_rad_s, slip_m,
+    slip_rate_m_s.
     """
 
     def __init__(self, core: _core.Trajectory, condition: int, realisation: int) -> None:
         self._core = core
         self.condition = condition  #: number of the condition, from 0
         self.realisation = realisation  #: number of the realisation, from 0
-        self.strobe: npt.NDArray[Any] = core.strobe  #: at each excitation period: period, tilt, tilt_rate, slip, slip_rate, contact
-        self.events: npt.NDArray[Any] = core.events  #: tau, kind (place in EVENTS), and the state after the event
-        self.history: npt.NDArray[Any] = core.history  #: tau, state, contact, base_acceleration [g]; empty unless asked for
+
+    __dir__ = interface
+
+    @functools.cached_property
+    def strobe(self) -> npt.NDArray[Any]:
+        """At each excitation period: period, tilt, tilt_rate, slip, slip_rate, contact (place in CONTACTS), SI units."""
+        return _joined(self._core.strobe, self._in_si[0])
+
+    @functools.cached_property
+    def events(self) -> npt.NDArray[Any]:
+        """tau, kind (place in EVENTS), the state after the event, and both in SI units."""
+        return _joined(self._core.events, self._in_si[1])
+
+    @functools.cached_property
+    def history(self) -> npt.NDArray[Any]:
+        """tau, state, contact, base_acceleration [g], and time and state in SI units; empty unless asked for."""
+        return _joined(self._core.history, self._in_si[2])
+
+    @functools.cached_property
+    def _in_si(self) -> Tuple[npt.NDArray[Any], ...]:
+        return self._core.in_si()
 
     def __repr__(self) -> str:
         place = f"condition {self.condition}, realisation {self.realisation}"
@@ -88,7 +111,7 @@ class Trajectory:
         return _core.trajectory_text(self._core, self.condition, self.realisation, units == "si", format == "csv")
 
     def to_pandas(self, rows: str = "strobe") -> "pandas.DataFrame":
-        """``strobe``, ``events`` or ``history`` as a table, with names of contacts and events."""
+        """``strobe``, ``events`` or ``history`` as a table, with all columns and the names of contacts and events."""
         import pandas
 
         if rows not in ("strobe", "events", "history"):
@@ -112,19 +135,31 @@ class Trajectory:
         return type(self), (self._core, self.condition, self.realisation)
 
 
+def _joined(rows: npt.NDArray[Any], in_si: npt.NDArray[Any]) -> npt.NDArray[Any]:
+    """Both as one structured array."""
+    columns = {name: each[name] for each in (rows, in_si) for name in each.dtype.names or ()}
+    joined = np.empty(len(rows), dtype=[(name, column.dtype) for name, column in columns.items()])
+    for name, column in columns.items():
+        joined[name] = column
+    joined.flags.writeable = False
+    return joined
+
+
 def trajectory(
-    source: ExperimentLike,
+    source: Union[Result, ExperimentLike],
     *,
     condition: int = 0,
     realisation: int = 0,
     periods: Optional[int] = None,
-    samples_per_period: int = 0,
+    samples: int = 0,
     seed: Union[int, str, None] = None,
 ) -> Trajectory:
     """Simulate one realisation and return its states and events.
 
-    periods: excitation periods; default: all of the horizon. samples_per_period: of the history; 0: none.
-    Raises InputError if the experiment has no such condition or a number is out of range.
+    source: an experiment; or a Result or the folder of a run, whose realisation is checked against its digest. periods:
+    excitation periods; default: all of the horizon. samples: states of the history in a period; 0: none. seed: replaces
+    that of an experiment. Raises InputError if there is no such condition or realisation or a number is out of range, and
+    DifferentBits if a realisation of a run has another result now.
 
     >>> import rocking
     >>> slab = {"format": "rocking.experiment/1", "block": {"width_m": 1, "height_m": 4},
@@ -135,6 +170,10 @@ def trajectory(
     >>> rocking.EVENTS[motion.events["kind"][0]]
     'lift'
     """
-    checked = experiment(source, seed=seed)
-    found = _core.trajectory(checked._core, condition, realisation, periods, samples_per_period)
-    return Trajectory(found, condition, realisation)
+    extent = (condition, realisation, periods, samples)
+    run = open_run(source) if isinstance(source, (str, os.PathLike)) and os.path.isdir(source) else source
+    if not isinstance(run, Result):
+        return Trajectory(_core.trajectory(experiment(run, seed=seed)._core, *extent), condition, realisation)
+    if seed is not None:
+        raise TypeError("seed replaces that of an experiment, not of a run")
+    return Trajectory(_core.replay(run.experiment._core, run._core, *extent), condition, realisation)

@@ -23,7 +23,8 @@ namespace rocking {
 [[nodiscard]] ROCKING_API Experiment read_experiment(const std::filesystem::path& file,
                                                      const Overrides& overrides = {});
 
-/// The same of JSON text; `folder` is that of the files that the text names, `name` stands for the text in problems.
+/// The same of JSON text; `folder` is that of the files that the text names, `name` stands for the text in problems. Without a
+/// name they tell no lines: the user has not seen the text.
 [[nodiscard]] ROCKING_API Experiment parse_experiment(std::string_view text, const std::filesystem::path& folder = ".",
                                                       const std::string& name = "experiment",
                                                       const Overrides& overrides = {});

@@ -24,6 +24,20 @@ Trajectory trajectory(const Experiment& experiment, const TrajectoryRequest& req
                        TrajectoryExtent(periods_of(experiment, request), request.samples_per_period, execution.stop));
 }
 
+TrajectoryInSi in_si(const Trajectory& trajectory) {
+  const TrajectoryReport report = trajectory_report({}, trajectory, TrajectoryUnits::si);
+  TrajectoryInSi found;
+  const auto add = [](const auto& rows, std::vector<StateInSi>& states) {
+    for (const auto& row : rows) {
+      states.push_back({row.time, row.state.tilt, row.state.tilt_rate, row.state.slip, row.state.slip_rate});
+    }
+  };
+  add(report.strobe, found.strobe);
+  add(report.events, found.events);
+  add(report.history, found.history);
+  return found;
+}
+
 std::string trajectory_text(const TrajectoryRequest& request, const Trajectory& trajectory, TrajectoryUnits units) {
   return trajectory_document().text(trajectory_report({request.condition, request.realisation}, trajectory, units));
 }

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "rocking/api/run.hpp"
 #include "rocking/realisation/trajectory.hpp"
@@ -24,6 +25,25 @@ struct TrajectoryRequest {
 /// only field that is used, asks for it.
 [[nodiscard]] ROCKING_API Trajectory trajectory(const Experiment& experiment, const TrajectoryRequest& request = {},
                                                 const Execution& execution = {});
+
+/// Time and state of a row of a trajectory, for its block.
+struct StateInSi {
+  double time_s = 0.0;
+  double tilt_rad = 0.0;
+  double tilt_rate_rad_s = 0.0;
+  double slip_m = 0.0;
+  double slip_rate_m_s = 0.0;
+};
+
+/// By row of the trajectory.
+struct TrajectoryInSi {
+  std::vector<StateInSi> strobe;
+  std::vector<StateInSi> events;
+  std::vector<StateInSi> history;
+};
+
+/// The rows of a trajectory as `trajectory_csv` writes them in SI units.
+[[nodiscard]] ROCKING_API TrajectoryInSi in_si(const Trajectory& trajectory);
 
 /// A trajectory as JSON text (`rocking.trajectory/1`), in normalised or SI units.
 [[nodiscard]] ROCKING_API std::string trajectory_text(const TrajectoryRequest& request, const Trajectory& trajectory,

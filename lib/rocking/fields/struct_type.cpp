@@ -1,6 +1,7 @@
 #include "rocking/fields/struct_type.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <utility>
 
 #include "rocking/text/spelling.hpp"
@@ -18,6 +19,33 @@ void* owner_of(const Field& field, const void* outermost) {
 }
 
 }  // namespace
+
+std::string keyword_of(const Field& field) {
+  if (field.flag.names.empty() || field.flag.is_of_program) return "";
+  if (!field.flag.names.starts_with("--")) return std::string(field.key);
+  std::string keyword(field.flag.names.substr(2, field.flag.names.find(',') - 2));
+  std::ranges::replace(keyword, '-', '_');
+  return keyword;
+}
+
+std::string sentence_of_flag(const Field& field) {
+  std::string sentence(field.sentence);
+  if (field.flag.kind != FlagKind::off) return sentence;
+  sentence.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(sentence.front())));
+  return "Do not " + sentence;
+}
+
+base::InputError with_names(const base::InputError& error, const std::vector<Field>& fields,
+                            std::string (*name)(const Field& field)) {
+  std::vector<base::Problem> problems = error.problems();
+  for (base::Problem& problem : problems) {
+    const std::string key = problem.place.substr(0, problem.place.find('/'));
+    const auto field =
+        std::ranges::find_if(fields, [&key](const Field& each) { return each.key == key && !each.flag.names.empty(); });
+    if (!key.empty() && field != fields.end()) problem.place.replace(0, key.size(), name(*field));
+  }
+  return base::InputError(std::move(problems));
+}
 
 bool Field::may_be_absent() const {
   return without_value == WithoutValue::omitted || std::ranges::any_of(inlined_by, &InlinedMember::is_optional);

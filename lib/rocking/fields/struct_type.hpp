@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "rocking/base/error.hpp"
 #include "rocking/fields/value_type.hpp"
 
 namespace rocking {
@@ -36,9 +37,6 @@ enum class FlagKind : std::uint8_t {
   off,       ///< `--no-flag` alone: false; what the field says is then not done
 };
 
-/// In place of a keyword: the field is for command lines alone.
-inline constexpr std::string_view no_keyword = "-";
-
 /// How a field of a question is asked on a command line.
 struct Flag {
   std::string_view names;  ///< `--periods`, or several with commas; empty: the field is for callers of the library
@@ -48,6 +46,7 @@ struct Flag {
   std::string_view excludes = {};  ///< another flag
   std::string_view needs = {};     ///< another flag
   int count = 0;                   ///< of the words of a list; 0: any
+  bool is_of_program = false;      ///< for command lines alone: no keyword in Python
 };
 
 /// A field of a struct: its key, what it means in one sentence, and how to reach it.
@@ -63,7 +62,6 @@ struct Field {
   bool must_fit = false;                           ///< derived, and an error in a document that has another value
   std::vector<InlinedMember> inlined_by = {};      ///< on the way to the owner, from the outermost on
   Flag flag = {};                                  ///< of a question
-  std::string_view keyword = {};                   ///< of a question in Python; empty: the key
 
   /// Whether a document may lack it.
   [[nodiscard]] bool may_be_absent() const;
@@ -81,11 +79,16 @@ struct Field {
   void check(const ReadingPlace& place, const void* outermost) const;
 };
 
-/// The name of a field of a question in Python, and for answer(); empty: it has none there.
-[[nodiscard]] inline std::string_view keyword_of(const Field& field) {
-  if (field.flag.names.empty() || field.keyword == no_keyword) return "";
-  return field.keyword.empty() ? field.key : field.keyword;
-}
+/// The name of a field of a question in Python, and for answer(): that of its first flag, `max_time` of `--max-time`; the
+/// key where a command line has no flag for it. Empty: it has none there.
+[[nodiscard]] std::string keyword_of(const Field& field);
+
+/// What a flag, or keyword, does.
+[[nodiscard]] std::string sentence_of_flag(const Field& field);
+
+/// The same problems of a question; the place of a field is its `name`, not its key.
+[[nodiscard]] base::InputError with_names(const base::InputError& error, const std::vector<Field>& fields,
+                                          std::string (*name)(const Field& field));
 
 /// The name of a struct and the list of its fields, in the order in which they are written.
 class StructType final : public ValueType {
@@ -237,10 +240,9 @@ template <auto first, auto... rest>
   return inlined<first, rest...>(dynamic_cast<const StructType&>(type_of<Struct>()));
 }
 
-/// A field of a question with its flag, and its name in Python where that is not the key.
-[[nodiscard]] inline Field asked(Field field, const Flag& flag, std::string_view keyword = {}) {
+/// A field of a question with its flag.
+[[nodiscard]] inline Field asked(Field field, const Flag& flag) {
   field.flag = flag;
-  field.keyword = keyword;
   return field;
 }
 

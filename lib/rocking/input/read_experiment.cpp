@@ -344,6 +344,7 @@ Experiment experiment_in(const ExperimentText& source, const Overrides& override
   try {
     return experiment_in(source.text, overrides, seen_from(source.folder));
   } catch (const base::InputError& error) {
+    if (source.name.empty()) throw;
     throw located(error, source.text, source.name);
   }
 }

@@ -19,6 +19,7 @@
 #include "rocking/look/text_table.hpp"
 #include "rocking/scene/experiment.hpp"
 #include "rocking/scene/hazard.hpp"
+#include "rocking/text/files.hpp"
 
 /// A study as a value: what is asked, how the answer is found, and how it looks. The program, the module for Python and the
 /// documents treat all studies by these values alone.
@@ -55,9 +56,10 @@ struct NamedRun {
 
 /// What one call is about.
 struct Subject {
-  Experiment experiment = {};          ///< of a study about an experiment; valid
-  std::filesystem::path folder = ".";  ///< from which the files of the experiment are seen
-  std::vector<NamedRun> runs = {};     ///< of a study about runs
+  Experiment experiment = {};              ///< of a study about an experiment; valid
+  std::filesystem::path folder = ".";      ///< from which the files of the experiment are seen
+  FileSource files = files_seen_from("");  ///< that the question names
+  std::vector<NamedRun> runs = {};         ///< of a study about runs
 };
 
 /// How a question is answered: with the clocks, facts and wishes of the caller. The library reads no clock itself.

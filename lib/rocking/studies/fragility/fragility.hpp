@@ -99,6 +99,12 @@ struct BlockCurve {
                                                          const std::vector<RecordMetadata>& metadata = {},
                                                          const base::ManyParts& how = {});
 
+/// Of the text of a file with this name; otherwise as those of question.hpp.
+[[nodiscard]] std::vector<RareOfCurve> rare_levels(const std::string& text, const std::string& name,
+                                                   const Experiment& experiment);
+[[nodiscard]] JointHazard joint_hazard(std::string_view text, const std::string& name,
+                                       const std::vector<std::string>& measures);
+
 /// The place of an estimate of a probability that one before it has estimated too: a curve would join them. Absent if there
 /// is none.
 [[nodiscard]] std::optional<std::size_t> second_estimate(const std::vector<RareOfCurve>& rare);

@@ -5,7 +5,7 @@
 #include "rocking/base/number_text.hpp"
 #include "rocking/input/line_problems.hpp"
 #include "rocking/input/read_hazard.hpp"
-#include "rocking/studies/fragility/question.hpp"
+#include "rocking/studies/fragility/fragility.hpp"
 #include "rocking/text/files.hpp"
 
 namespace rocking {
@@ -92,8 +92,12 @@ class JointHazardReader {
 
 }  // namespace
 
+JointHazard joint_hazard(std::string_view text, const std::string& name, const std::vector<std::string>& measures) {
+  return JointHazardReader(name, measures).read(text);
+}
+
 JointHazard joint_hazard(const std::filesystem::path& file, const std::vector<std::string>& measures) {
-  return JointHazardReader(file.string(), measures).read(read_file(file, most_hazard_bytes));
+  return joint_hazard(read_file(file, most_hazard_bytes), file.string(), measures);
 }
 
 }  // namespace rocking

@@ -236,6 +236,9 @@ struct FragilityQuestion {
 /// line of a fault, and std::system_error where the file cannot be read.
 [[nodiscard]] ROCKING_API HazardCurve hazard_curve(const std::filesystem::path& file,
                                                    const HazardReading& reading = {});
+/// The same of a text; `name` stands for its file.
+[[nodiscard]] ROCKING_API HazardCurve hazard_curve_in(std::string_view text, const std::string& name,
+                                                      const HazardReading& reading = {});
 
 /// Writes the answer about a suite of ground motions as one page of A4: HTML, or PDF if the name of the file ends with
 /// `.pdf`, which WeasyPrint makes. `found`: with annual rates, by this hazard curve. `command`: what makes the sheet

@@ -30,14 +30,13 @@ void check_answers(const RareReport& report) {
   }
 }
 
-RareReport report_in(const std::filesystem::path& file) {
-  const std::string text = read_file(file);
+RareReport report_in(const std::string& text, const std::string& name) {
   try {
     RareReport report = rare_document().read(parse_json(text));
     check_answers(report);
     return report;
   } catch (const base::InputError& error) {
-    throw located(error, text, file.string());
+    throw located(error, text, name);
   }
 }
 
@@ -187,14 +186,18 @@ std::optional<std::size_t> second_estimate(const std::vector<RareOfCurve>& rare)
 }
 
 std::vector<RareOfCurve> rare_levels(const std::filesystem::path& file, const Experiment& experiment) {
-  const RareReport report = report_in(file);
+  return rare_levels(read_file(file), file.string(), experiment);
+}
+
+std::vector<RareOfCurve> rare_levels(const std::string& text, const std::string& name, const Experiment& experiment) {
+  const RareReport report = report_in(text, name);
   const std::string intensity(intensity_of(experiment));
-  if (intensity.empty()) refuse("rare", file.string(), "needs a run that sweeps the intensity of its excitation");
+  if (intensity.empty()) refuse("rare", name, "needs a run that sweeps the intensity of its excitation");
   const std::vector<BlockAndMotion> subjects = subjects_of(experiment, intensity);
   std::vector<RareOfCurve> levels;
   for (const Estimates& estimates : estimates_of(report, subjects, intensity)) {
     if (estimates.is_of_suite()) {
-      if (auto mean = mean_over_records(estimates, report, subjects, file.string())) levels.push_back(std::move(*mean));
+      if (auto mean = mean_over_records(estimates, report, subjects, name)) levels.push_back(std::move(*mean));
     } else if (const RareEstimate& found = *estimates.all.front().found; is_sure(found)) {
       levels.push_back({.others = estimates.subject().others,
                         .event = report.question.event,
@@ -202,13 +205,13 @@ std::vector<RareOfCurve> rare_levels(const std::filesystem::path& file, const Ex
     }
   }
   if (const auto second = second_estimate(levels)) {
-    refuse("rare", file.string(),
+    refuse("rare", name,
            "has two estimates of one probability, at " + intensity + ' ' +
                base::shortest(levels[*second].level.intensity) +
                "; sweep no key that changes nothing of the block and its motion, such as /confidence or /realisations");
   }
   if (levels.empty()) {
-    refuse("rare", file.string(),
+    refuse("rare", name,
            "has no probability > 0 of the same block, motion, horizon and accuracy as a condition of the run; estimate "
            "the experiment of the run with other values of " +
                intensity);

@@ -313,7 +313,11 @@ RunFragility fragility(const Experiment& experiment, const RunResult& run, const
 std::string fragility_text(const RunFragility& found) { return fragility_document().text(fragility_report({found})); }
 
 HazardCurve hazard_curve(const std::filesystem::path& file, const HazardReading& reading) {
-  return read_hazard(read_file(file, most_hazard_bytes), file.string(), reading);
+  return hazard_curve_in(read_file(file, most_hazard_bytes), file.string(), reading);
+}
+
+HazardCurve hazard_curve_in(std::string_view text, const std::string& name, const HazardReading& reading) {
+  return read_hazard(text, name, reading);
 }
 
 std::vector<RecordMetadata> record_metadata(const std::filesystem::path& file) {

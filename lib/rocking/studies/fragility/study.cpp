@@ -1,5 +1,6 @@
 #include "rocking/studies/fragility/study.hpp"
 
+#include <limits>
 #include <set>
 #include <utility>
 
@@ -8,6 +9,8 @@
 #include "rocking/base/error.hpp"
 #include "rocking/base/number_text.hpp"
 #include "rocking/fields/container_types.hpp"
+#include "rocking/input/read_hazard.hpp"
+#include "rocking/input/read_record_metadata.hpp"
 #include "rocking/output/ground_motion_facts.hpp"
 #include "rocking/output/parameter_text.hpp"
 #include "rocking/studies/fragility/figure.hpp"
@@ -33,7 +36,7 @@ const StructType& fields_of(const FragilityQuestion*) {
                 "abs(theta)/psi), slip > X m (the largest), displacement > X m (the slip at the end); an "
                 "overturned block has every event; several between commas",
                 the_only<ListType<std::vector<ResponseEvent>, 0, event_text_type>>()),
-            {.names = "--event", .letter = "EVENT,EVENT", .kind = FlagKind::commas}, "event"),
+            {.names = "--event", .letter = "EVENT,EVENT", .kind = FlagKind::commas}),
       asked(field<&Type::peak_tilts>(
                 "peak_tilts", "Also the probability that the peak of abs(theta)/psi exceeds A; several: 0.3,0.5,1",
                 tilt_rule),
@@ -108,38 +111,38 @@ const StructType& fields_of(const RunsQuestion*) {
       asked(field<&Type::metadata>("metadata_file",
                                    "Magnitudes and distances of the records (CSV: file, magnitude, distance_km): says "
                                    "which measures of intensity are sufficient"),
-            {.names = "--metadata", .letter = "FILE"}, "metadata"),
+            {.names = "--metadata", .letter = "FILE"}),
       asked(
           field<&Type::rare>("rare_file",
                              "Folder with the rare.json of `rocking rare` for lower intensities of the same block and "
                              "motion, or suite of motions: the annual rate takes its probabilities below the levels "
                              "with ten events"),
-          {.names = "--rare", .letter = "DIR"}, "rare"),
+          {.names = "--rare", .letter = "DIR"}),
       asked(
           field<&Type::joint_hazard>(
               "joint_hazard_file",
               "With --surface: rates of occurrence over both measures (CSV: X, Y, annual_rate, a line for each cell); "
               "gives the mean annual rate"),
-          {.names = "--joint-hazard", .letter = "FILE", .needs = "--surface"}, "joint_hazard"),
+          {.names = "--joint-hazard", .letter = "FILE", .needs = "--surface"}),
       asked(field<&Type::suggest>(
                 "suggest",
                 "With --hazard: print only the intensities that would settle the rate of a suite, as a command "
                 "`rocking resume DIR --levels X,X`"),
-            {.names = "--suggest", .kind = FlagKind::on}, no_keyword),
+            {.names = "--suggest", .kind = FlagKind::on, .is_of_program = true}),
       asked(field<&Type::sheet>("sheet",
                                 "With --hazard: the answer about a suite as one page of A4; FILE ends with .pdf or "
                                 ".html"),
-            {.names = "--sheet", .letter = "FILE", .kind = FlagKind::new_file}, no_keyword),
+            {.names = "--sheet", .letter = "FILE", .kind = FlagKind::new_file, .is_of_program = true}),
       asked(field<&Type::export_file>(
                 "export",
                 "The fragility functions for other programs: FILE.xml is NRML of OpenQuake, FILE.csv "
                 "CSV, or as --as says"),
-            {.names = "--export", .letter = "FILE", .kind = FlagKind::new_file}, no_keyword),
+            {.names = "--export", .letter = "FILE", .kind = FlagKind::new_file}),
       asked(field<&Type::export_as>("export_as", "Format of --export", Rule{.choices = export_format_names}),
-            {.names = "--as", .letter = "FORMAT", .needs = "--export"}, no_keyword),
+            {.names = "--as", .letter = "FORMAT", .needs = "--export"}),
       asked(field<&Type::per_record>("per_record",
                                      "List the curve of each record of a suite in the table; the JSON always has them"),
-            {.names = "--per-record", .kind = FlagKind::on}, no_keyword),
+            {.names = "--per-record", .kind = FlagKind::on, .is_of_program = true}),
   };
   return fields;
 }
@@ -185,16 +188,20 @@ void check(const Subject& subject, RunsQuestion& question) {
   const std::vector<double>& years = question.question.years;
   question.branches.clear();
   for (const std::string& file : question.hazards) {
-    question.branches.push_back(hazard_curve(file, {.years = years.size() == 1 ? std::optional(years[0]) : std::nullopt,
-                                                    .are_years_spare = true,
-                                                    .measure = question.imt,
-                                                    .site = hazard_site(question.site),
-                                                    .statistic = question.statistic}));
+    question.branches.push_back(read_hazard(subject.files(file, most_hazard_bytes), file,
+                                            {.years = years.size() == 1 ? std::optional(years[0]) : std::nullopt,
+                                             .are_years_spare = true,
+                                             .measure = question.imt,
+                                             .site = hazard_site(question.site),
+                                             .statistic = question.statistic}));
   }
   if (!question.branches.empty()) question.question.hazard = question.branches.front();
-  if (question.metadata) question.question.metadata = record_metadata(*question.metadata);
-  if (question.joint_hazard) {
-    question.question.joint_hazard = joint_hazard(*question.joint_hazard, question.question.surface);
+  if (const auto& file = question.metadata) {
+    question.question.metadata = read_record_metadata(subject.files(*file, most_metadata_bytes), *file);
+  }
+  if (const auto& file = question.joint_hazard) {
+    question.question.joint_hazard =
+        joint_hazard(subject.files(*file, most_hazard_bytes), *file, question.question.surface);
   }
 }
 
@@ -213,18 +220,20 @@ std::vector<RecordMetadata> metadata_in(const Experiment& experiment) {
 }
 
 /// The question about a run, with the rare estimates of its curves.
-FragilityQuestion question_about(const Experiment& experiment, const RunsQuestion& asked) {
+FragilityQuestion question_about(const Experiment& experiment, const RunsQuestion& asked, const FileSource& files) {
   FragilityQuestion question = asked.question;
   if (question.metadata.empty()) question.metadata = metadata_in(experiment);
   if (!asked.rare) return question;
   const std::filesystem::path rare = *asked.rare;
-  question.rare = rare_levels(std::filesystem::is_directory(rare) ? rare / "rare.json" : rare, experiment);
+  const std::string file = (std::filesystem::is_directory(rare) ? rare / "rare.json" : rare).string();
+  question.rare = rare_levels(files(file, std::numeric_limits<std::size_t>::max()), file, experiment);
   return question;
 }
 
-RunFragility curves_of(const NamedRun& run, const RunsQuestion& asked, const Execution& execution) {
+RunFragility curves_of(const NamedRun& run, const RunsQuestion& asked, const FileSource& files,
+                       const Execution& execution) {
   const Experiment& experiment = run.stored.experiment;
-  const FragilityQuestion question = question_about(experiment, asked);
+  const FragilityQuestion question = question_about(experiment, asked, files);
   try {
     return fragility(experiment, run.stored.run, question, execution);
   } catch (const base::InputError& error) {
@@ -344,7 +353,9 @@ More sheet_of(const NamedRun& run, const RunsQuestion& question, const RunFragil
 
 Answer find(const Subject& subject, const RunsQuestion& question, const Circumstances& circumstances) {
   std::vector<RunFragility> found;
-  for (const NamedRun& run : subject.runs) found.push_back(curves_of(run, question, circumstances.execution));
+  for (const NamedRun& run : subject.runs) {
+    found.push_back(curves_of(run, question, subject.files, circumstances.execution));
+  }
   if (question.survived) found.front().survival = survival_of(subject, question, found, circumstances.execution);
   const FragilityReport report = fragility_report(found);
   Answer answer{.document = fragility_document().text(report)};

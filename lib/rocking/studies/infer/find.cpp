@@ -82,14 +82,18 @@ void check_earlier(const Experiment& experiment, const InferRequest& request, Qu
 
 }  // namespace
 
+CountedTests counted_tests(const Experiment& experiment, const FileSource& files, const std::string& tests,
+                           const std::optional<std::string>& candidates, const std::filesystem::path& folder) {
+  CountedTests read = read_tests(files(tests, most_tests_bytes + 1), tests, experiment, folder);
+  if (candidates) read_candidates(files(*candidates, most_tests_bytes + 1), *candidates, experiment, folder, read);
+  return read;
+}
+
 CountedTests counted_tests(const Experiment& experiment, const std::filesystem::path& tests,
                            const std::optional<std::filesystem::path>& candidates,
                            const std::filesystem::path& folder) {
-  CountedTests read = read_tests(read_file(tests, most_tests_bytes + 1), tests.string(), experiment, folder);
-  if (candidates) {
-    read_candidates(read_file(*candidates, most_tests_bytes + 1), candidates->string(), experiment, folder, read);
-  }
-  return read;
+  const std::optional<std::string> others = candidates ? std::optional(candidates->string()) : std::nullopt;
+  return counted_tests(experiment, files_seen_from(""), tests.string(), others, folder);
 }
 
 void check_infer(const Experiment& experiment) {

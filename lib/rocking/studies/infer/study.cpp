@@ -63,11 +63,11 @@ const StructType& fields_of(const InferQuestion*) {
   static const StructType fields{
       "InferQuestion",
       asked(field<&Type::tests>("tests_file", "Counted tests, CSV: a line for each condition"),
-            {.names = "--tests", .letter = "FILE", .is_required = true}, "tests"),
+            {.names = "--tests", .letter = "FILE", .is_required = true}),
       asked(field<&Type::candidates>(
                 "candidates_file",
                 "Conditions that may be tested next, CSV without counts: how much each would narrow the region"),
-            {.names = "--candidates", .letter = "FILE"}, "candidates"),
+            {.names = "--candidates", .letter = "FILE"}),
       inlined<&Type::request>(),
   };
   return fields;
@@ -80,9 +80,8 @@ InferReport report_on(const Subject& subject, const InferRequest& request, const
 void check(const Subject& subject, InferQuestion& question) {
   check_infer(subject.experiment);
   question.request.folder = subject.folder;
-  std::optional<std::filesystem::path> candidates;
-  if (question.candidates) candidates = *question.candidates;
-  question.request.tests = counted_tests(subject.experiment, question.tests, candidates, subject.folder);
+  question.request.tests =
+      counted_tests(subject.experiment, subject.files, question.tests, question.candidates, subject.folder);
 }
 
 void resume(const Subject& subject, InferQuestion& question, const Json& earlier) {
@@ -126,19 +125,15 @@ const Study& infer_study() {
           "of tests likely: estimates, intervals, a joint region, and whether the counts fit at all. tests.csv has a "
           "line for each tested condition: parameters by JSON pointer or last key, then a column of counts for each "
           "response mode, such as \"(1,1)\" or other. Writes out/infer.json.",
-      .python_notes = "``source`` is an experiment with ``unknown``. Raises InputError with the line of each fault, "
-                      "OSError if a file cannot be read.",
-      .python_example = R"(>>> import os, rocking, tempfile
+      .python_notes = "``source`` is an experiment with ``unknown``. Raises InputError with the line or row of each "
+                      "fault, OSError if a file cannot be read.",
+      .python_example = R"(>>> import rocking
 >>> slab = {"format": "rocking.experiment/1", "block": {"width_m": 1, "height_m": 4},
 ...     "excitation": {"kind": "harmonic", "amplitude": 4.0, "frequency_ratio": 10.0,
 ...                    "phase_rad": {"uniform": [0, 6.28]}}, "restitution": 0.9,
 ...     "horizon": {"transient_periods": 10, "sampled_periods": 10}, "realisations": 20, "seed": "0x1",
 ...     "unknown": [{"parameter": "/restitution", "from": 0.8, "to": 0.95}]}
->>> with tempfile.TemporaryDirectory() as folder:
-...     tests = os.path.join(folder, "tests.csv")
-...     with open(tests, "w") as file:
-...         written = file.write("amplitude,overturned,other\n4.0,1,4\n")
-...     unknown, = rocking.infer(slab, tests).unknowns
+>>> unknown, = rocking.infer(slab, {"amplitude": [4.0], "overturned": [1], "other": [4]}).unknowns
 >>> unknown.interval[0] <= unknown.estimate <= unknown.interval[1]
 True)",
       .takes_seed = true,

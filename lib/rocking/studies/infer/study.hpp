@@ -102,6 +102,11 @@ namespace rocking {
 
 [[nodiscard]] const StructType& fields_of(const InferRequest*);
 
+/// The same as counted_tests of question.hpp, of `files` with these names.
+[[nodiscard]] CountedTests counted_tests(const Experiment& experiment, const FileSource& files,
+                                         const std::string& tests, const std::optional<std::string>& candidates,
+                                         const std::filesystem::path& folder);
+
 [[nodiscard]] const Study& infer_study();
 
 }  // namespace rocking

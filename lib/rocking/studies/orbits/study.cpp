@@ -155,9 +155,9 @@ const StructType& fields_of(const OrbitsRequest*) {
             {.names = "--no-branches", .kind = FlagKind::off}),
       asked(
           field<&Type::from>("from", "Smallest value of the swept parameter for branches; default: that of the sweep"),
-          {.names = "--from", .letter = "X"}, "branch_range[0]"),
-      asked(field<&Type::to>("to", "Largest value of it; default: that of the sweep"), {.names = "--to", .letter = "X"},
-            "branch_range[1]"),
+          {.names = "--from", .letter = "X"}),
+      asked(field<&Type::to>("to", "Largest value of it; default: that of the sweep"),
+            {.names = "--to", .letter = "X"}),
       asked(field<&Type::most_points>("most_points", "Largest number of points of a branch in each direction",
                                       Rule{.least = 2.0, .most = 1e6}),
             {.names = "--branch-points", .letter = "N"}),
@@ -170,12 +170,12 @@ const StructType& fields_of(const OrbitsRequest*) {
                 "second",
                 "JSON pointer of a second number, over which folds, doublings and losses of symmetry are followed; "
                 "of several pointers, the numbers at the others keep their ratio to the first"),
-            {.names = "--second-parameter", .letter = "POINTER..."}, "second_parameter"),
+            {.names = "--second-parameter", .letter = "POINTER..."}),
       asked(field<&Type::second_from>("second_from",
                                       "Smallest value of the second number; required with --second-parameter"),
-            {.names = "--second-from", .letter = "X"}, "second_range[0]"),
+            {.names = "--second-from", .letter = "X"}),
       asked(field<&Type::second_to>("second_to", "Largest value of it; required with --second-parameter"),
-            {.names = "--second-to", .letter = "X"}, "second_range[1]"),
+            {.names = "--second-to", .letter = "X"}),
       asked(field<&Type::most_curve_points>("most_curve_points",
                                             "Largest number of points of such a curve in each direction",
                                             Rule{.least = 1.0, .most = 1e6}),
@@ -186,9 +186,9 @@ const StructType& fields_of(const OrbitsRequest*) {
 
 namespace {
 
+/// Branches are followed where there is something to follow.
 struct OrbitsQuestion {
-  OrbitsRequest request = {};
-  bool where_possible = false;  ///< branches are followed where there is something to follow
+  OrbitsRequest request = {.branches = true};
 };
 
 const StructType& fields_of(const OrbitsQuestion*) {
@@ -200,7 +200,7 @@ void check(const Subject& subject, OrbitsQuestion& question) {
   OrbitsRequest& request = question.request;
   const bool has_range = request.from || request.to;
   if (has_range && !request.branches) throw UnfitQuestion("--from and --to limit branches; omit --no-branches");
-  if (question.where_possible && !has_range) request.branches = request.branches && has_branches(subject.experiment);
+  if (!has_range) request.branches = request.branches && has_branches(subject.experiment);
   if (request.second.empty() && (request.second_from || request.second_to)) {
     throw UnfitQuestion("--second-from and --second-to are the range of --second-parameter, which is missing");
   }
@@ -222,12 +222,7 @@ std::vector<analysis::Figure> figures(const Json& document, std::span<const Json
   return drawn;
 }
 
-constexpr StudyFunctions<OrbitsQuestion> functions{
-    .of_command = [] { return OrbitsQuestion{.request = {.branches = true}, .where_possible = true}; },
-    .check = check,
-    .find = find,
-    .then = then,
-    .figures = figures};
+constexpr StudyFunctions<OrbitsQuestion> functions{.check = check, .find = find, .then = then, .figures = figures};
 
 }  // namespace
 
@@ -245,7 +240,7 @@ const Study& orbits_study() {
       .python_example = R"(>>> import rocking
 >>> found = rocking.orbits({"format": "rocking.experiment/1", "block": {"width_m": 1, "height_m": 4},
 ...     "excitation": {"kind": "harmonic", "amplitude": 4.0, "frequency_ratio": 10.0}, "restitution": 0.9,
-...     "horizon": {"transient_periods": 200, "sampled_periods": 60}}, longest=1)
+...     "horizon": {"transient_periods": 200, "sampled_periods": 60}}, periods=1)
 >>> all(orbit.residual <= 1e-13 for orbit in found.conditions[0].orbits)
 True)",
       .has_long_table = true,

@@ -109,8 +109,9 @@ const Study& rare_study() {
           "prefers motions from which overturning is likely, or by importance sampling where all numbers are drawn "
           "once. Writes the probability of each condition with its interval to out/rare.json and prints it. Something "
           "must be random.",
-      .python_notes = "Without ``seconds`` the same is estimated again. Raises InputError if nothing in a condition is "
-                      "random or a number is out of range.",
+      .python_notes =
+          "Without ``max_time`` the same is estimated again. Raises InputError if nothing in a condition is "
+          "random or a number is out of range.",
       .python_example = R"(>>> import rocking
 >>> slab = {"format": "rocking.experiment/1", "block": {"width_m": 1, "height_m": 4},
 ...     "excitation": {"kind": "harmonic", "amplitude": 2.0, "frequency_ratio": 10.0,

@@ -2,6 +2,7 @@
 
 import json
 import os
+import shutil
 import subprocess
 import tempfile
 import unittest
@@ -46,6 +47,8 @@ class Pages(unittest.TestCase):
         self.expect_same(written.files, os.path.join(self.out, "figures"))
         with self.assertRaises(ValueError):
             rocking.write_figures(self.out, self.ours, style="wide")
+        with self.assertRaises(rocking.InputError):
+            rocking.write_figures(self.out, self.ours, pictures=["eps"])
 
     def test_page_of_a_trajectory_is_that_of_the_program(self):
         theirs = os.path.join(self.folder.name, "theirs.html")

@@ -19,6 +19,7 @@ std::string in_form(double value, Form form) {
     case Form::Kind::significant: break;
     case Form::Kind::fixed: return fixed_point(value, form.digits);
     case Form::Kind::per_cent: return per_cent(value, form.digits);
+    case Form::Kind::rate: return rate_text(value);
   }
   return significant(value, form.digits);
 }

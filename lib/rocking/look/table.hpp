@@ -14,13 +14,15 @@ namespace rocking::look {
 
 /// How a number is written for readers. Data files have all its digits.
 struct Form {
-  enum class Kind : std::uint8_t { significant, fixed, per_cent } kind = Kind::significant;
+  enum class Kind : std::uint8_t { significant, fixed, per_cent, rate } kind = Kind::significant;
   int digits = 3;  ///< significant ones, decimals, or at least so many decimals of a percentage
   constexpr Form(int significant) : digits(significant) {}
   constexpr Form(Kind of, int number) : kind(of), digits(number) {}
 };
 [[nodiscard]] constexpr Form decimals(int number) { return {Form::Kind::fixed, number}; }
 [[nodiscard]] constexpr Form percentage(int least = 1) { return {Form::Kind::per_cent, least}; }
+/// Of rates and their quotients: rate_text().
+[[nodiscard]] constexpr Form rate_form() { return {Form::Kind::rate, 2}; }
 
 /// Ends of an interval; absent: open, shown as `-`. An infinite one is shown as `unbounded`.
 struct Ends {

@@ -46,6 +46,18 @@ std::string per_cent_of(std::uint64_t count, std::uint64_t all) {
   return per_cent(static_cast<double>(count) / static_cast<double>(all));
 }
 
+std::string rate_text(double rate) {
+  constexpr int least_exponent = -2;  // below, leading zeros are harder to read
+  if (rate == 0.0 || !std::isfinite(rate)) return significant(rate, 2);
+  char text[16];  // -5.0e-308
+  const std::to_chars_result written = std::to_chars(text, text + sizeof text, rate, std::chars_format::scientific, 1);
+  ROCKING_EXPECT(written.ec == std::errc());
+  const char* const e = std::find(static_cast<const char*>(text), static_cast<const char*>(written.ptr), 'e');
+  const int exponent = std::stoi(std::string(e + 1, static_cast<const char*>(written.ptr)));
+  if (exponent < least_exponent) return std::string(static_cast<const char*>(text), e) + 'e' + std::to_string(exponent);
+  return fixed_point(rate, std::max(0, 1 - exponent));
+}
+
 std::string count_if_open(std::uint64_t count, std::uint64_t all) {
   constexpr std::uint64_t most_told_by_tenths = 1000;
   return count == 0 || all <= most_told_by_tenths ? "" : " (" + std::to_string(count) + ')';

@@ -26,6 +26,9 @@ using base::significant;
 /// Likewise the share of `count` in `all`.
 [[nodiscard]] std::string per_cent_of(std::uint64_t count, std::uint64_t all);
 
+/// A rate, or a quotient of two, in two digits also where the second is a zero: `263`, `24`, `1.0`, `0.50`, `5.0e-4`.
+[[nodiscard]] std::string rate_text(double rate);
+
 /// ` (48)` where the count cannot be read from `all` and the share in tenths of a per cent; otherwise empty.
 [[nodiscard]] std::string count_if_open(std::uint64_t count, std::uint64_t all);
 

@@ -12,6 +12,16 @@ namespace {
 using rocking::count_if_open;
 using rocking::per_cent;
 
+TEST(RateText, HasTwoDigitsOfEveryRate) {
+  using rocking::rate_text;
+  for (const auto& [rate, text] :
+       {std::pair{0.0, "0"}, std::pair{5.03e-4, "5.0e-4"}, std::pair{9.96e-3, "0.010"}, std::pair{9.94e-3, "9.9e-3"},
+        std::pair{0.5, "0.50"}, std::pair{0.998, "1.0"}, std::pair{24.4, "24"}, std::pair{263.4, "263"},
+        std::pair{-2.03e-5, "-2.0e-5"}, std::pair{1.2e-300, "1.2e-300"}}) {
+    EXPECT_EQ(rate_text(rate), text);
+  }
+}
+
 TEST(PerCent, HasOneDigitAfterThePointWhereThatLeavesTwo) {
   EXPECT_EQ(per_cent(0.985), "98.5");
   EXPECT_EQ(per_cent(0.5), "50.0");

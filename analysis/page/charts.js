@@ -54,7 +54,7 @@ var charts = (function () {
       var dash = shapes.dashes[curve.dash];
       looks[name] = { color: shapes.darkened(curve.colour), strokePattern: dash.length ? dash : null,
         strokeWidth: curve.kind === 'points' || curve.kind === 'error_bars' ? 0 : curve.width,
-        stepPlot: curve.kind === 'steps', pointSize: 3.5,
+        stepPlot: curve.kind === 'steps', connectSeparatedPoints: curve.kind === 'line', pointSize: 3.5,
         drawPoints: curve.marker > 0 && curve.kind !== 'steps' && curve.columns[0].length <= 400,
         drawPointCallback: function (g, label, context, x, y, colour, size) {
           shapes.mark(context, x, y, colour, size, curve.marker);
@@ -77,7 +77,7 @@ var charts = (function () {
     }
     var interaction = Object.assign({}, Dygraph.defaultInteractionModel);
     interaction.dblclick = function () { chart.reset(); };
-    return { labels: names, series: looks, customBars: true, fillAlpha: 0.18, connectSeparatedPoints: false,
+    return { labels: names, series: looks, customBars: true, fillAlpha: 0.18,
       axes: { x: Object.assign(axis(panel.x), { valueFormatter: shapes.brief }), y: axis(panel.y) },
       xlabel: shapes.labelOf(panel.x), ylabel: shapes.labelOf(panel.y), dateWindow: this.home.dateWindow.slice(),
       valueRange: this.home.valueRange.slice(), gridLineColor: '#dde2e7', axisLineColor: '#555', axisLabelFontSize: 13,
@@ -166,7 +166,7 @@ var charts = (function () {
     this.places().forEach(function (place) { if (near === null || Math.abs(place - x) < Math.abs(near - x)) near = place; });
     var row = this.series.rows[this.series.xs.indexOf(near)];
     this.series.curves.forEach(function (curve, i) {
-      if (!row || chart.hidden[curve.legend] || row[i + 1][1] === null) return;
+      if (!row || chart.hidden[curve.legend] || row[i + 1][1] === null || isNaN(row[i + 1][1])) return;
       var known = chart.series.ends[i][near];
       var ends = known ? ' [' + shapes.brief(known[0]) + ', ' + shapes.brief(known[1]) + ']' : '';
       found.push((curve.legend ? curve.legend + ': ' : '') + shapes.brief(row[i + 1][1]) + ends);

@@ -50,6 +50,9 @@ var series = (function () {
     });
   }
 
+  // A place at which a line is interrupted. Over null, at the places of other curves, it goes on.
+  var gap = [NaN, NaN, NaN];
+
   // Curves with their intervals for dygraphs: rows of x and [low, y, high]. An unknown end is set to the value of the
   // curve. `ends` holds the intervals without this replacement; `barred`: whether they are bars, not a ribbon.
   function seriesOf(panel) {
@@ -67,7 +70,10 @@ var series = (function () {
         if (!rows.has(x)) rows.set(x, curves.map(function () { return [null, null, null]; }));
         var y = curve.columns[1][i];
         var known = curve.kind === 'error_bars' ? [curve.columns[2][i], curve.columns[3][i]] : interval && interval.at[x];
-        if (y === null) return;
+        if (y === null) {
+          if (curve.kind === 'line') rows.get(x)[place] = gap;
+          return;
+        }
         if (known && (known[0] !== null || known[1] !== null)) ends[place][x] = known;
         else known = [y, y];
         rows.get(x)[place] = [known[0] === null ? y : known[0], y, known[1] === null ? y : known[1]];

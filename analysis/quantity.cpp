@@ -50,9 +50,9 @@ std::string spread_in_words(const Spread& spread, int digits) {
 }
 
 std::string quantity_in_words(const Quantity& quantity) {
-  const auto in_words = [](double number) { return significant(number, 6); };
   const double mean = mean_of(quantity);
-  if (!is_drawn(quantity)) return in_words(mean);
+  if (!is_drawn(quantity)) return significant(mean, 6);
+  const auto in_words = [](double number) { return significant(number, 3); };
   const std::string name(name_of_law(quantity));
   if (const auto sigma = standard_deviation_in(quantity)) {
     return in_words(mean) + " (drawn, " + (name == "normal" ? "" : name + ", ") + "standard deviation " +

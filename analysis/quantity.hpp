@@ -15,7 +15,7 @@ struct Spread {
 [[nodiscard]] Spread spread_of(const std::vector<double>& numbers);
 [[nodiscard]] std::string spread_in_words(const Spread& spread, int digits);
 
-/// `0.5`, `0.4 to 0.6 (drawn)`, `0.5 (drawn, standard deviation 0.05)`, `0.4 to 0.6 (drawn, triangular)`.
+/// In six digits, a law in three: `0.5`, `0.4 to 0.6 (drawn)`, `0.5 (drawn, standard deviation 0.05)`, `0.4 to 0.6 (drawn, triangular)`.
 [[nodiscard]] std::string quantity_in_words(const Quantity& quantity);
 
 }  // namespace rocking::analysis

@@ -170,7 +170,7 @@ Table upright(const Table& table) {
   Table turned{.name = table.name, .columns = {{"name", "at each " + table.columns.front().meaning}}, .rows = {}};
   for (const auto& row : table.rows) {
     const double* number = std::get_if<double>(&row.front());
-    const std::string place = number != nullptr ? significant(*number, 5) : "";
+    const std::string place = number != nullptr ? significant(*number, 6) : "";
     turned.columns.push_back({.name = place, .meaning = place, .is_verbatim = true});
   }
   for (std::size_t c = 1; c < columns; ++c) {

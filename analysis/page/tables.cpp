@@ -1,6 +1,7 @@
 #include "analysis/page/tables.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <vector>
@@ -17,7 +18,11 @@
 namespace rocking::analysis {
 namespace {
 
-constexpr int digits_with_interval = 4;
+/// Counts and places along the sweep in full, estimates in three digits.
+look::Form form_of(double number, bool is_place) {
+  if (number == std::trunc(number) || std::abs(number) >= 1000.0) return look::decimals(0);
+  return is_place ? 6 : 3;
+}
 
 look::Cell mode_cell(const ReportedCondition& condition, const section::ResponseMode& mode) {
   const AnyShare share = share_of(condition, mode);
@@ -38,8 +43,8 @@ std::string column_name(const Axis& axis) {
          (axis.unit.empty() ? "" : " [" + with_symbols(axis.unit) + ']');
 }
 
-look::Cell look_of(const Cell& cell, int digits = 5) {
-  if (const double* number = std::get_if<double>(&cell)) return look::number(*number, digits);
+look::Cell look_of(const Cell& cell, bool is_place) {
+  if (const double* number = std::get_if<double>(&cell)) return look::number(*number, form_of(*number, is_place));
   if (const std::string* text = std::get_if<std::string>(&cell)) return *text;
   return {};
 }
@@ -69,7 +74,7 @@ look::Cell look_of(const Cell& value, const Cell& low, const Cell& high) {
     const double* number = std::get_if<double>(&cell);
     return number == nullptr ? std::nullopt : std::optional(*number);
   };
-  look::Number shown{.value = end(value), .form = digits_with_interval};
+  look::Number shown{.value = end(value), .form = 3};
   if (end(low) || end(high)) shown.interval = look::Ends(end(low), end(high));
   return shown;
 }
@@ -158,7 +163,7 @@ std::string data_table_html(const Table& table, const std::string& title) {
     look::Row& row = shown.rows.emplace_back();
     for (std::size_t i = 0; i < cells.size(); ++i) {
       const bool with_interval = has_interval(table, i);
-      row.push_back(with_interval ? look_of(cells[i], cells[i + 1], cells[i + 2]) : look_of(cells[i]));
+      row.push_back(with_interval ? look_of(cells[i], cells[i + 1], cells[i + 2]) : look_of(cells[i], i == 0));
       if (with_interval) i += 2;
     }
   }

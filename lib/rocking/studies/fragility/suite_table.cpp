@@ -102,7 +102,7 @@ std::string measure_table(const std::vector<RankedMeasure>& measures) {
     for (const auto& each : {found.median, found.dispersion, found.between_records, found.within_record}) {
       row.push_back(number(each, 3));
     }
-    for (const auto& each : {found.deviance, found.aic}) row.push_back(number(each, 6));
+    for (const auto& each : {found.deviance, found.aic}) row.push_back(number(each, look::decimals(1)));
     const auto p_of = [](const std::optional<stats::SuiteCovariate>& covariate) {
       return covariate ? number(covariate->p_value, 2) : look::Cell();
     };

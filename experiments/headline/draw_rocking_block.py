@@ -3,7 +3,7 @@
 usage: draw_rocking_block.py [PROGRAM [FILE]]     (build/release/rocking, reports/headline/rocking_block.svg)
 
 Writes an SVG with CSS keyframes and without scripts. Both tests are realisations of
-headline.json at A_h = 4 and friction 0.40/0.35. They differ in the random numbers of their friction alone. In the last
+in_the_end.json at A_h = 4 and friction 0.40/0.35. They differ in the random numbers of their friction alone. In the last
 three periods each repeats itself to rounding, so that the picture can go round.
 """
 
@@ -23,8 +23,8 @@ WIDTH, HEIGHT, FLOOR, STRIP, SCALE = 720, 390, 260, 335, 48.0  # pixels; pixels 
 
 
 def trajectory(program, realisation):
-    command = [program, "trajectory", str(HERE / "headline.json"), "--condition", str(CONDITION), "--realisation",
-               str(realisation), "--samples", str(SAMPLES), "-q"]
+    command = [program, "trajectory", str(HERE / "in_the_end.json"), "--condition", str(CONDITION), "--realisation",
+               str(realisation), "--periods", "620", "--samples", str(SAMPLES), "-q"]
     return json.loads(subprocess.run(command, check=True, stdout=subprocess.PIPE).stdout)
 
 

@@ -195,16 +195,17 @@ inline std::size_t words_of(const std::string& text) {
   return count;
 }
 
-/// Lines of a document that people wrote: none of what scripts write or the program prints, which are the reports but for
-/// their evidence, the tables of keys and those of flags. `path` is relative to the root of the tree.
+/// Lines with text that people wrote in a document: none of what scripts write or the program prints, which are the reports
+/// but for the prose of their evidence, and the tables of keys and of flags. `path` is relative to the root of the tree.
 inline std::size_t lines_by_hand(const std::string& path, const std::string& document) {
-  if (path.starts_with("reports/") && !path.starts_with("reports/evidence/")) return 0;
+  const bool is_evidence = path.starts_with("reports/evidence/");
+  if (path.starts_with("reports/") && !is_evidence) return 0;
   if (path == "lib/docs/reference/keys.md") return 0;
-  const bool has_printed_tables = path == "lib/docs/formats.md" || path == "lib/docs/commands.md";
+  const bool has_printed_tables = is_evidence || path == "lib/docs/formats.md" || path == "lib/docs/commands.md";
   std::istringstream lines(document);
   std::size_t count = 0;
   for (std::string line; std::getline(lines, line);) {
-    if (!has_printed_tables || !line.starts_with('|')) ++count;
+    if (!line.empty() && !(has_printed_tables && line.starts_with('|'))) ++count;
   }
   return count;
 }

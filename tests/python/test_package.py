@@ -8,6 +8,8 @@ import inspect
 import math
 import os
 import pkgutil
+import subprocess
+import sys
 import tempfile
 import unittest
 
@@ -323,6 +325,14 @@ class Modules(unittest.TestCase):
                                     for name in ([node.module] if node.module else [each.name for each in node.names])}
         self.assertIn("fields", imports["documents"])
         graphlib.TopologicalSorter(imports).prepare()  # raises CycleError
+
+
+class Packaging(unittest.TestCase):
+    @unittest.skipUnless(np.__version__.startswith("1."), "systems with numpy 2 have a pybind11 that knows it")
+    def test_numpy_2_is_refused_where_arrays_would_be_wrong(self):
+        code = "import numpy; numpy.__version__ = '2.0.0'; import rocking"
+        refused = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
+        self.assertIn("which does not know numpy 2.0.0: install numpy<2", refused.stderr)
 
 
 class Stubs(unittest.TestCase):

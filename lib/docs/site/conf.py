@@ -46,6 +46,7 @@ html_css_files = ["site.css"]
 html_copy_source = False
 html_extra_path = ["extra"]
 myst_heading_anchors = 4  # as a repository's page has them
+autodoc_mock_imports = ["rocking._core"]  # in C++; what is documented is in Python
 autodoc_typehints = "description"
 autodoc_member_order = "bysource"
 
@@ -79,7 +80,13 @@ def name_folder(app, env, node, contnode):
     return reference
 
 
+def quote_names(app, what, name, obj, options, lines):
+    """A name such as `from_` is no link, which to Sphinx ends so."""
+    lines[:] = [re.sub(r"(?<![`\w])([a-z]+_)(?=[:,])", r"``\1``", line) for line in lines]
+
+
 def setup(app):
+    app.connect("autodoc-process-docstring", quote_names)
     app.connect("source-read", add_navigation)
     app.add_lexer("python-pandas", PythonLexer)  # tests/cli/loading_test.cpp tells it from other Python
     app.add_lexer("csv", TextLexer)  # Pygments 2.14 has none

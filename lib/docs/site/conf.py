@@ -8,7 +8,6 @@ import os
 import re
 from pathlib import Path
 
-from docutils import nodes
 from pygments.lexers import PythonLexer, TextLexer
 
 root = Path(__file__).resolve().parents[3]
@@ -67,17 +66,18 @@ def add_navigation(app, docname, source):
         source[0] = navigation(source[0], root / Path(docname).parent)
 
 
-def name_folder(app, env, node, contnode):
+def name_folders(app, docname, source):
     """A link to a folder leads to its README, or else names it only: a folder is no page."""
-    folder = (Path(env.doc2path(node["refdoc"])).parent / node["reftarget"]).resolve()
-    if not folder.is_dir():
-        return None
-    page = str((folder / "README").relative_to(root))
-    if page not in env.found_docs:
-        return contnode
-    reference = nodes.reference("", "", internal=True, refuri=app.builder.get_relative_uri(node["refdoc"], page))
-    reference.append(contnode)
-    return reference
+    around = (root / docname).parent
+
+    def page_of(link):
+        readme = around / link[2] / "README"
+        if not readme.parent.is_dir():
+            return link[0]
+        is_page = str(readme.resolve().relative_to(root)) in app.env.found_docs
+        return f"[{link[1]}]({link[2]}/README.md)" if is_page else link[1]
+
+    source[0] = re.sub(r"\[([^\[\]]*)\]\(([^)#:\s]+)\)", page_of, source[0])
 
 
 def quote_names(app, what, name, obj, options, lines):
@@ -90,5 +90,5 @@ def setup(app):
     app.connect("source-read", add_navigation)
     app.add_lexer("python-pandas", PythonLexer)  # tests/cli/loading_test.cpp tells it from other Python
     app.add_lexer("csv", TextLexer)  # Pygments 2.14 has none
-    app.connect("missing-reference", name_folder)
+    app.connect("source-read", name_folders)
     return {"parallel_read_safe": True}

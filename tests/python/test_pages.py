@@ -10,7 +10,7 @@ import unittest
 import numpy as np
 
 import rocking
-from slab import PROGRAM, SLAB, changed, write
+from slab import PROGRAM, SLAB, changed, suite_in, write
 
 
 @unittest.skipUnless(hasattr(rocking._core, "write_page"), "built without fmt (Debian: libfmt-dev)")
@@ -79,6 +79,10 @@ class Pages(unittest.TestCase):
             out.write(self.program(*motion))
         self.program("report", file, "-o", self.out)
         self.expect_same(rocking.draw(file, folder=self.ours).files, self.out)
+        self.program("report", file, "-o", self.out, "--from", "5", "--to", "9", "--style", "journal")
+        self.expect_same(rocking.draw(file, folder=self.ours, from_=5, to=9, style="journal").files, self.out)
+        with self.assertRaises(rocking.InputError):
+            rocking.draw(file, folder=self.ours, from_=9, to=9)
         own = rocking.draw(rocking.trajectory(self.path, condition=1, samples=20), folder=self.ours)
         self.assertEqual(sorted(path.name for path in own.files), sorted(os.listdir(self.out)))
         result = rocking.run(SLAB)
@@ -95,6 +99,20 @@ class Pages(unittest.TestCase):
         for other in ({"a": 1}, result):
             with self.assertRaises(TypeError):
                 rocking.draw(other, folder=self.ours)
+
+    def test_figures_of_a_suite_tell_its_rates_as_the_program_does(self):
+        self.program("run", suite_in(self.folder.name), "-o", self.out, "--no-page", "-q")
+        hazard = os.path.join(self.folder.name, "hazard.csv")
+        columns = {"pga_g": [0.1, 10.0], "annual_rate": [1e-2, 1e-5]}
+        with open(hazard, "w") as file:
+            file.write(rocking.hazard(columns).text)
+        self.program("report", self.out, "--format", "gnuplot", "--hazard", hazard)
+        self.expect_same(rocking.write_figures(self.out, self.ours, hazard=hazard).files, os.path.join(self.out, "figures"))
+        page = os.path.join(self.folder.name, "page.html")
+        plain, told = (rocking.write_page(self.out, page, hazard=given).files[0].read_text() for given in (None, columns))
+        self.assertGreater(told.count("annual rate"), plain.count("annual rate"))
+        with self.assertRaises(rocking.InputError):
+            rocking.write_page(rocking.run(SLAB), page, hazard=columns)
 
     def test_missing_gnuplot_is_told(self):
         path = os.environ["PATH"]

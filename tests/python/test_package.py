@@ -16,7 +16,7 @@ import unittest
 import numpy as np
 
 import rocking
-from slab import SLAB, SOURCE, changed, write
+from slab import SLAB, SOURCE, changed, suite_in, write
 
 
 class Errors(unittest.TestCase):

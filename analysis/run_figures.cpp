@@ -14,9 +14,9 @@ std::vector<Figure> run_figures(const Report& report, const Store* store) {
   if (is_sweep) {
     for (Figure& figure : quantile_figures(report)) figures.push_back(std::move(figure));
     add(non_recurrence(report));
-    add(divergence_quartiles(report));
+    if (report.is_periodic()) add(divergence_quartiles(report));
   }
-  if (store != nullptr) add(divergence_times(report, *store));
+  if (store != nullptr && report.is_periodic()) add(divergence_times(report, *store));
   figures.push_back(scene_sketch(report));
   return figures;
 }

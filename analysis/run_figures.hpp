@@ -13,7 +13,8 @@
 
 namespace rocking::analysis {
 
-/// All figures for which a report has the numbers, in reading order. With the store of its realisations, also those
+/// All figures for which a report has the numbers, in reading order; divergence times only of a periodic excitation, whose
+/// periods they count. With the store of its realisations, also those
 /// that need more than the report. One condition has no figures that show numbers along a sweep.
 [[nodiscard]] std::vector<Figure> run_figures(const Report& report, const Store* store = nullptr);
 

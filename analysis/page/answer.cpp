@@ -13,13 +13,6 @@
 namespace rocking::analysis {
 namespace {
 
-/// Sentences about a suite, one line for each of its curves.
-std::string suite_in_brief(const std::string& sentences) {
-  std::string text = "<p>" + with_symbols(sentences) + "</p>\n";
-  for (auto at = text.find('\n'); at + 1 < text.size(); at = text.find('\n', at)) text.replace(at, 1, "</p><p>");
-  return text;
-}
-
 std::string divergences(const Report& report, const char* cause, DivergenceTimes NonRecurrence::*member) {
   const PooledDivergence pooled = pooled_divergence(report, member);
   if (pooled.pairs == 0) return "";
@@ -57,7 +50,11 @@ std::string alike(const Report& report) {
 
 }  // namespace
 
-std::string answer_in_brief(const Report& report, const std::string& suite) {
+std::string suite_in_brief(const Report& report, const std::string& sentence) {
+  return "<p class=\"headline\">" + with_symbols(sentence) + "</p>\n" + object_drawings(report);
+}
+
+std::string answer_in_brief(const Report& report) {
   const bool is_random = report.is_random();
   const bool lone = report.conditions.size() == 1;
   const std::string responses = lone && is_random ? shares_in_brief(report)
@@ -66,8 +63,8 @@ std::string answer_in_brief(const Report& report, const std::string& suite) {
   return fmt::format(
       "<dl class=\"short\">\n<dt>Overturning</dt><dd>{}</dd>\n<dt>{}</dt><dd>{}</dd>\n"
       "<dt>Repeatability</dt><dd>{}</dd>\n</dl>\n",
-      suite.empty() ? overturning_in_brief(report) : suite_in_brief(suite),
-      is_random && !lone ? "Most likely response" : "Response", responses, repeatability(report));
+      overturning_in_brief(report), is_random && !lone ? "Most likely response" : "Response", responses,
+      repeatability(report));
 }
 
 std::string repeatability(const Report& report) {
@@ -87,7 +84,8 @@ std::string repeatability(const Report& report) {
 }
 
 std::string recurrence_in_brief(const Report& report) {
-  if (repeatability_of(report).compared == 0) return repeatability(report);
+  if (report.has_suite()) return repeatability(report);
+  if (repeatability_of(report).compared == 0 || !report.is_periodic()) return "";
   return "<p>Two runs under the same shaking have diverged when tilt and tilt rate, compared once a period, differ by "
          "more "
          "than 0.01. With</p>\n<ul>\n" +

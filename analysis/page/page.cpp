@@ -78,6 +78,17 @@ std::map<std::string, std::string> figures_by_part(const Report& report, const s
   return content;
 }
 
+/// Lines of text below a figure.
+std::string paragraphs(std::string_view lines) {
+  std::string text;
+  while (!lines.empty()) {
+    const std::size_t end = std::min(lines.find('\n'), lines.size());
+    if (end > 0) text += "<p class=\"description\">" + with_symbols(lines.substr(0, end)) + "</p>\n";
+    lines.remove_prefix(std::min(end + 1, lines.size()));
+  }
+  return text;
+}
+
 /// The motions of one condition.
 std::string animations_section(const ShownAnimations& shown) {
   if (shown.explanation.empty()) return "";
@@ -97,17 +108,23 @@ std::string page_text(const Report& report, const std::vector<DrawnFigure>& figu
   }
   const auto link = [&content](const char* id) { return content.contains(id) ? id : ""; };
   const DrawnFigure* leading = leading_of(figures);
-  const std::string suite = leading != nullptr ? leading->figure.description : "";
+  const std::string about_suite = leading != nullptr ? leading->figure.description : "";
+  const std::size_t headline = std::min(about_suite.find('\n'), about_suite.size());
   std::string shown;
   if (leading != nullptr) {
-    shown = figure_html(*leading);
+    shown = figure_html(*leading, paragraphs(about_suite.substr(headline)));
   } else if (report.conditions.size() == 1) {
     shown = data_table_html(quantiles_of_condition(report, report.conditions.front()), "How far the block moves");
   }
   std::string text = "<div class=\"asked\">" + question_at_once(report) + "</div>\n" +
-                     section("answer", "In short", answer_in_brief(report, suite) + shown);
+                     section("answer", "In short",
+                             (about_suite.empty() ? answer_in_brief(report)
+                                                  : suite_in_brief(report, about_suite.substr(0, headline))) +
+                                 shown);
   text += "<div class=\"cards\">\n";
-  text += card("repeats", "Is the response repeatable?", recurrence_in_brief(report), link("recurrence"));
+  if (const std::string repeats = recurrence_in_brief(report); !repeats.empty()) {
+    text += card("repeats", "Is the response repeatable?", repeats, link("recurrence"));
+  }
   text += card("believe", "Can the results be trusted?", trust_in_brief(checks), "trust");
   text += "</div>\n" + animations_section(motions);
   for (const Part& part : parts()) {

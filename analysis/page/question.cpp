@@ -1,6 +1,7 @@
 #include "analysis/page/sections.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <optional>
 #include <set>
 #include <string_view>
@@ -249,6 +250,7 @@ std::string sweep_in_brief(const Report& report) {
   std::string text;
   for (std::size_t entry = 0; entry < report.swept.size(); ++entry) {
     const std::string& pointer = report.swept[entry];
+    if (report.has_suite() && pointer == "/excitation/file") continue;  // the suite is told of above
     const Axis axis = axis_of_parameter(pointer);
     const auto values = values_of(report, entry);
     const std::string unit = axis.unit.empty() ? "" : ' ' + escaped(axis.unit);
@@ -314,8 +316,10 @@ std::string further_question(const Report& report) {
   }
   const std::vector<std::string> lines = ground_motion_lines(report.ground_motions);
   for (const std::string& line : lines) {
-    text += fmt::format("{}{}.{}", &line == lines.data() ? "<p>" : " ", escaped(line),
-                        &line == &lines.back() ? "</p>\n" : "");
+    std::string sentence = escaped(line);
+    sentence.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence.front())));
+    text +=
+        fmt::format("{}{}.{}", &line == lines.data() ? "<p>" : " ", sentence, &line == &lines.back() ? "</p>\n" : "");
   }
   return text + fmt::format("<p>{}, {} in all; {}.</p>\n", counted(report.conditions.size(), "condition"),
                             counted(realisations_of(report), "realisation"), horizon_in_brief(report));

@@ -27,9 +27,11 @@ namespace rocking::analysis {
 /// HTML: with which probability two runs of a condition respond differently; or why none can be compared.
 [[nodiscard]] std::string repeatability(const Report& report);
 
-/// HTML: the answer of a page, made of the above; of one condition with a bar for each response mode. `suite`: sentences
-/// about a suite of ground motions, a line each, which replace the places of overturning; empty if there are none.
-[[nodiscard]] std::string answer_in_brief(const Report& report, const std::string& suite = "");
+/// HTML: the answer of a page, made of the above; of one condition with a bar for each response mode.
+[[nodiscard]] std::string answer_in_brief(const Report& report);
+
+/// HTML: the answer of a page about a suite of ground motions, a sentence, above its options.
+[[nodiscard]] std::string suite_in_brief(const Report& report, const std::string& sentence);
 
 /// The experiment in two or three sentences of HTML: block, excitation, friction, what is random and what is varied.
 [[nodiscard]] std::string question_at_once(const Report& report);
@@ -50,6 +52,9 @@ namespace rocking::analysis {
 /// Inline SVG: a schematic time history of a response mode, tilt above base acceleration. For (m,n): m rocks in n
 /// periods, repeated. Empty for `unresolved`, which has no typical form.
 [[nodiscard]] std::string mode_drawing(const section::ResponseMode& mode);
+
+/// Inline SVG: what the sweep makes of the block, at most five options side by side to one scale, with their sizes.
+[[nodiscard]] std::string object_drawings(const Report& report);
 
 enum class Rating : std::uint8_t { fine, note, look };
 

@@ -57,15 +57,17 @@ void add_pages(py::module_& module) {
                                       execution, curve_of(hazard));
                });
              });
-  module.def("write_sheet", [](const Experiment& experiment, const RunResult& run, const std::string& file,
-                               unsigned threads, const std::optional<GivenHazard>& hazard) {
-    const auto write = [&](const Execution& execution) {
-      const FragilityQuestion question{.hazard = curve_of(hazard)};
-      const RunFragility found = fragility(experiment, run, question, execution);
-      return write_sheet({experiment, run}, found, question.hazard.value(), file, "rocking.write_sheet", execution);
-    };
-    return write_watched(write, threads);
-  });
+  module.def("write_sheet",
+             [](const Experiment& experiment, const RunResult& run, const std::string& file, const std::string& project,
+                const std::string& date, unsigned threads, const std::optional<GivenHazard>& hazard) {
+               const auto write = [&](const Execution& execution) {
+                 const FragilityQuestion question{.hazard = curve_of(hazard)};
+                 const RunFragility found = fragility(experiment, run, question, execution);
+                 const SheetNotes notes{.command = "rocking.write_sheet", .project = project, .date = date};
+                 return write_sheet({experiment, run}, found, question.hazard.value(), file, notes, execution);
+               };
+               return write_watched(write, threads);
+             });
   module.def("write_tables", [](const Experiment& experiment, const RunResult& run, const std::string& folder) {
     return write_watched([&](const Execution&) { return write_tables({experiment, run}, folder); });
   });

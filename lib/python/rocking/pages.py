@@ -113,12 +113,15 @@ def write_sheet(
     imt: Optional[str] = None,
     site: Sequence[float] = (),
     statistic: Optional[str] = None,
+    project: str = "",
+    date: str = "",
 ) -> Written:
     """Write the answer about a suite of ground motions as one page of A4, as ``rocking fragility --sheet`` does.
 
     source: a Result, or the folder of a run. file: ends with ``.html`` or ``.pdf``; the latter needs WeasyPrint, without
     which no file is written and ``not_drawn`` says so. hazard, years, imt, site, statistic: a hazard curve, as of
-    hazard(). Raises InputError if the run has no suite, otherwise errors as write_page().
+    hazard(). project, date: stated on the sheet, which otherwise has lines to write them on. Raises InputError if the run
+    has no suite, otherwise errors as write_page().
 
     >>> import json, math, os, tempfile, rocking
     >>> suite = {"format": "rocking.experiment/1", "block": {"width_m": 0.35, "height_m": 1.6},
@@ -138,7 +141,8 @@ def write_sheet(
     result = _complete(source)
     with told_by_row(["hazard"]):
         curve = asked_hazard(hazard, years, imt, site, statistic)
-        return _call("write_sheet", result.experiment._core, result._core, os.fspath(file), processors(), curve)
+        cores = result.experiment._core, result._core
+        return _call("write_sheet", *cores, os.fspath(file), project, date, processors(), curve)
 
 
 def write_tables(source: Union[Result, _Path], folder: _Path) -> Written:

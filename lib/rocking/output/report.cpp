@@ -226,6 +226,11 @@ bool Report::is_random() const {
   return std::ranges::any_of(conditions, [](const auto& condition) { return condition.result.is_random(); });
 }
 
+bool Report::is_periodic() const {
+  return std::ranges::all_of(
+      conditions, [](const auto& condition) { return rocking::is_periodic(condition.asked.scene.excitation); });
+}
+
 bool Report::has_settling() const {
   return std::ranges::any_of(conditions, [](const auto& condition) { return condition.result.settling.has_value(); });
 }

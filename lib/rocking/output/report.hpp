@@ -56,6 +56,8 @@ struct Report {
   [[nodiscard]] std::uint64_t most_realisations() const;
   /// Whether any condition is random.
   [[nodiscard]] bool is_random() const;
+  /// Whether the base of every condition moves periodically, so that its periods mean something.
+  [[nodiscard]] bool is_periodic() const;
   /// Whether realisations were run until they were classified.
   [[nodiscard]] bool has_settling() const;
 };

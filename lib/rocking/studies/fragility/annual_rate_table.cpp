@@ -14,7 +14,7 @@ std::string range_table(const AnnualRate& rate, const std::string& measure) {
   look::Table table{.title = "\nannual rate by range of " + measure};
   add_columns(table, {measure + " from", "to", "per year", "share", "tested"});
   for (const RateInRange& range : rate.by_level) {
-    table.rows.push_back({number(range.from, 4), number(range.to, 4), number(range.rate, 3),
+    table.rows.push_back({number(range.from, 4), number(range.to, 4), number(range.rate, look::rate_form()),
                           number(range.share, look::percentage()), range.is_tested ? "yes" : "no"});
   }
   return to_terminal(table);
@@ -32,27 +32,25 @@ std::string_view impossible_source_in_words(RateSource source) {
 
 /// What the levels leave open, and what lies below the least uplift.
 std::string extrapolation_text(const AnnualRate& rate, const CurveSubject& subject) {
-  const std::optional<double>& least_uplift = subject.least_uplift;
   const std::string moves = subject.event.is_of_slip() ? "move" : "lift";
   const auto share = [&rate](double part) { return rate.value > 0.0 ? per_cent(part / rate.value) : "0.0"; };
-  std::string text = per_cent(rate.untested_share) + " % of the rate comes from intensities outside the levels";
-  if (!least_uplift) {
-    return text + "\nthe least intensity that " + moves + "s the block is not known: all intensities are counted\n";
-  }
-  text += ",\n" + share(rate.below_levels) + " % from those between the least that " + moves + "s the block, " +
-          significant(*least_uplift, 4) + ", and the lowest level that can " + moves + " it\n";
+  std::string text = "counted " + counted_from_in_words(subject) + why_counted_in_words(subject) + '\n' +
+                     per_cent(rate.untested_share) + " % of the rate comes from intensities outside the levels";
+  if (!subject.least_uplift) return text + '\n';
+  text += ",\n" + share(rate.below_levels) + " % from those between the least and the lowest level that can " + moves +
+          " the block\n";
   if (!(rate.impossible > 0.0)) return text;
-  return text + "not counted: " + significant(rate.impossible, 3) + " per year that " +
-         std::string(impossible_source_in_words(rate.source)) + " below " + significant(*least_uplift, 4) +
-         ", where the block is not " + moves + (subject.event.is_of_slip() ? "d\n" : "ed\n");
+  return text + "not counted: " + rate_text(rate.impossible) + " per year that " +
+         std::string(impossible_source_in_words(rate.source)) + " below, where the block is not " + moves +
+         (subject.event.is_of_slip() ? "d\n" : "ed\n");
 }
 
 std::string estimate_table(const SuiteRate& rate) {
   look::Table table{.title = "\nannual rate by the probabilities between the levels"};
   add_columns(table, {"rate by", "per year", "interval", "years"});
   for (const RateEstimate& estimate : rate.estimates) {
-    table.rows.push_back({source_in_words(estimate.source, rate), number(estimate.value, 3),
-                          look::interval(estimate.interval, 3),
+    table.rows.push_back({source_in_words(estimate.source, rate), number(estimate.value, look::rate_form()),
+                          look::interval(estimate.interval, look::rate_form()),
                           estimate.value > 0.0 ? years_in_words(1.0 / estimate.value) : look::Cell()});
   }
   return to_terminal(table);
@@ -73,9 +71,9 @@ std::string record_share_text(const SuiteRate& rate) {
   }
   text += '\n';
   if (rate.leave_one_out) {
-    text += "without one record the rate is between " + significant(rate.leave_one_out->low, 3) + " and " +
-            significant(rate.leave_one_out->high, 3);
-    if (rate.jackknife) text += "; jackknife interval " + interval_in_words(*rate.jackknife);
+    text += "without one record the rate is between " + rate_text(rate.leave_one_out->low) + " and " +
+            rate_text(rate.leave_one_out->high);
+    if (rate.jackknife) text += "; jackknife interval " + plain_text(look::interval(rate.jackknife, look::rate_form()));
     text += '\n';
   }
   return text;
@@ -161,13 +159,12 @@ static std::string rare_use_in_words(const AnnualRate& rate) {
          "no level above it has an event\n";
 }
 
-std::string annual_rate_in_words(const AnnualRate& rate, const ResponseEvent& event) {
-  std::string text = "mean annual rate of " + words_of(event) + ": " + significant(rate.value, 3);
-  if (rate.interval) text += ' ' + interval_in_words(*rate.interval);
-  text += rate.value > 0.0 ? ", once in " + years_in_words(1.0 / rate.value) + " years\n" : "\n";
+std::string annual_rate_in_words(const AnnualRate& rate, const CurveSubject& subject) {
+  std::string text = rate_sentence(subject, rate) + ".\n";
   for (const auto& [years, probability, interval] : rate.in_years) {
-    text += "probability of " + words_of(event) + " in " + base::shortest(years) +
-            (years == 1.0 ? " year: " : " years: ") + plain_text(estimate_cell(probability, interval)) + '\n';
+    text += "probability of " + words_of(subject.event) + " in " + base::shortest(years) +
+            (years == 1.0 ? " year: " : " years: ") + in_years_text(probability) + " %" +
+            (interval ? " [" + in_years_text(interval->low) + ", " + in_years_text(interval->high) + ']' : "") + '\n';
   }
   if (rate.source == RateSource::levels) {
     text +=
@@ -183,7 +180,7 @@ std::string annual_rate_in_words(const AnnualRate& rate, const ResponseEvent& ev
 
 std::string extrapolated_hazard_in_words(const AnnualRate& rate) {
   return per_cent(rate.extrapolated_hazard) + " % of the rate comes from beyond the last point of the hazard curve" +
-         (rate.extrapolated_hazard > 0.0 ? "; without it: " + significant(rate.within_hazard, 3) + " per year" : "");
+         (rate.extrapolated_hazard > 0.0 ? "; without it: " + rate_text(rate.within_hazard) + " per year" : "");
 }
 
 std::string annual_rate_warnings(const AnnualRate& rate) {

@@ -89,12 +89,12 @@ std::string legend_of(const CurveSubject& subject) {
   return (name.empty() ? "" : name + ", ") + event_in_words(subject.event);
 }
 
-void add_curve(const ReportedCurve& reported, std::size_t number, Figure& figure) {
+void add_curve(const ReportedCurve& reported, const PlaceInPanel& place, Figure& figure) {
   const FragilityCurve& curve = reported.curve;
   Panel& panel = figure.panels.back();
   const std::string others = values_in_words(curve.subject.others);
   const std::string& name = others.empty() ? reported.run.title : others;
-  Style style = style_of_curve(number);
+  Style style = style_of_curve(place.number);
   if (curve.law) {
     figure.tables.push_back(law_table(curve, name));
     const std::size_t law = figure.tables.size() - 1;
@@ -113,11 +113,11 @@ void add_curve(const ReportedCurve& reported, std::size_t number, Figure& figure
                           .columns = {0, 3, 4, 5},
                           .style = style,
                           .legend = legend_of(curve.subject)});
-  add_rare(curve.rare, number, legend_of(curve.subject), figure);
+  add_rare(curve.rare, place.number, legend_of(curve.subject), figure);
 }
 
-void add_curve(const ReportedSuite& reported, std::size_t number, Figure& figure) {
-  add_suite(reported.curve, number, figure);
+void add_curve(const ReportedSuite& reported, const PlaceInPanel& place, Figure& figure) {
+  add_suite(reported.curve, place, figure);
 }
 
 std::vector<std::optional<Shaking>> shakings_of(const ReportedCurve& reported) {
@@ -142,10 +142,10 @@ Panel panel_for(const Reported& reported) {
           .layers = {}};
 }
 
+/// Which intensities count, where a law also gives a probability below.
 std::string uplift_sentence(const CurveSubject& subject) {
   if (!subject.least_uplift) return "";
-  return (subject.event.is_of_slip() ? " The block does not move below " : " The block is not lifted below ") +
-         significant(*subject.least_uplift, 4) + ": a probability that a law gives there is impossible.";
+  return " Probabilities count " + counted_from_in_words(subject) + why_counted_in_words(subject) + '.';
 }
 
 /// `2.31 [2.20, 2.43]`.
@@ -153,32 +153,16 @@ std::string value_and_interval(double value, const stats::Interval& interval) {
   return significant(value, 3) + ' ' + interval_in_words(interval);
 }
 
-/// The annual rate, if there is one, as a sentence.
-std::string rate_sentence(const ReportedSuite& reported) {
-  if (!reported.rate) return "";
-  const AnnualRate& rate = reported.rate->chosen;
-  std::string text =
-      " Mean annual rate of " + words_of(reported.curve.subject.event) + ": " + significant(rate.value, 3);
-  if (rate.interval) text += ' ' + interval_in_words(*rate.interval);
-  if (rate.value > 0.0) text += ", once in " + years_in_words(1.0 / rate.value) + " years";
-  return text + ". " + extrapolated_hazard_in_words(rate) + '.';
+/// How much of the rate, if there is one, the hazard curve does not give.
+std::string beyond_the_hazard(const ReportedSuite& reported) {
+  const AnnualRate* rate = rate_of(reported);
+  return rate == nullptr || !(rate->value > 0.0) ? "" : ' ' + extrapolated_hazard_in_words(*rate) + '.';
 }
 
-/// `PGA = 0.36 g`, `PGA = 0.36 [0.31, 0.42] g`.
-std::string at_intensity(const CurveSubject& subject, const std::string& value) {
-  const Axis axis = axis_of_parameter(subject.parameter);
-  return (axis.symbol.empty() ? axis.quantity + ' ' : axis.symbol + " = ") + value +
-         (axis.unit.empty() ? "" : ' ' + axis.unit);
-}
-
-/// The observed shares, from the weakest to the strongest level.
-std::string shares_in_words(const SuiteCurve& curve) {
-  const auto at = [&curve](const SuiteLevel& level) {
-    return significant(100.0 * level.estimate, 3) + " % at " +
-           at_intensity(curve.subject, significant(level.intensity, 4));
-  };
-  return at(curve.levels.front()) + (curve.levels.size() > 1 ? " to " + at(curve.levels.back()) : std::string()) +
-         " (observed, mean over " + std::to_string(curve.records.size()) + " ground motions)";
+/// Which of several options is described, with its rate; the headline has that of the only one.
+std::string option_in_words(const ReportedSuite& reported) {
+  const CurveSubject& subject = reported.curve.subject;
+  return reported.rate ? rate_sentence(subject, *rate_of(reported)) + ". " : values_in_words(subject.others) + ": ";
 }
 
 /// What the law of the suite says, `median PGA = 0.36 [0.31, 0.42] g, dispersion 0.45 [0.3, 0.6]`.
@@ -202,14 +186,13 @@ std::string law_sentence(const SuiteCurve& curve) {
          ") is rejected: the curve shows the nearest shares that do not decrease.";
 }
 
-std::string description_of(const ReportedSuite& reported) {
-  const SuiteCurve& curve = reported.curve;
-  const std::string others = values_in_words(curve.subject.others);
-  return (others.empty() ? "P" : others + ": p") + "robability of " + probability_of(curve.subject.event) + ' ' +
-         shares_in_words(curve) + ". " + law_sentence(curve) + rate_sentence(reported) + uplift_sentence(curve.subject);
+/// Of a suite the headline begins the description.
+std::string description_of(const ReportedSuite& reported, bool is_alone) {
+  return (is_alone ? "" : option_in_words(reported)) + law_sentence(reported.curve) + beyond_the_hazard(reported) +
+         uplift_sentence(reported.curve.subject);
 }
 
-std::string description_of(const ReportedCurve& reported) {
+std::string description_of(const ReportedCurve& reported, bool) {
   const FragilityCurve& curve = reported.curve;
   const std::string others = values_in_words(curve.subject.others);
   const std::string text =
@@ -221,18 +204,28 @@ std::string description_of(const ReportedCurve& reported) {
          bounded_in_words(curve.law->dispersion) + '.' + uplift_sentence(curve.subject);
 }
 
+/// Whether the run has one curve.
+bool is_alone(const FragilityReport& report, const CurveRun& run) {
+  const auto belongs = [&run](const auto& curve) {
+    return std::visit([&run](const auto& one) { return one.run.experiment == run.experiment; }, curve);
+  };
+  return std::ranges::count_if(report.curves, belongs) == 1;
+}
+
 /// What the curves of a figure show.
 struct Content {
-  bool has_suite = false, has_curve = false, has_law = false, has_isotonic = false, has_rare = false;
+  bool has_suite = false, has_records = false, has_curve = false;
+  bool has_law = false, has_isotonic = false, has_rare = false;
   std::set<std::string> events;    ///< `overturned`, or `peak tilt > 0.5`
   std::set<std::string> subjects;  ///< the same as that of a probability
 };
 
-void add_to(Content& content, const ReportedSuite& reported) {
+void add_to(Content& content, const FragilityReport& report, const ReportedSuite& reported) {
   content.has_suite = true;
+  content.has_records = content.has_records || is_alone(report, reported.run);
   content.has_rare = content.has_rare || !reported.curve.rare.empty();
 }
-void add_to(Content& content, const ReportedCurve& reported) {
+void add_to(Content& content, const FragilityReport&, const ReportedCurve& reported) {
   if (reported.curve.levels.empty()) return;
   content.has_curve = true;
   content.has_rare = content.has_rare || !reported.curve.rare.empty();
@@ -244,8 +237,8 @@ Content content_of(const FragilityReport& report) {
   Content content;
   for (const auto& curve : report.curves) {
     std::visit(
-        [&content](const auto& reported) {
-          add_to(content, reported);
+        [&](const auto& reported) {
+          add_to(content, report, reported);
           content.events.insert(event_in_words(reported.curve.subject.event));
           content.subjects.insert(probability_of(reported.curve.subject.event));
         },
@@ -259,10 +252,10 @@ std::string caption_of_shares(const Content& content) {
   std::string caption;
   if (content.has_suite) {
     caption =
-        "Thin grey lines: shares of the realisations of each record. Markers: their means over the records. Thick "
-        "lines and ribbons: the law of the suite, with scatter between and within records, or, where that is rejected, "
-        "the nearest shares that do not decrease; with the bootstrap interval over records at the levels, interpolated "
-        "between them.";
+        "Markers: means over the records of the shares of their realisations. Thick lines and ribbons: the law of the "
+        "suite, with scatter between and within records, or, where none holds, the nearest shares that do not "
+        "decrease; with the bootstrap interval over records at the levels, interpolated between them.";
+    if (content.has_records) caption += " Thin grey lines: the shares of each record.";
   }
   if (!content.has_curve) return caption;
   if (!caption.empty()) caption += ' ';
@@ -292,7 +285,7 @@ std::string caption_of(const Content& content) {
 /// Draws the curves of a report one after another; those of a run share a panel.
 class CurveDrawing {
  public:
-  explicit CurveDrawing(Figure& figure) : figure_(figure) {}
+  CurveDrawing(const FragilityReport& report, Figure& figure) : report_(report), figure_(figure) {}
 
   template <class Reported>
   void add(const Reported& reported) {
@@ -305,11 +298,14 @@ class CurveDrawing {
     } else if (figure_.panels.back().y.quantity != quantity) {
       figure_.panels.back().y.quantity = "probability";
     }
-    add_curve(reported, number_++, figure_);
-    figure_.description += (figure_.description.empty() ? "" : "\n") + description_of(reported);
+    const bool is_alone = analysis::is_alone(report_, reported.run);
+    add_curve(reported, {.number = number_++, .is_alone = is_alone}, figure_);
+    const bool goes_on = !figure_.description.empty() && !figure_.description.ends_with('\n');
+    figure_.description += (goes_on ? "\n" : "") + description_of(reported, is_alone);
   }
 
  private:
+  const FragilityReport& report_;
   Figure& figure_;
   std::optional<base::Sha256> run_;  ///< of the last panel
   std::size_t number_ = 0;           ///< of the next curve in it
@@ -324,7 +320,8 @@ Figure fragility_figure(const FragilityReport& report) {
   figure.title = "Probability" + (content.subjects.size() == 1 ? " of " + *content.subjects.begin() : "") +
                  " as a function of intensity";
   figure.caption = caption_of(content);
-  CurveDrawing drawing(figure);
+  if (content.has_suite) figure.description = headline(report);
+  CurveDrawing drawing(report, figure);
   for (const auto& curve : report.curves) {
     std::visit([&drawing](const auto& reported) { drawing.add(reported); }, curve);
   }

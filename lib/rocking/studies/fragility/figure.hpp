@@ -31,8 +31,14 @@ inline constexpr int points_of_a_law = 120;
 /// other marks of the curve are called.
 void add_rare(const std::vector<RareLevel>& levels, std::size_t number, const std::string& legend, Figure& figure);
 
-/// Adds to the last panel curve `number` of its run: a thin line through the shares of each record of a suite, the means
-/// of these shares as markers, and the law of the suite with its band.
-void add_suite(const SuiteCurve& curve, std::size_t number, Figure& figure);
+/// Which curve of a panel is drawn.
+struct PlaceInPanel {
+  std::size_t number = 0;
+  bool is_alone = true;  ///< no other curve is in the panel
+};
+
+/// Adds a curve to the last panel: the means of the shares of the records of a suite as markers, and the law of the suite,
+/// or the isotonic shares where none holds, with their band; if it is alone, also a thin line for each record.
+void add_suite(const SuiteCurve& curve, const PlaceInPanel& place, Figure& figure);
 
 }  // namespace rocking::analysis

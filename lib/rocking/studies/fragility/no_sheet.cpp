@@ -5,7 +5,7 @@
 namespace rocking {
 
 Written write_sheet(const StoredRun&, const RunFragility&, const HazardCurve&, const std::filesystem::path&,
-                    const std::string&, const Execution&) {
+                    const SheetNotes&, const Execution&) {
   throw UnfitQuestion("--sheet: this library was built without pages");
 }
 

@@ -240,13 +240,20 @@ struct FragilityQuestion {
 [[nodiscard]] ROCKING_API HazardCurve hazard_curve_in(std::string_view text, const std::string& name,
                                                       const HazardReading& reading = {});
 
+/// What a sheet states beside the results. Without project and date it has lines to write them on.
+struct SheetNotes {
+  std::string command;  ///< what makes the sheet again
+  std::string project = "";
+  std::string date = "";
+};
+
 /// Writes the answer about a suite of ground motions as one page of A4: HTML, or PDF if the name of the file ends with
-/// `.pdf`, which WeasyPrint makes. `found`: with annual rates, by this hazard curve. `command`: what makes the sheet
-/// again, which it states. If WeasyPrint is missing, no file is written. Throws base::InputError if there is no suite with
-/// a rate; otherwise as write_page, and like it needs a library with pages.
+/// `.pdf`, which WeasyPrint makes. `found`: with annual rates, by this hazard curve. If WeasyPrint
+/// is missing, no file is written. Throws base::InputError if there is no suite with a rate; otherwise as write_page, and
+/// like it needs a library with pages.
 [[nodiscard]] ROCKING_API Written write_sheet(const StoredRun& stored, const RunFragility& found,
                                               const HazardCurve& hazard, const std::filesystem::path& file,
-                                              const std::string& command = "", const Execution& execution = {});
+                                              const SheetNotes& notes = {}, const Execution& execution = {});
 
 /// The probabilities of a `rare.json` that belong to curves of a run of this experiment, for `FragilityQuestion::rare`:
 /// those > 0 with the same block, motion, horizon and accuracy, at any intensity; of a suite the means over its records.

@@ -63,33 +63,35 @@ std::vector<ReportedComparison> comparisons_of(const FragilityReport& report, co
   return comparisons;
 }
 
-/// The curves of the suites, without titles.
-analysis::Figure curves_of(const std::vector<ReportedSuite>& suites) {
-  FragilityReport report;
-  report.curves.assign(suites.begin(), suites.end());
+/// Its curves, without titles.
+analysis::Figure curves_of(const FragilityReport& report) {
   analysis::Figure figure = analysis::fragility_figure(report);
   figure.title = figure.subtitle = "";
+  for (analysis::Panel& panel : figure.panels) panel.y.quantity = "probability";
   return figure;
 }
 
 }  // namespace
 
 Written write_sheet(const StoredRun& stored, const RunFragility& found, const HazardCurve& hazard,
-                    const std::filesystem::path& file, const std::string& command, const Execution& execution) {
+                    const std::filesystem::path& file, const SheetNotes& notes, const Execution& execution) {
   const base::StopRequest stop = execution.stop;
   const FragilityReport report = fragility_report({found});
   std::vector<ReportedSuite> suites = suites_with_rate(report);
   if (suites.empty()) refuse("sheet", "", "needs a suite of ground motions and a hazard curve");
   std::vector<ReportedComparison> comparisons = comparisons_of(report, suites.front().curve.subject.event);
+  FragilityReport about;
+  about.curves.assign(suites.begin(), suites.end());
+  about.comparisons = comparisons;
   const Report run = report_of(stored.experiment, complete_result(stored.experiment, stored.run), {});
   Written written;
   const auto note = [&written](const analysis::Drawing& drawing) {
     if (!drawing.is_drawn()) written.not_drawn.push_back(drawing.reason);
   };
   analysis::Drawing drawing;
-  analysis::FigureLook look = analysis::journal_look(analysis::JournalWidth::double_column);
-  look.axes_heights.fill(180.0);
-  std::string picture = analysis::picture_of(curves_of(suites), "png", drawing, stop, look);
+  analysis::FigureLook look = analysis::journal_look(analysis::JournalWidth::single_column);
+  look.axes_heights.fill(115.0);
+  std::string picture = analysis::picture_of(curves_of(about), "png", drawing, stop, look);
   note(drawing);
   std::string text = analysis::sheet_text({.run = run,
                                            .suites = std::move(suites),
@@ -97,9 +99,10 @@ Written write_sheet(const StoredRun& stored, const RunFragility& found, const Ha
                                            .hazard = hazard,
                                            .periods = measure_periods(stored.experiment),
                                            .survival = found.survival,
+                                           .headline = headline(about),
                                            .curve_png = std::move(picture),
                                            .program = base::code_identity(),
-                                           .command = command});
+                                           .notes = notes});
   if (file.extension() == ".pdf") {
     text = pdf_of(text, drawing, stop);
     note(drawing);

@@ -77,6 +77,8 @@ struct RunsQuestion {
   std::optional<std::string> rare;  ///< folder of rare.json, or the file
   std::optional<std::string> joint_hazard;
   std::optional<std::string> sheet;
+  std::optional<std::string> project;
+  std::optional<std::string> date;
   std::optional<std::string> export_file;
   std::optional<std::string> export_as;
   bool suggest = false;
@@ -133,6 +135,11 @@ const StructType& fields_of(const RunsQuestion*) {
                                 "With --hazard: the answer about a suite as one page of A4; FILE ends with .pdf or "
                                 ".html"),
             {.names = "--sheet", .letter = "FILE", .kind = FlagKind::new_file, .is_of_program = true}),
+      asked(
+          field<&Type::project>("project", "With --sheet: the project; without it the sheet has a line to write it on"),
+          {.names = "--project", .letter = "TEXT", .needs = "--sheet", .is_of_program = true}),
+      asked(field<&Type::date>("date", "With --sheet: the date, in any words; without it as the project"),
+            {.names = "--date", .letter = "TEXT", .needs = "--sheet", .is_of_program = true}),
       asked(field<&Type::export_file>(
                 "export",
                 "The fragility functions for other programs: FILE.xml is NRML of OpenQuake, FILE.csv "
@@ -344,7 +351,11 @@ More sheet_of(const NamedRun& run, const RunsQuestion& question, const RunFragil
   if (question.statistic) again += " --statistic " + shell_word(*question.statistic);
   for (const ResponseEvent& event : question.question.events) again += " --event " + shell_word(event_text(event));
   again += " --sheet " + shell_word(*question.sheet);
-  Written sheet = write_sheet(run.stored, found, *question.question.hazard, *question.sheet, again, execution);
+  if (question.project) again += " --project " + shell_word(*question.project);
+  if (question.date) again += " --date " + shell_word(*question.date);
+  const SheetNotes notes{
+      .command = again, .project = question.project.value_or(""), .date = question.date.value_or("")};
+  Written sheet = write_sheet(run.stored, found, *question.question.hazard, *question.sheet, notes, execution);
   const bool is_written = !sheet.files.empty();
   return {.lines = is_written ? "sheet: " + *question.sheet + '\n' : "",
           .is_complete = is_written,

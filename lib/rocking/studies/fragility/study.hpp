@@ -32,6 +32,14 @@ struct ReportedSuite {
   std::optional<SuiteRate> rate;  ///< absent without a hazard curve
 };
 
+/// The rate of a curve; null: there is none.
+[[nodiscard]] inline const AnnualRate* rate_of(const ReportedCurve& curve) {
+  return curve.rate ? &*curve.rate : nullptr;
+}
+[[nodiscard]] inline const AnnualRate* rate_of(const ReportedSuite& curve) {
+  return curve.rate ? &curve.rate->chosen : nullptr;
+}
+
 /// The incremental dynamic analysis of a run.
 struct ReportedAnalysis {
   CurveRun run;
@@ -60,6 +68,10 @@ struct FragilityReport {
 };
 
 [[nodiscard]] FragilityReport fragility_report(const std::vector<RunFragility>& runs);
+
+/// The answer: of each run and event a line with rate and interval of the first option, and the rates of the others as
+/// multiples of it. Of a suite without a hazard curve the shares at the ends of the sweep. Terminal, page and sheet tell it.
+[[nodiscard]] std::string headline(const FragilityReport& report);
 
 [[nodiscard]] const StructType& fields_of(const FragilityReport*);
 

@@ -25,10 +25,17 @@ bool is_by_law(const SuiteCurve& curve) {
   return curve.pooled.has_value() && curve.outcome == stats::FragilityOutcome::fitted;
 }
 
+/// `width 0.42 m, all records`, or `peak tilt > 0.5, all records`.
+std::string name_of(const SuiteCurve& curve, const std::string& what) {
+  const std::string others = values_in_words(curve.subject.others);
+  const std::string event = curve.subject.event.is_overturning() ? "" : event_in_words(curve.subject.event) + ", ";
+  return (others.empty() ? "" : others + ", ") + event + what;
+}
+
 /// Columns: intensity, records, n, how many, estimate; then the probability by the law, or the isotonic share where none
 /// holds, and its interval.
 Table suite_table(const SuiteCurve& curve) {
-  Table table{.name = event_in_words(curve.subject.event) + ", all records",
+  Table table{.name = name_of(curve, "all records"),
               .columns = {{"intensity", "intensity of the excitation"},
                           {"records", "records"},
                           {"n", "realisations of all records"},
@@ -55,7 +62,7 @@ Table suite_table(const SuiteCurve& curve) {
 
 /// Columns: intensity, the share of each record.
 Table record_shares(const SuiteCurve& curve) {
-  Table table{.name = event_in_words(curve.subject.event) + ", share of each record",
+  Table table{.name = name_of(curve, "share of each record"),
               .columns = {{"intensity", "intensity of the excitation"}},
               .rows = {}};
   std::map<double, std::vector<Cell>> rows;
@@ -83,7 +90,7 @@ stats::ProbitInterpolation edge_of(const std::vector<SuiteLevel>& levels, double
 
 /// Columns: intensity, probability, low, high; without a band the last two are empty.
 Table suite_law_table(const SuiteCurve& curve) {
-  Table table{.name = "law of " + event_in_words(curve.subject.event) + ", all records",
+  Table table{.name = "law, " + name_of(curve, "all records"),
               .columns = {{"intensity", "intensity of the excitation"},
                           {"law", "probability by the law of the suite"},
                           {"law_low", "lower edge of its bootstrap interval, interpolated between the levels"},
@@ -141,7 +148,8 @@ void add_rare(const std::vector<RareLevel>& levels, std::size_t number, const st
   figure.tables.push_back(rare_points(levels, name));
 }
 
-void add_suite(const SuiteCurve& curve, std::size_t number, Figure& figure) {
+void add_suite(const SuiteCurve& curve, const PlaceInPanel& place, Figure& figure) {
+  const auto& [number, is_alone] = place;
   Style thin = style_of_curve(number);
   thin.colour = "#999999";
   thin.width = 0.5;
@@ -156,18 +164,15 @@ void add_suite(const SuiteCurve& curve, std::size_t number, Figure& figure) {
   figure.tables.push_back(suite_table(curve));
   figure.tables.push_back(record_shares(curve));
   std::vector<Layer>& layers = figure.panels.back().layers;
-  // The records of one curve are enough lines.
-  for (std::size_t i = 1; number == 0 && i < figure.tables.back().columns.size(); ++i) {
+  for (std::size_t i = 1; is_alone && i < figure.tables.back().columns.size(); ++i) {
     layers.push_back({.kind = LayerKind::line,
                       .table = all + 1,
                       .columns = {0, i},
                       .style = thin,
                       .legend = i == 1 ? "share of a record" : ""});
   }
-  const std::string others = values_in_words(curve.subject.others);
-  const std::string name =
-      (others.empty() ? "" : others + ", ") + event_in_words(curve.subject.event) + ", all records";
-  const bool has_line = curve.pooled.has_value();
+  const std::string name = name_of(curve, "all records");
+  const bool has_line = curve.levels.size() > 1;
   if (has_line) {
     // The table of the levels has the isotonic shares, each with its interval.
     const std::size_t table = is_by_law(curve) ? figure.tables.size() : all;

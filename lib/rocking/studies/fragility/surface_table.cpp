@@ -50,9 +50,9 @@ std::string answer_of(const FragilitySurface& surface) {
 std::string rate_of(const FragilitySurface& surface) {
   const SurfaceRate& rate = *surface.rate;
   const std::string share =
-      significant(100.0 * rate.extrapolated_share, 2) + " % of it comes from cells outside the " + "tested points";
+      per_cent(rate.extrapolated_share) + " % of it comes from cells outside the " + "tested points";
   return "mean annual rate of " + words_of(surface.subject.event) +
-         " by the joint hazard: " + value_in_words(rate.value, rate.interval) +
+         " by the joint hazard: " + plain_text(look::number(rate.value, rate.interval, look::rate_form())) +
          (rate.value > 0.0 ? "; " + share : std::string()) + '\n' +
          (rate.extrapolated_share > most_extrapolated_surface ? "warning: " + share + "; add records or levels there\n"
                                                               : "");

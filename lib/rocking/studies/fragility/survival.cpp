@@ -221,8 +221,9 @@ std::string with_interval(const SurvivingBlock& block) {
 }
 
 void add_row(const std::string& hazard, const SurvivingBlock& block, const look::Cell& last, look::Table& table) {
-  table.rows.push_back({hazard, block.name, look::number(block.rate, 3), look::interval(block.rate_interval, 3),
-                        look::number(block.probability, 3), look::interval(block.interval, 3), last});
+  table.rows.push_back({hazard, block.name, look::number(block.rate, look::rate_form()),
+                        look::interval(block.rate_interval, look::rate_form()), look::number(block.probability, 3),
+                        look::interval(block.interval, 3), last});
 }
 
 }  // namespace
@@ -232,13 +233,13 @@ std::string survival_in_words(const Survival& survival) {
   const std::size_t blocks = first.blocks.size();
   std::string text = "probability that ";
   text += blocks == 1 ? "the block has not " : "none of " + std::to_string(blocks) + " blocks has ";
-  text += did(survival.event) + " in " + years_in_words(survival.years) + " years";
+  text += did(survival.event) + " in " + base::shortest(survival.years) + " years";
   if (survival.branches.size() > 1) text += " under " + hazard_name(survival, first);
   text += ": " + with_interval(first.all);
   if (survival.branches.size() < 2) return text;
   const auto best = std::ranges::max_element(survival.branches, {}, &SurvivalBranch::weight);
   return text + "; of " + std::to_string(survival.branches.size()) + " hazard curves " + hazard_name(survival, *best) +
-         " makes it likeliest, with the weight " + significant(best->weight, 3);
+         " makes it likeliest, with the weight " + rate_text(best->weight);
 }
 
 std::string survival_table(const Survival& survival) {
@@ -255,7 +256,8 @@ std::string survival_table(const Survival& survival) {
     }
     SurvivingBlock all = branch.all;
     all.name = has_blocks ? "all" : "";
-    add_row(hazard_name(survival, branch), all, has_branches ? look::number(branch.weight, 3) : look::Cell(), table);
+    add_row(hazard_name(survival, branch), all,
+            has_branches ? look::number(branch.weight, look::rate_form()) : look::Cell(), table);
   }
   text += to_terminal(table);
   if (has_blocks) {

@@ -165,9 +165,6 @@ std::string table_of(const ReportedSuite& reported, const Content& content, Show
   return suite_table(reported.curve, content.records, content.extent);
 }
 
-const AnnualRate* rate_of(const ReportedCurve& reported) { return reported.rate ? &*reported.rate : nullptr; }
-const AnnualRate* rate_of(const ReportedSuite& reported) { return reported.rate ? &reported.rate->chosen : nullptr; }
-
 /// Median and dispersion of a row of the summary; the outcome where there are none.
 look::Row law_cells(const FragilityCurve& curve) {
   if (!curve.law) return {std::string(to_string(curve.outcome)), look::Cell()};
@@ -192,8 +189,9 @@ std::string comparisons_of(const FragilityReport& report) {
   add_columns(table, {"option", "against", "event", "by", "difference per year", "interval", "ratio", "interval"});
   for (const auto& [run, found] : report.comparisons) {
     table.rows.push_back({values_of(found.option), values_of(found.base), words_of(found.event),
-                          source_in_words(found.source), number(found.difference, 3), look::interval(found.interval, 3),
-                          number(found.ratio, 3), look::interval(found.ratio_interval, 3)});
+                          source_in_words(found.source), number(found.difference, look::rate_form()),
+                          look::interval(found.interval, look::rate_form()), number(found.ratio, look::rate_form()),
+                          look::interval(found.ratio_interval, look::rate_form())});
   }
   return to_terminal(table);
 }
@@ -207,7 +205,7 @@ std::string curve_tables(const FragilityReport& report, const Content& content) 
           const CurveSubject& subject = reported.curve.subject;
           shown.most = std::max(shown.most, most_realisations(reported.curve.levels));
           text += heading_of_curve(reported.run.title, subject.others);
-          if (const AnnualRate* rate = rate_of(reported)) text += annual_rate_in_words(*rate, subject.event);
+          if (const AnnualRate* rate = rate_of(reported)) text += annual_rate_in_words(*rate, subject);
           text += table_of(reported, content, shown);
           if (reported.rate) text += annual_rate_table(*reported.rate, subject, content.extent);
           text += '\n';
@@ -279,7 +277,7 @@ std::string summary_of(const FragilityReport& report) {
           look::Row& row = table.rows.emplace_back(look::Row{curve_name(reported), column_of(subject.event)});
           append(row, law_cells(reported.curve));
           const AnnualRate* rate = rate_of(reported);
-          row.push_back(rate ? number(rate->value, 3) : look::Cell());
+          row.push_back(rate ? number(rate->value, look::rate_form()) : look::Cell());
           row.push_back(rate && rate->value > 0.0 ? years_in_words(1.0 / rate->value) : look::Cell());
         },
         curve);
@@ -312,7 +310,8 @@ std::string tables_of(const FragilityReport& report, RecordTable records, Extent
 }  // namespace
 
 std::string fragility_table(const FragilityReport& report, RecordTable records, Extent extent) {
-  return tables_of(report, records, extent) + warnings_of(report);
+  const bool has_options = !report.comparisons.empty();  // the only one has its sentence above its tables
+  return (has_options ? headline(report) + '\n' : "") + tables_of(report, records, extent) + warnings_of(report);
 }
 
 }  // namespace rocking

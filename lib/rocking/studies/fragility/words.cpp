@@ -19,8 +19,8 @@ std::string bounded_in_words(const stats::Bounded& bounded) {
 }
 
 std::string years_in_words(double years) {
-  if (!(years >= 100.0 && years < 1e9)) return significant(years, 3);
-  const double unit = std::pow(10.0, std::floor(std::log10(years)) - 2.0);
+  if (!(years >= 10.0 && years < 1e9)) return significant(years, 2);
+  const double unit = std::pow(10.0, std::floor(std::log10(years)) - 1.0);
   return std::to_string(std::llround(std::round(years / unit) * unit));
 }
 

@@ -17,7 +17,7 @@ namespace rocking {
 [[nodiscard]] look::Cell estimate_cell(double value, const std::optional<stats::Interval>& interval);
 [[nodiscard]] std::string bounded_in_words(const stats::Bounded& bounded);
 
-/// A number of years with three digits and without a power of ten: `1910`, `0.25`.
+/// A return period in two digits, as a rate, and without a power of ten: `1900`, `0.25`.
 [[nodiscard]] std::string years_in_words(double years);
 
 /// Adds the column `unresolved` to the table of every `step`-th level if a level has realisations without an answer.
@@ -39,8 +39,24 @@ void add_unresolved(const Levels& levels, std::size_t step, look::Table& table) 
 /// The title of the run and the values of the other entries of its sweep, as a line; empty if there are none.
 [[nodiscard]] std::string heading_of_curve(const std::string& title, const std::vector<Parameter>& others);
 
-/// The rate in a line, `mean annual rate of overturning: 5.0e-4 [..], once in 2000 years`, and where it comes from.
-[[nodiscard]] std::string annual_rate_in_words(const AnnualRate& rate, const ResponseEvent& event);
+/// A rate with its interval, `5.0e-4 [1.9e-4, 1.1e-3]`, or a quotient of two rates.
+[[nodiscard]] std::string rate_in_words(double rate, const std::optional<stats::Interval>& interval);
+
+/// A probability within some years, in per cent, in as many digits as the rate from which it follows.
+[[nodiscard]] std::string in_years_text(double probability);
+
+/// `PGA = 0.36 g`: a value of the swept intensity.
+[[nodiscard]] std::string at_intensity(const CurveSubject& subject, const std::string& value);
+
+/// `from PGA = 0.219 g on`: which intensities a rate counts; and why, `, the least that lifts the block`.
+[[nodiscard]] std::string counted_from_in_words(const CurveSubject& subject);
+[[nodiscard]] std::string why_counted_in_words(const CurveSubject& subject);
+
+/// `With width 0.35 m the block overturns about once in 2000 years: mean annual rate 5.0e-4 [1.9e-4, 1.1e-3] (95 %)`.
+[[nodiscard]] std::string rate_sentence(const CurveSubject& subject, const AnnualRate& rate);
+
+/// The same as a line, and where the rate comes from.
+[[nodiscard]] std::string annual_rate_in_words(const AnnualRate& rate, const CurveSubject& subject);
 
 /// Whether the blocks still stand: how likely, by block and by hazard curve.
 [[nodiscard]] std::string survival_table(const Survival& survival);

@@ -84,7 +84,7 @@ TEST(SuiteFigure, ShowsTheObservedSharesBesideASmoothLaw) {
   const Table& levels = figure.tables[points->table];
   ASSERT_EQ(levels.rows.size(), 3U);
   for (const auto& row : levels.rows) EXPECT_EQ(number(row[points->columns[1]]), 0.5 * number(row[0]));
-  const auto is_law = [](const Layer& layer) { return layer.legend == "overturned, all records"; };
+  const auto is_law = [](const Layer& layer) { return layer.legend == "all records"; };
   const auto line = std::ranges::find_if(figure.panels.front().layers, is_law);
   ASSERT_NE(line, figure.panels.front().layers.end());
   const Table& law = figure.tables[line->table];
@@ -100,7 +100,7 @@ TEST(SuiteFigure, ShowsTheObservedSharesBesideASmoothLaw) {
   }
 }
 
-TEST(SuiteFigure, ShowsTheObservedSharesWithoutALawToo) {
+TEST(SuiteFigure, ShowsSharesAndTheirBandWithoutALawToo) {
   ReportedSuite reported = suite(overturning_event);
   reported.curve.pooled.reset();
   for (SuiteLevel& level : reported.curve.levels) {
@@ -108,8 +108,25 @@ TEST(SuiteFigure, ShowsTheObservedSharesWithoutALawToo) {
     level.band.reset();
   }
   const Figure figure = figure_of(reported);
-  const Layer* points = layer_of(figure, LayerKind::points);
-  ASSERT_NE(points, nullptr);
+  for (const LayerKind kind : {LayerKind::points, LayerKind::line, LayerKind::ribbon}) {
+    EXPECT_NE(layer_of(figure, kind), nullptr);
+  }
+}
+
+TEST(SuiteFigure, HasACurveWithItsBandForEachOption) {
+  ReportedSuite wide = suite(overturning_event), narrow = wide;
+  for (const auto& [reported, width] : {std::pair{&narrow, 0.35}, std::pair{&wide, 0.5}}) {
+    reported->curve.subject.others = {{.pointer = "/block/width_m", .value = width}};
+  }
+  const Figure figure = figure_of(narrow, wide);
+  std::vector<std::string> lines;
+  std::size_t ribbons = 0;
+  for (const Layer& layer : figure.panels.at(0).layers) {
+    if (layer.kind == LayerKind::line) lines.push_back(layer.legend);
+    ribbons += layer.kind == LayerKind::ribbon ? 1 : 0;
+  }
+  EXPECT_THAT(lines, ElementsAre("width 0.35 m, all records", "width 0.5 m, all records"));
+  EXPECT_EQ(ribbons, 2U);
 }
 
 // What is tabulated and drawn is what the rate takes.
@@ -126,7 +143,7 @@ TEST(SuiteFigure, OfARejectedLawHasTheIsotonicSharesAndNoProbabilityByTheLaw) {
   }
   const Layer* ribbon = layer_of(figure, LayerKind::ribbon);
   ASSERT_NE(ribbon, nullptr);
-  const auto is_line = [](const Layer& layer) { return layer.legend == "overturned, all records"; };
+  const auto is_line = [](const Layer& layer) { return layer.legend == "all records"; };
   const auto line = std::ranges::find_if(figure.panels.front().layers, is_line);
   ASSERT_NE(line, figure.panels.front().layers.end());
   const Table& shares = figure.tables[line->table];

@@ -83,7 +83,7 @@ TEST_F(SuiteFragility, RanksTheMeasuresOfIntensityByDispersion) {
   EXPECT_TRUE(std::ranges::is_sorted(dispersions, [](double a, double b) { return a < b - 1e-6; }));
   const auto told = rocking("fragility out");
   EXPECT_THAT(told.output, AllOf(HasSubstr("measures of intensity, smallest dispersion (most efficient) first"),
-                                 HasSubstr("p_pgv_over_g_tan_psi"), HasSubstr("deviance"), HasSubstr("AIC")));
+                                 HasSubstr("pgv_m_s"), HasSubstr("deviance"), HasSubstr("AIC")));
 }
 
 TEST_F(SuiteFragility, CountsPeakTiltsAboveEachValueThatIsGiven) {

@@ -48,7 +48,10 @@ std::string extrapolation_text(const AnnualRate& rate, const CurveSubject& subje
 std::string estimate_table(const SuiteRate& rate) {
   look::Table table{.title = "\nannual rate by the probabilities between the levels"};
   add_columns(table, {"rate by", "per year", "interval", "years"});
-  for (const RateEstimate& estimate : rate.estimates) {
+  for (std::size_t i = 0; i < rate.estimates.size(); ++i) {
+    const RateEstimate& estimate = rate.estimates[i];
+    // Where the observed shares do not decrease, the isotonic ones above are the same.
+    if (estimate.source == RateSource::observed && i > 0 && rate.estimates[i - 1].value == estimate.value) continue;
     table.rows.push_back({source_in_words(estimate.source, rate), number(estimate.value, look::rate_form()),
                           look::interval(estimate.interval, look::rate_form()),
                           estimate.value > 0.0 ? years_in_words(1.0 / estimate.value) : look::Cell()});

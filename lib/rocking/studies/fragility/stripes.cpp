@@ -165,8 +165,6 @@ void set_measures(const Scene& scene, std::string_view intensity, Spectra& spect
   const bool has_range = periods.size() == 2;
   stripe.measures = {pga,
                      pgv,
-                     pga / shape.tangent,
-                     shape.frequency_parameter * pgv / (block.gravity * shape.tangent),
                      scale * spectra.at(motion, own),
                      periods.size() == 1 && periods.front() != own
                          ? std::optional(scale * spectra.at(motion, periods.front()))

@@ -31,21 +31,18 @@ struct CurveSubject {
 enum class IntensityMeasure : std::uint8_t {
   pga,          ///< peak ground acceleration over g [-]
   pgv,          ///< peak ground velocity [m/s]
-  pga_ratio,    ///< PGA/(g tan psi), of the mean block [-]
-  pgv_ratio,    ///< p PGV/(g tan psi), of the mean block [-]
   sa_p,         ///< pseudo-acceleration over g with 5 % damping at the period 2 pi/p of the mean block [-]
   sa,           ///< the same at the period by which the experiment gives the strength of its motions
   avgsa,        ///< geometric mean of the same over the periods by which it does, or else over 0.1 to 1 times 2 pi/p
   sa_absolute,  ///< largest absolute acceleration of the oscillator over g, where it is swept [-]
 };
 inline constexpr std::array all_intensity_measures{
-    IntensityMeasure::pga,  IntensityMeasure::pgv, IntensityMeasure::pga_ratio, IntensityMeasure::pgv_ratio,
-    IntensityMeasure::sa_p, IntensityMeasure::sa,  IntensityMeasure::avgsa,     IntensityMeasure::sa_absolute};
+    IntensityMeasure::pga, IntensityMeasure::pgv,   IntensityMeasure::sa_p,
+    IntensityMeasure::sa,  IntensityMeasure::avgsa, IntensityMeasure::sa_absolute};
 
-/// In files: `pga_g`, `pgv_m_s`, `pga_over_g_tan_psi`, `p_pgv_over_g_tan_psi`, `sa_p_g`, `sa_g`, `avgsa_g`,
-/// `sa_absolute_g`.
-inline constexpr std::array<std::string_view, 8> intensity_measure_names{
-    "pga_g", "pgv_m_s", "pga_over_g_tan_psi", "p_pgv_over_g_tan_psi", "sa_p_g", "sa_g", "avgsa_g", "sa_absolute_g"};
+/// In files: `pga_g`, `pgv_m_s`, `sa_p_g`, `sa_g`, `avgsa_g`, `sa_absolute_g`.
+inline constexpr std::array<std::string_view, 6> intensity_measure_names{"pga_g", "pgv_m_s", "sa_p_g",
+                                                                         "sa_g",  "avgsa_g", "sa_absolute_g"};
 [[nodiscard]] constexpr std::string_view to_string(IntensityMeasure measure) {
   return intensity_measure_names[static_cast<std::size_t>(measure)];
 }

@@ -138,15 +138,15 @@ struct IncrementalAnalysis {
 [[nodiscard]] IncrementalAnalysis incremental_analysis(const StripeGroup& group);
 
 /// Those of the intensity, and PGV/PGA [s], which a record keeps at every scale.
-constexpr std::array<std::string_view, 9> names_of_surface_measures() {
-  std::array<std::string_view, 9> names{};
+constexpr auto names_of_surface_measures() {
+  std::array<std::string_view, intensity_measure_names.size() + 1> names{};
   for (std::size_t i = 0; i < intensity_measure_names.size(); ++i) names[i] = intensity_measure_names[i];
   names.back() = "pgv_over_pga_s";
   return names;
 }
 
 /// Measures over which a surface stands.
-inline constexpr std::array<std::string_view, 9> surface_measure_names = names_of_surface_measures();
+inline constexpr auto surface_measure_names = names_of_surface_measures();
 
 /// The rate of motions whose two measures lie in a cell.
 struct JointCell {

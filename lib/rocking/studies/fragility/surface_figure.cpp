@@ -30,8 +30,6 @@ Axis axis_of(const std::string& measure) {
   static const std::array<Axis, surface_measure_names.size()> axes{
       {{.quantity = "peak ground acceleration", .symbol = "PGA", .unit = "g"},
        {.quantity = "peak ground velocity", .symbol = "PGV", .unit = "m/s"},
-       {.quantity = "PGA/(g tan ψ)", .symbol = "", .unit = ""},
-       {.quantity = "p PGV/(g tan ψ)", .symbol = "", .unit = ""},
        {.quantity = "spectral acceleration at 2π/p", .symbol = "", .unit = "g"},
        {.quantity = "spectral acceleration", .symbol = "Sa", .unit = "g"},
        {.quantity = "average spectral acceleration", .symbol = "", .unit = "g"},

@@ -120,7 +120,7 @@ StripeGroup group_of_twelve(int (*overturned)(double pga, double ratio)) {
       stripe.record = "r" + std::to_string(record);
       stripe.intensity = pga;
       stripe.measures[static_cast<std::size_t>(IntensityMeasure::pga)] = pga;
-      stripe.measures[static_cast<std::size_t>(IntensityMeasure::pga_ratio)] = 4.0 * pga;
+      stripe.measures[static_cast<std::size_t>(IntensityMeasure::sa_p)] = 4.0 * pga;
       stripe.pgv_over_pga = ratio;
       for (int j = 0; j < 10; ++j) stripe.overturned.push_back(j < overturned(pga, ratio));
       stripe.peaks.resize(10);
@@ -192,7 +192,7 @@ TEST(FragilitySurface, IsNoneWithoutReason) {
   EXPECT_EQ(separated.outcome, FragilityOutcome::separated);
   EXPECT_THAT(surface_table("", separated), HasSubstr("none is fitted: a line parts the points"));
   const StripeGroup group = group_of_twelve(by_both);
-  EXPECT_EQ(surface_of(group, {"pga_g", "pga_over_g_tan_psi"}).outcome, FragilityOutcome::too_little);
+  EXPECT_EQ(surface_of(group, {"pga_g", "sa_p_g"}).outcome, FragilityOutcome::too_little);
   EXPECT_THROW(static_cast<void>(surface_of(group, {"pga_g", "sa_g"})), base::InputError);
 }
 

@@ -47,8 +47,9 @@ OF_COMMANDS = {
     "--per-record": "the document has the records",
     "--keys": "help(rocking.documents.Report) and the like",
 }
-OF_ONE_COMMAND = {("report", "--format"): "a function for each", ("motion", "--style"): "draw()",
-                  ("motion", "--width"): "draw()", ("fragility", "--style"): "draw()", ("fragility", "--width"): "draw()"}
+OF_ONE_COMMAND = {("report", "--format"): "a function for each",
+                  **{(command, flag): "draw()" for command in ("motion", "fragility")
+                     for flag in ("--pictures", "--style", "--width")}}
 # Keywords without a flag.
 OF_CALLS = {
     "progress": "in place of the line of progress",

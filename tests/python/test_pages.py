@@ -79,8 +79,9 @@ class Pages(unittest.TestCase):
             out.write(self.program(*motion))
         self.program("report", file, "-o", self.out)
         self.expect_same(rocking.draw(file, folder=self.ours).files, self.out)
-        self.program("report", file, "-o", self.out, "--from", "5", "--to", "9", "--style", "journal")
-        self.expect_same(rocking.draw(file, folder=self.ours, from_=5, to=9, style="journal").files, self.out)
+        part = os.path.join(self.folder.name, "part")
+        self.program("report", file, "-o", part, "--from", "5", "--to", "9", "--style", "journal")
+        self.expect_same(rocking.draw(file, folder=self.ours, from_=5, to=9, style="journal").files, part)
         with self.assertRaises(rocking.InputError):
             rocking.draw(file, folder=self.ours, from_=9, to=9)
         own = rocking.draw(rocking.trajectory(self.path, condition=1, samples=20), folder=self.ours)

@@ -48,7 +48,7 @@ TEST(Studies, HaveNamesDocumentsAndFlagsOfTheirOwn) {
       if (field.flag.names.empty()) continue;
       EXPECT_TRUE(flags.insert(std::string(field.flag.names)).second) << study->name << ' ' << field.flag.names;
       EXPECT_THAT(std::string(field.sentence), Not(testing::EndsWith("."))) << study->name << ' ' << field.key;
-      const std::string keyword(keyword_of(field));
+      const std::string keyword = keyword_of(field);
       EXPECT_TRUE(keyword.empty() || keywords.insert(keyword).second) << study->name << ' ' << keyword;
     }
   }
@@ -66,15 +66,17 @@ TEST(Answer, RefusesKeywordsThatAreUnknownOrWrong) {
   EXPECT_THAT(fault("check_normal", R"({"sigmas": 1})"), HasSubstr("sigmas"));
   EXPECT_THAT(fault("check_normal", R"({"n": "many"})"), HasSubstr("n"));
   EXPECT_THAT(fault("check_normal", R"({"n": 3})"), HasSubstr("20"));
+  EXPECT_THAT(fault("cost", R"({"seconds": 3.0})"), HasSubstr("is not a keyword"));
+  EXPECT_THAT(fault("cost", R"({"max_time": -3.0})"), HasSubstr("max_time = -3"));
   EXPECT_THROW(static_cast<void>(answer("checks", "{}", {}, {})), std::invalid_argument);
 }
 
 TEST(Answer, IsTheDocumentOfTheTypedCall) {
   SamplerQuestion question{.n = 200, .seed = 7};
-  EXPECT_EQ(answer("check_normal", R"({"n": 200, "seed": "7"})", {}, {}),
+  EXPECT_EQ(answer("check_normal", R"({"n": 200, "seed": "7"})", {}, {}).document,
             check_normal_text(question, check_normal(question)));
   question.distribution = FluctuationLaw::uniform;
-  EXPECT_EQ(answer("check_normal", R"({"n": 200, "seed": "7", "law": "uniform"})", {}, {}),
+  EXPECT_EQ(answer("check_normal", R"({"n": 200, "seed": "7", "law": "uniform"})", {}, {}).document,
             check_normal_text(question, check_normal(question)));
 }
 

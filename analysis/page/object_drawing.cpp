@@ -59,7 +59,7 @@ double scale_of(const std::vector<DrawnObject>& objects) {
   constexpr std::array scales{1.0, 2.0, 5.0, 10.0, 20.0, 25.0, 50.0, 100.0, 200.0, 500.0, 1000.0};
   const double names = width_of(objects, 1e300);
   const double most_wide =
-      std::max(names + 3.0 * static_cast<double>(objects.size()), objects.size() == 1 ? 53.0 : 84.0);
+      std::max(names + 4.0 * static_cast<double>(objects.size()), objects.size() == 1 ? 53.0 : 84.0);
   double highest = 0.0, widest = 0.0;
   for (const DrawnObject& object : objects) {
     highest = std::max(highest, object.block.top());
@@ -135,7 +135,7 @@ class ObjectDrawing {
 
 std::string object_drawings(const Report& report) {
   const std::vector<DrawnObject> objects = objects_of(report);
-  const double scale = scale_of(objects), width = width_of(objects, scale);
+  const double scale = scale_of(objects), width = width_of(objects, scale) + height_label;
   const double names = objects.size() > 1 ? name_line : 0.0;
   std::string drawn, label;
   double from = 0.0, highest = 0.0;

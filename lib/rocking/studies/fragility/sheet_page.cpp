@@ -276,9 +276,10 @@ std::string sheet_text(const SheetContent& sheet) {
              "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
              "<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n<h1>{}</h1>\n",
              policy_hash(sheet_style()), escaped(title), sheet_style(), escaped(title)) +
-         answer(sheet) + survived(sheet) + top(sheet) + rates(sheet) + "<div class=\"columns\">\n<h2>Question</h2>\n" +
-         question_in_brief(sheet.run) + motions(sheet) + basis(sheet) + limits(sheet) + assumptions(sheet) +
-         "</div>\n" + signature(sheet.notes) + footer(sheet) + "</body>\n</html>\n";
+         answer(sheet) + survived(sheet) + top(sheet) + rates(sheet) +
+         "<div class=\"columns\">\n<div>\n<h2>Question</h2>\n" + question_in_brief(sheet.run) + limits(sheet) +
+         "</div>\n<div>\n" + motions(sheet) + basis(sheet) + assumptions(sheet) + "</div>\n</div>\n" +
+         signature(sheet.notes) + footer(sheet) + "</body>\n</html>\n";
 }
 
 }  // namespace rocking::analysis

@@ -61,7 +61,7 @@ OF_CALLS = {
 }
 OF_ONE_CALL = {("validate", "seed"), ("validate", "realisations"), ("fragility", "threads"), ("rare", "resume")}
 OTHER_DEFAULTS = {("motion", "series"): "a call returns arrays"}
-WITHOUT = (None, False, (), inspect.Parameter.empty)
+WITHOUT = (None, False, "", (), inspect.Parameter.empty)
 
 
 def functions_of(command):

@@ -133,7 +133,7 @@ def pictures(function: str, *source: Any, shown: Tuple[Any, ...]) -> str:
     """The first figures that a function of the core draws, as HTML; empty where gnuplot or fmt is missing."""
     with tempfile.TemporaryDirectory() as folder:
         try:
-            files, _ = getattr(_core, function)(*source, folder, 0, *shown)
+            files, _ = getattr(_core, function)(*source, folder, 0, ["svg"], *shown)
         except (AttributeError, ValueError):  # built without fmt; an InputError where there is nothing to draw
             return ""
         drawn = [Path(file) for file in files if file.endswith(".svg")][:3]

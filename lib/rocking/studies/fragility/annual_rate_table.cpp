@@ -48,10 +48,7 @@ std::string extrapolation_text(const AnnualRate& rate, const CurveSubject& subje
 std::string estimate_table(const SuiteRate& rate) {
   look::Table table{.title = "\nannual rate by the probabilities between the levels"};
   add_columns(table, {"rate by", "per year", "interval", "years"});
-  for (std::size_t i = 0; i < rate.estimates.size(); ++i) {
-    const RateEstimate& estimate = rate.estimates[i];
-    // Where the observed shares do not decrease, the isotonic ones above are the same.
-    if (estimate.source == RateSource::observed && i > 0 && rate.estimates[i - 1].value == estimate.value) continue;
+  for (const RateEstimate& estimate : told_estimates(rate)) {
     table.rows.push_back({source_in_words(estimate.source, rate), number(estimate.value, look::rate_form()),
                           look::interval(estimate.interval, look::rate_form()),
                           estimate.value > 0.0 ? years_in_words(1.0 / estimate.value) : look::Cell()});
@@ -124,6 +121,15 @@ std::string source_in_words(RateSource source) {
     default: break;
   }
   return "observed shares";
+}
+
+std::vector<RateEstimate> told_estimates(const SuiteRate& rate) {
+  std::vector<RateEstimate> told = rate.estimates;
+  const auto isotonic = std::ranges::find(told, RateSource::isotonic, &RateEstimate::source);
+  std::erase_if(told, [value = isotonic == told.end() ? -1.0 : isotonic->value](const RateEstimate& estimate) {
+    return estimate.source == RateSource::observed && estimate.value == value;
+  });
+  return told;
 }
 
 std::string source_in_words(RateSource source, const SuiteRate& rate) {

@@ -214,7 +214,7 @@ std::string basis(const SheetContent& sheet) {
   const ReportedSuite& object = sheet.suites.front();
   const SuiteRate& rate = *object.rate;
   std::string ways;
-  for (const RateEstimate& estimate : rate.estimates) {
+  for (const RateEstimate& estimate : told_estimates(rate)) {
     ways += fmt::format("{}{} {}", ways.empty() ? "" : "; ", source_in_words(estimate.source, rate),
                         rate_text(estimate.value));
   }

@@ -14,7 +14,7 @@ std::string range_table(const AnnualRate& rate, const std::string& measure) {
   look::Table table{.title = "\nannual rate by range of " + measure};
   add_columns(table, {measure + " from", "to", "per year", "share", "tested"});
   for (const RateInRange& range : rate.by_level) {
-    table.rows.push_back({number(range.from, 4), number(range.to, 4), number(range.rate, look::rate_form()),
+    table.rows.push_back({number(range.from, 3), number(range.to, 3), number(range.rate, look::rate_form()),
                           number(range.share, look::percentage()), range.is_tested ? "yes" : "no"});
   }
   return to_terminal(table);

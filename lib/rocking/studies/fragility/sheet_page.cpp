@@ -274,8 +274,9 @@ std::string sheet_text(const SheetContent& sheet) {
              "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta "
              "http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src {}; img-src data:\">\n"
              "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-             "<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n<h1>{}</h1>\n",
-             policy_hash(sheet_style()), escaped(title), sheet_style(), escaped(title)) +
+             "<title>{}</title>\n<style>{}</style>\n</head>\n<body{}>\n<h1>{}</h1>\n",
+             policy_hash(sheet_style()), escaped(title), sheet_style(),
+             sheet.suites.size() > 3 ? " class=\"many\"" : "", escaped(title)) +
          answer(sheet) + survived(sheet) + top(sheet) + rates(sheet) +
          "<div class=\"columns\">\n<div>\n<h2>Question</h2>\n" + question_in_brief(sheet.run) + limits(sheet) +
          "</div>\n<div>\n" + motions(sheet) + basis(sheet) + assumptions(sheet) + "</div>\n</div>\n" +

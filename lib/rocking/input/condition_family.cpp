@@ -82,8 +82,8 @@ std::optional<Condition> where_allowed(const ConditionMaker& family, const std::
 ConditionMaker::ConditionMaker(const Experiment& experiment, Surroundings surroundings)
     : document_(document_without_sweep(experiment)), surroundings_(std::move(surroundings)) {
   const Json fluctuation = document_.value("fluctuation", Json::object());
-  const bool is_relative =
-      std::ranges::any_of(fluctuation, [](const Json& scatter) { return scatter.contains("relative_sigma"); });
+  const bool is_relative = std::any_of(fluctuation.begin(), fluctuation.end(),
+                                       [](const Json& scatter) { return scatter.contains("relative_sigma"); });
   const bool states_horizon = number("/horizon/transient_periods") && number("/horizon/sampled_periods");
   if (is_relative || !states_horizon || document_["excitation"]["kind"] == Recorded::name) return;
   try {

@@ -193,7 +193,8 @@ std::vector<std::string> take_left_out(Json& excitation, Problems& problems) {
   if (!excitation.contains(left_out_key)) return {};
   const Json names = excitation[left_out_key];
   excitation.erase(left_out_key);
-  if (names.is_array() && std::ranges::all_of(names, &Json::is_string)) return names.get<std::vector<std::string>>();
+  if (names.is_array() && std::all_of(names.begin(), names.end(), [](const Json& name) { return name.is_string(); }))
+    return names.get<std::vector<std::string>>();
   problems.push_back({std::string("/excitation/") + left_out_key, brief(names), "must be a list of names of files",
                       "omit it: `rocking run --skip-unreadable` writes it"});
   return {};

@@ -141,16 +141,17 @@ class ColumnsType final : public ValueType {
   }
   void read(const Json& json, const ReadingPlace& place, void* value) const override {
     const auto& names = record_column_names;
-    const auto is_known = [&](const Json& word) { return std::ranges::find(names, word) != names.end(); };
+    const auto place_of = [&](const Json& word) {
+      return std::ranges::find(names, word.is_string() ? word.get<std::string>() : "");
+    };
+    const auto is_known = [&](const Json& word) { return place_of(word) != names.end(); };
     auto& columns = *static_cast<Columns*>(value);
     columns.clear();
-    if (!json.is_array() || json.empty() || !std::ranges::all_of(json, is_known)) {
+    if (!json.is_array() || json.empty() || !std::all_of(json.begin(), json.end(), is_known)) {
       return place.reject(json, "must be a list of " + quoted_words(names),
                           "give \"columns\": [\"time\", \"horizontal\"]");
     }
-    for (const Json& word : json) {
-      columns.push_back(static_cast<RecordColumn>(std::ranges::find(names, word) - names.begin()));
-    }
+    for (const Json& word : json) columns.push_back(static_cast<RecordColumn>(place_of(word) - names.begin()));
   }
   [[nodiscard]] Json schema(const Rule& rule) const override {
     const NamesType<RecordColumn> column(record_column_names);

@@ -62,7 +62,7 @@ look::Row row_of(const std::vector<ParameterColumn>& parameters, std::size_t con
 }
 
 std::string latex_of(const look::Table& table, const Report& report, const std::string& caption) {
-  return to_latex(table, look::latex_text(report.title()) + (report.title().empty() ? "" : " ") + caption);
+  return to_latex(table, look::latex_caption(report.title(), caption));
 }
 
 std::string latex_symbol(const std::string& pointer) {

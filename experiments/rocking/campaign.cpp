@@ -196,7 +196,7 @@ ExitCode write_results(FolderRun& run, ExperimentResult result, const SystemFact
     if (how.page == PageChoice::drawn) where += fmt::format("page: {}\n", folder.page_path().string());
     TableLook look = table_look();
     if (how.extent == Extent::one_screen) look.most_rows = most_screen_rows;
-    print_result(base::printable(run_table(report, look) + where));
+    print_text(run_table(report, look) + where);
   }
   if (failure) std::rethrow_exception(failure);
   return tell(failures, no_page_picture, PictureRole::addition);

@@ -43,6 +43,12 @@ std::string with_escaped_controls(std::string_view text) {
 
 constexpr std::size_t usual_columns = 80;
 
+/// Printable; on a terminal with lines broken between words.
+std::string shown_on(int descriptor, std::string_view text) {
+  const std::string shown = base::printable(text);
+  return isatty(descriptor) == 1 ? wrapped(shown, terminal_columns(descriptor).value_or(usual_columns)) : shown;
+}
+
 /// Letters that the locale of the environment supports. The process itself stays in the "C" locale, with decimal
 /// points.
 Letters letters_of_locale() {
@@ -84,10 +90,12 @@ void print_result(const std::function<void(const TextSink& sink)>& write) {
 
 void print_written(const Loudness& loudness, const std::vector<std::string>& files, std::string above) {
   for (const std::string& file : files) above += file + '\n';
-  print_result(loudness.json ? facts_text(std::vector<Fact>{{"written", files}}) : base::printable(above));
+  loudness.json ? print_result(facts_text(std::vector<Fact>{{"written", files}})) : print_text(above);
 }
 
-void print_notice(std::string_view text) { print_aside(fmt::format("rocking: {}\n", base::printable(text))); }
+void print_text(std::string_view text) { print_result(shown_on(STDOUT_FILENO, text)); }
+
+void print_notice(std::string_view text) { print_aside(shown_on(STDERR_FILENO, fmt::format("rocking: {}\n", text))); }
 
 void print_aside(const std::string& text) { static_cast<void>(std::fputs(text.c_str(), stderr)); }
 

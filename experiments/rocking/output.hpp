@@ -38,6 +38,9 @@ void print_result(std::string_view text);
 /// The same of a text that comes piece by piece.
 void print_result(const std::function<void(const TextSink& sink)>& write);
 
+/// Writes text for readers to standard output, on a terminal with lines broken between words.
+void print_text(std::string_view text);
+
 /// Prints which files were written, below a text of other results; or as JSON, without it.
 void print_written(const Loudness& loudness, const std::vector<std::string>& files, std::string above = "");
 

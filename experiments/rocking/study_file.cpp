@@ -85,7 +85,7 @@ std::string StudyFile::write(std::string_view text) const {
 std::string heading(const Experiment& experiment) { return experiment.title.empty() ? "" : experiment.title + "\n\n"; }
 
 void print_study(const Loudness& loudness, std::string_view json, std::string_view table) {
-  print_result(loudness.json ? std::string(json) : base::printable(table));
+  loudness.json ? print_result(json) : print_text(table);
 }
 
 void deliver_study(const Loudness& loudness, std::string_view json, std::string table,

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <string>
 #include <string_view>
@@ -13,14 +14,36 @@
 namespace rocking::look {
 namespace {
 
+/// A number with a minus sign or a power of ten is set in mathematics: `$-0.45$`, `$1.9 \times 10^{-4}$`.
+std::string number_in_latex(const std::string& number) {
+  const std::size_t exponent = number.find('e');
+  if (exponent == number.npos) return number.starts_with('-') ? '$' + number + '$' : number;
+  return '$' + number.substr(0, exponent) + " \\times 10^{" + std::to_string(std::stoi(number.substr(exponent + 1))) +
+         "}$";
+}
+
+/// Words; those of a cell may be a number.
+std::string words_in_latex(const std::string& words) {
+  const bool is_number = words.find_first_not_of("-+.e0123456789") == words.npos &&
+                         words.find_first_of("0123456789") != words.npos && words.find_last_of('-') != words.size() - 1;
+  return is_number ? number_in_latex(words) : latex_text(words);
+}
+
+std::string end_in_latex(const std::optional<double>& end, Form form) {
+  if (!end) return "--";
+  return std::isfinite(*end) ? number_in_latex(in_form(*end, form)) : "unbounded";
+}
+
 std::string cell_in_latex(const Cell& cell) {
-  if (const std::string* words = std::get_if<std::string>(&cell)) return latex_text(*words);
+  if (const std::string* words = std::get_if<std::string>(&cell)) return words_in_latex(*words);
   const Number* number = std::get_if<Number>(&cell);
   if (number == nullptr) return "--";
-  const std::string ends = interval_words(*number, "--");
-  return (number->bound == '\0' ? "" : std::string{'$', number->bound, '$', ' '}) +
-         (number->value ? in_form(*number->value, number->form) : "--") + (ends.empty() ? "" : ' ' + ends) +
-         number->after;
+  std::string text = number->bound == '\0' ? "" : std::string{'$', number->bound, '$', ' '};
+  text += number->value ? number_in_latex(in_form(*number->value, number->form)) : "--";
+  if (const auto& ends = number->interval) {
+    text += " [" + end_in_latex(ends->low, number->form) + ", " + end_in_latex(ends->high, number->form) + ']';
+  }
+  return text + number->after;
 }
 
 /// Greek letters by code point from U+0391 and U+03B1 on; those without a command of their own look like Latin ones.
@@ -108,6 +131,12 @@ std::string to_latex(const Table& table, const std::string& caption) {
       "    \\midrule\n";
   for (const Row& row : table.rows) text += line_of(row, cell_in_latex);
   return text + "    \\bottomrule\n  \\end{tabular}\n\\end{table}\n";
+}
+
+std::string latex_caption(const std::string& title, const std::string& caption) {
+  if (title.empty()) return caption;
+  return latex_text(title) + (std::string_view(".?!").find(title.back()) == std::string_view::npos ? ". " : " ") +
+         caption;
 }
 
 std::string latex_text(std::string text) {

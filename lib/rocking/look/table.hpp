@@ -98,6 +98,9 @@ void merge_rows(Table& table, std::size_t first, std::size_t count);
 /// A table of booktabs, flush right. `caption`: LaTeX. Nothing is `--`.
 [[nodiscard]] std::string to_latex(const Table& table, const std::string& caption);
 
+/// A title, as a sentence of its own, and what follows it in LaTeX.
+[[nodiscard]] std::string latex_caption(const std::string& title, const std::string& caption);
+
 /// What is said of a table on a page.
 struct Caption {
   std::string label;  ///< plain text, escaped

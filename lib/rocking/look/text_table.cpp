@@ -32,7 +32,42 @@ std::vector<std::size_t> lengths_of(const std::vector<std::uint64_t>& counts, st
   return lengths;
 }
 
+std::string wrapped_line(std::string_view line, std::size_t width) {
+  const std::size_t indented = std::min(line.find_first_not_of(' '), line.size());
+  const std::string indentation(line.substr(0, indented));
+  std::string_view rest = line.substr(indented);
+  if (letters_in(line) <= width || rest.find("  ") != rest.npos) return std::string(line);
+  std::string text = indentation;
+  std::size_t letters = indented;
+  while (!rest.empty()) {
+    const std::string_view word = rest.substr(0, rest.find(' '));
+    rest.remove_prefix(std::min(word.size() + 1, rest.size()));
+    const bool is_first = letters == indented;
+    if (!is_first && letters + 1 + letters_in(word) > width) {
+      text += '\n' + indentation;
+      letters = indented;
+    } else if (!is_first) {
+      text += ' ';
+      ++letters;
+    }
+    text += word;
+    letters += letters_in(word);
+  }
+  return text;
+}
+
 }  // namespace
+
+std::string wrapped(std::string_view text, std::size_t width) {
+  std::string all;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    all += wrapped_line(text.substr(0, end), width);
+    if (end < text.size()) all += '\n';
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return all;
+}
 
 std::size_t letters_in(std::string_view text) {
   return static_cast<std::size_t>(

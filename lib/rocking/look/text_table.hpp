@@ -11,6 +11,10 @@ namespace rocking {
 /// Number of characters of a text in UTF-8.
 [[nodiscard]] std::size_t letters_in(std::string_view text);
 
+/// The text with lines of at most `width` letters, broken between words; the lines that follow keep the indentation. Lines of
+/// a table, which have two blanks between words, stay as they are.
+[[nodiscard]] std::string wrapped(std::string_view text, std::size_t width);
+
 /// How much of a result is printed: what fits one screen, or all.
 enum class Extent : std::uint8_t { one_screen, all };
 

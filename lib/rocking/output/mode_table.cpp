@@ -1,9 +1,12 @@
 #include "rocking/output/mode_table.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <string_view>
+#include <tuple>
 #include <utility>
+#include <variant>
 
 #include "rocking/look/text_table.hpp"
 #include "rocking/output/shaking_text.hpp"
@@ -38,6 +41,11 @@ look::Cell cell(const TableRow& condition, const ResponseMode& mode) {
   if (found == condition.modes.end()) return {};
   return share_cell({.count = found->count, .estimate = found->estimate, .interval = found->interval},
                     condition.realisations);
+}
+
+look::Cell without_interval(look::Cell cell) {
+  if (auto* number = std::get_if<look::Number>(&cell)) number->interval.reset();
+  return cell;
 }
 
 std::uint64_t count_of(const TableRow& condition, const ResponseMode& mode) {
@@ -108,27 +116,69 @@ look::Table parameter_table(std::span<const TableRow> conditions, std::size_t wi
   return table;
 }
 
-/// Largest widths of the columns of a table, with the gap before them.
-struct CellWidths {
-  std::size_t mode = 0;    ///< of a response mode
-  std::size_t others = 0;  ///< of all modes without a column of their own
+/// The modes that occur, those that a table must have first: overturning; the most frequent mode of each condition; then
+/// the others, as often as they occur.
+struct ModeColumns {
+  std::vector<ResponseMode> modes;
+  std::size_t indispensable = 0;      ///< so many of them
+  std::vector<std::size_t> narrow{};  ///< widths without intervals, with the gap before them
+  std::size_t wide = 0;               ///< largest width with an interval, likewise
+  std::size_t others = 0;             ///< of all modes without a column of their own, likewise
 };
 
-CellWidths cell_widths(std::span<const TableRow> conditions, const ModeTally& occurring) {
-  CellWidths widths{.mode = 0, .others = others_heading.size()};
-  for (const auto& [mode, count] : occurring) {
-    widths.mode = std::max(widths.mode, to_string(mode).size() + mark_width);
-    for (const TableRow& condition : conditions)
-      widths.mode = std::max(widths.mode, plain_text(cell(condition, mode)).size());
-  }
+std::vector<ResponseMode> leading_modes(std::span<const TableRow> conditions) {
+  std::vector<ResponseMode> leading;
   for (const TableRow& condition : conditions) {
-    widths.others = std::max(widths.others, count_if_open(condition.realisations, condition.realisations).size() + 5);
+    const auto most = std::ranges::max_element(condition.modes, {}, &TableEntry::count);
+    if (most != condition.modes.end() && most->count > 0) leading.push_back(most->mode);
   }
-  return {.mode = widths.mode + gap, .others = widths.others + gap};
+  return leading;
 }
 
-look::Table leading_columns(std::span<const TableRow> conditions, std::size_t width, const CellWidths& cells) {
-  const std::size_t rest = cells.mode + cells.others + gap;
+ModeColumns mode_columns(std::span<const TableRow> conditions) {
+  const ModeTally occurring = occurring_modes(conditions);
+  const std::vector<ResponseMode> leading = leading_modes(conditions);
+  ModeColumns columns{.modes = {}, .others = others_heading.size()};
+  for (const auto& [mode, count] : occurring) columns.modes.push_back(mode);
+  const auto is_indispensable = [&leading](const ResponseMode& mode) {
+    return mode.kind == section::ResponseKind::overturned || std::ranges::find(leading, mode) != leading.end();
+  };
+  const auto importance = [&](const ResponseMode& mode) {
+    return std::tuple(mode.kind == section::ResponseKind::overturned, is_indispensable(mode), occurring.at(mode));
+  };
+  std::ranges::stable_sort(columns.modes, std::ranges::greater(), importance);
+  columns.indispensable = static_cast<std::size_t>(std::ranges::count_if(columns.modes, is_indispensable));
+  for (const ResponseMode& mode : columns.modes) {
+    std::size_t narrow = to_string(mode).size();
+    columns.wide = std::max(columns.wide, narrow + mark_width);
+    for (const TableRow& condition : conditions) {
+      narrow = std::max(narrow, plain_text(without_interval(cell(condition, mode))).size());
+      columns.wide = std::max(columns.wide, plain_text(cell(condition, mode)).size());
+    }
+    columns.narrow.push_back(narrow + gap);
+  }
+  for (const TableRow& condition : conditions) {
+    columns.others = std::max(columns.others, count_if_open(condition.realisations, condition.realisations).size() + 5);
+  }
+  columns.wide += gap;
+  columns.others += gap;
+  return columns;
+}
+
+/// How many columns fit, of which the first `wide` have intervals.
+std::size_t columns_that_fit(const ModeColumns& columns, std::size_t wide, std::size_t room) {
+  const auto width_of_first = [&](std::size_t count) {
+    std::size_t width = count < columns.modes.size() ? columns.others : 0;
+    for (std::size_t i = 0; i < count; ++i) width += i < wide ? columns.wide : columns.narrow[i];
+    return width;
+  };
+  std::size_t count = columns.modes.size();
+  while (count > 0 && width_of_first(count) > room) --count;
+  return count;
+}
+
+look::Table leading_columns(std::span<const TableRow> conditions, std::size_t width, const ModeColumns& cells) {
+  const std::size_t rest = cells.wide + cells.others + gap;
   look::Table table = parameter_table(conditions, width - std::min(width, rest));
   add_columns(table, {"n"});
   for (std::size_t i = 0; i < conditions.size(); ++i) table.rows[i].push_back(look::whole(conditions[i].realisations));
@@ -154,22 +204,33 @@ std::string name_of(const TableRow& condition) {
   return name.empty() ? "the only condition" : name;
 }
 
-// Number of columns of modes, and length of a bar in letters, 0 for no bar.
+/// Number of columns of modes, of which the first have intervals, and length of a bar in letters, 0 for no bar.
 struct Layout {
   std::size_t modes = 1;
+  std::size_t wide = 1;
   std::size_t bar = 0;
 };
 
-Layout layout_of(std::size_t used, std::size_t occurring, std::size_t cell_width, const TableLook& look) {
-  const auto room_beside = [&](std::size_t taken) {
-    return taken < look.width ? std::max<std::size_t>(1, (look.width - taken) / cell_width) : 1;
-  };
-  const std::size_t with_bar = used + mark_width + gap + shortest_bar;
-  const std::size_t modes = std::min({room_beside(with_bar), occurring, most_marks - 1});
-  const bool drawn = look.bars && occurring > 1 && modes >= std::min(occurring, modes_beside_a_bar);
-  if (!drawn) return {.modes = room_beside(used), .bar = 0};
-  const std::size_t left = look.width - std::min(look.width, with_bar + modes * cell_width);
-  return {.modes = modes, .bar = std::min(longest_bar, shortest_bar + left)};
+Layout layout_without_bar(std::size_t leading, const ModeColumns& columns, std::size_t width) {
+  const std::size_t room = width - std::min(width, leading);
+  const std::size_t most = room < columns.others ? 0 : (room - columns.others) / columns.wide;
+  if (most >= columns.indispensable) return {.modes = most, .wide = most, .bar = 0};
+  for (std::size_t wide = most;; --wide) {
+    const std::size_t modes = columns_that_fit(columns, wide, room);
+    if (modes >= columns.indispensable || wide == 0) return {.modes = std::max<std::size_t>(1, modes), .wide = wide};
+  }
+}
+
+/// `leading`: the width of the columns before the modes.
+Layout layout_of(std::size_t leading, const ModeColumns& columns, const TableLook& look) {
+  const std::size_t occurring = columns.modes.size();
+  const std::size_t with_bar = leading + columns.others + mark_width + gap + shortest_bar;
+  const std::size_t room = with_bar < look.width ? (look.width - with_bar) / columns.wide : 0;
+  const std::size_t modes = std::min({std::max<std::size_t>(1, room), occurring, most_marks - 1});
+  const std::size_t wanted = std::min(occurring, std::max(modes_beside_a_bar, columns.indispensable));
+  if (!look.bars || occurring < 2 || modes < wanted) return layout_without_bar(leading, columns, look.width);
+  const std::size_t left = look.width - std::min(look.width, with_bar + modes * columns.wide);
+  return {.modes = modes, .wide = modes, .bar = std::min(longest_bar, shortest_bar + left)};
 }
 
 /// Adds the column of the peak tilt if there is room.
@@ -278,12 +339,18 @@ std::string overturning_line(std::span<const TableRow> conditions) {
 std::string mode_table(std::span<const TableRow> conditions, const TableLook& look) {
   if (conditions.empty()) return {};
   if (std::ranges::none_of(conditions, &TableRow::is_random)) return to_terminal(response_table(conditions, look));
-  const auto occurring = occurring_modes(conditions);
-  const CellWidths widths = cell_widths(conditions, occurring);
-  look::Table table = leading_columns(conditions, look.width, widths);
-  const Layout layout = layout_of(width_of(table) + widths.others, occurring.size(), widths.mode, look);
-  const std::vector<ResponseMode> shown = modes_to_show(occurring, layout.modes);
-  const bool with_others = shown.size() < occurring.size();
+  const ModeColumns columns = mode_columns(conditions);
+  look::Table table = leading_columns(conditions, look.width, columns);
+  const Layout layout = layout_of(width_of(table), columns, look);
+  const auto first = [&columns](std::size_t count) {
+    std::vector<ResponseMode> modes = columns.modes;
+    modes.resize(std::min(count, modes.size()));
+    std::ranges::sort(modes);
+    return modes;
+  };
+  const std::vector<ResponseMode> shown = first(layout.modes), wide = first(layout.wide);
+  const auto is_wide = [&wide](const ResponseMode& mode) { return std::ranges::binary_search(wide, mode); };
+  const bool with_others = shown.size() < columns.modes.size();
   const auto mark = [&](std::size_t place) { return layout.bar == 0 ? "" : mark_of(place, *look.bars) + ' '; };
   for (std::size_t i = 0; i < shown.size(); ++i) add_columns(table, {mark(i) + to_string(shown[i])});
   if (with_others) add_columns(table, {mark(most_marks - 1) + std::string(others_heading)});
@@ -291,10 +358,13 @@ std::string mode_table(std::span<const TableRow> conditions, const TableLook& lo
   for (std::size_t i = 0; i < conditions.size(); ++i) {
     const TableRow& condition = conditions[i];
     look::Row& row = table.rows[i];
-    for (const ResponseMode& mode : shown) row.push_back(cell(condition, mode));
+    for (const ResponseMode& mode : shown) {
+      row.push_back(is_wide(mode) ? cell(condition, mode) : without_interval(cell(condition, mode)));
+    }
     if (with_others) row.push_back(part_cell(others_in(condition, shown), condition.realisations));
     if (layout.bar > 0) row.emplace_back(bar_of(condition, shown, {.length = layout.bar, .letters = *look.bars}));
   }
+  if (wide.size() < shown.size()) table.notes += "where there is no room for an interval: report.json has it\n";
   add_peak_tilt(conditions, look, table);
   return to_terminal(table);
 }

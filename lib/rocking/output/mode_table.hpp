@@ -73,8 +73,8 @@ struct TableRow {
 /// parameter, for the shaking in its other form where that differs between conditions (a last line has what is common
 /// to all), and for each mode that occurs, with the estimate and its interval in per cent (of more than 1000 realisations also the
 /// count, `0.016 [0.012, 0.021] (48)`). A mode that did not occur in a condition has the upper end of its interval there:
-/// `< 2.8`. Modes for which there is no room are added up in a
-/// last column, so that each row accounts for every realisation. A bar of the modes' shares follows if bars are wanted,
+/// `< 2.8`. Where not every mode has room, overturning and the most frequent mode of each condition come first,
+/// without an interval if need be, and the others are added up in a last column: each row accounts for every realisation. A bar of the modes' shares follows if bars are wanted,
 /// several modes occur, and there is room for it and for three modes (or all); its marks stand before the headings. If
 /// no row is random, there is one column with the response instead. The peak tilt follows if the rows have it and there
 /// is room. Empty without rows.

@@ -387,7 +387,7 @@ TEST(Tables, SetTextForLatexSoThatItIsText) {
   Json json = sample_report();
   json["input"]["experiment"]["title"] = "50 % of #1_a \\input{x} a\u202eb";
   const std::string latex = modes_latex(report_in(json));
-  EXPECT_THAT(latex, HasSubstr("50 \\% of \\#1\\_a \\textbackslash{}input\\{x\\} a\\textbackslash{}u202eb Response"));
+  EXPECT_THAT(latex, HasSubstr("50 \\% of \\#1\\_a \\textbackslash{}input\\{x\\} a\\textbackslash{}u202eb. Response"));
   EXPECT_THAT(latex, HasSubstr("0.35/0.3 & 4 & 0.9799 & 30 & 83.3 ["));
 }
 

@@ -52,6 +52,21 @@ TEST(Table, IsLatex) {
                               "    100000 & $<$ 2.8 & -- & -- \\\\\n"));
 }
 
+TEST(Table, HasMinusSignsAndPowersOfTenInLatex) {
+  Table table;
+  add_columns(table, {"a", "b", "c", "d", "e"});
+  table.rows = {
+      {Number{.value = -0.45, .interval = Ends(-0.5, 0.25)}, number(0.00000186, 3), "-1.5e-07", "t-7", "1 - 2"}};
+  EXPECT_THAT(to_latex(table, ""), HasSubstr("    $-0.45$ [$-0.5$, 0.25] & $1.86 \\times 10^{-6}$ & "
+                                             "$-1.5 \\times 10^{-7}$ & t-7 & 1 - 2 \\\\\n"));
+}
+
+TEST(LatexCaption, EndsTheTitleWithAFullStopUnlessItHasAnEnd) {
+  EXPECT_EQ(latex_caption("Two blocks", "Shares."), "Two blocks. Shares.");
+  EXPECT_EQ(latex_caption("Which of them?", "Shares."), "Which of them? Shares.");
+  EXPECT_EQ(latex_caption("", "Shares."), "Shares.");
+}
+
 TEST(Table, IsHtmlThatSaysWhenRowsAreLeftOut) {
   const std::string text = to_html(table_with_everything(), {.label = "l", .html = "<b>c</b>"}, 1);
   EXPECT_THAT(text, HasSubstr("aria-label=\"l\""));

@@ -30,6 +30,14 @@ TEST(Terminal, ShortensLongCellsInTheMiddle) {
   EXPECT_EQ(shortened.size(), 2U * 37U + 3U + 1U);
 }
 
+TEST(Terminal, BreaksLinesBetweenWordsAndLeavesTablesAlone) {
+  EXPECT_EQ(wrapped("one two three\n  four five six\n", 9), "one two\nthree\n  four\n  five\n  six\n");
+  EXPECT_EQ(wrapped("one two three", 13), "one two three");
+  EXPECT_EQ(wrapped("longer_than_this is", 9), "longer_than_this\nis");
+  EXPECT_EQ(wrapped("    n  (1,1)  overturned\n", 9), "    n  (1,1)  overturned\n");
+  EXPECT_EQ(wrapped("ä ö ü ä ö ü\n\n", 11), "ä ö ü ä ö ü\n\n") << "letters, not bytes";
+}
+
 TEST(Terminal, PrintsWholeWhatFitsOrIsWanted) {
   const std::string fits(55, '\n');
   EXPECT_TRUE(is_printed_whole(fits, Extent::one_screen));

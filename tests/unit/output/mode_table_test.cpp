@@ -112,6 +112,31 @@ TEST(ModeTable, HasAlwaysAColumnForOverturning) {
             std::vector{section::periodic(1, 1)});
 }
 
+TEST(ModeTable, HasAColumnForTheMostFrequentResponseOfEachConditionHoweverNarrow) {
+  Made made;
+  const ResponseMode rest{section::ResponseKind::rest}, overturned{section::ResponseKind::overturned};
+  const auto add = [&](double amplitude, std::uint64_t at_rest, std::uint64_t periodic, std::uint64_t third) {
+    made.add({{"/excitation/amplitude_g", amplitude}}, {{section::periodic(1, 1), periodic},
+                                                        {section::periodic(1, 3), third},
+                                                        {overturned, 200 - at_rest - periodic - third},
+                                                        {rest, at_rest}});
+  };
+  add(0.15, 200, 0, 0);
+  add(0.25, 0, 200, 0);
+  add(0.45, 0, 139, 9);
+  EXPECT_THAT(made.lines({.width = 58}),
+              ::testing::ElementsAre("amplitude_g    n  (1,1)  (1,3)         overturned   rest",
+                                     "       0.15  200  < 2.8  < 2.8              < 2.8  100.0",
+                                     "       0.25  200  100.0  < 2.8              < 2.8  < 2.8",
+                                     "       0.45  200   69.5    4.5  26.0 [13.0, 26.0]  < 2.8",
+                                     "where there is no room for an interval: report.json has it"));
+  for (std::size_t width = 49; width < 130; ++width) {
+    const auto lines = made.lines({.width = width, .bars = Letters::ascii});
+    for (const char* mode : {"(1,1)", "rest", "overturned"}) EXPECT_THAT(lines[0], ::testing::HasSubstr(mode)) << width;
+    EXPECT_LE(letters_in(lines[1]), width);
+  }
+}
+
 TEST(OverturningLine, TellsWhereItIsMostLikelyOrHowLikelyItCanBe) {
   Made made;
   const ResponseMode overturned{.kind = section::ResponseKind::overturned};

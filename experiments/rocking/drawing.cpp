@@ -26,16 +26,14 @@
 namespace rocking::program {
 namespace {
 
-/// Without the records the other figures are drawn.
-void add_suite(const Store& store, const std::optional<HazardCurve>& hazard, std::vector<analysis::Figure>& figures) {
+/// Calls `use` with the run of a suite. Without the records the other figures and tables are written.
+template <class Use>
+void for_suite(const Store& store, const std::optional<HazardCurve>& hazard, const Use& use) {
   const auto tell = [](const std::exception& error) {
     print_notice(fmt::format("the fragility of the suite was not drawn: {}", error.what()));
   };
   try {
-    for (analysis::Figure& figure :
-         figures_of_studies({experiment_of(store.identity()), store, available_threads(), hazard})) {
-      figures.push_back(std::move(figure));
-    }
+    use(RunShown{experiment_of(store.identity()), store, available_threads(), hazard});
   } catch (const base::InputError& error) {
     if (hazard && error.problems().front().place.starts_with(hazard->name)) throw;
     tell(error);
@@ -85,7 +83,11 @@ std::vector<analysis::Figure> figures_of(const RunFolder& folder, const Report& 
   if (folder.has_store()) {
     const Store store = folder.open_valid_store();
     figures = analysis::run_figures(report, &store);
-    if (sweeps_records(report)) add_suite(store, hazard, figures);
+    if (sweeps_records(report)) {
+      for_suite(store, hazard, [&figures](const RunShown& run) {
+        for (analysis::Figure& figure : figures_of_studies(run)) figures.push_back(std::move(figure));
+      });
+    }
   } else {
     figures = analysis::run_figures(report);
   }
@@ -94,6 +96,16 @@ std::vector<analysis::Figure> figures_of(const RunFolder& folder, const Report& 
     if (study->is_shown_with_run) add_study(*study, path / study->file, report, figures);
   }
   return figures;
+}
+
+std::vector<TextFile> tables_of(const RunFolder& folder, const Report& report, const std::optional<HazardCurve>& hazard,
+                                const std::set<std::string>& formats) {
+  const bool has_tables = formats.contains("csv") || formats.contains("latex");
+  if (!has_tables || !sweeps_records(report) || !folder.has_store()) return {};
+  const Store store = folder.open_valid_store();
+  std::vector<TextFile> tables;
+  for_suite(store, hazard, [&](const RunShown& run) { tables = tables_of_studies(run, formats); });
+  return tables;
 }
 
 ExitCode tell(const std::vector<analysis::Drawing>& failures, std::string_view consequence, PictureRole role) {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,6 +16,7 @@
 #include "rocking/figures/figure.hpp"
 #include "rocking/output/report.hpp"
 #include "rocking/scene/hazard.hpp"
+#include "rocking/study/study.hpp"
 
 namespace rocking::program {
 
@@ -23,6 +25,11 @@ namespace rocking::program {
 /// base::InputError if that is one of another intensity.
 [[nodiscard]] std::vector<analysis::Figure> figures_of(const RunFolder& folder, const Report& report,
                                                        const std::optional<HazardCurve>& hazard = std::nullopt);
+
+/// The tables of the fragility of a run with a suite, in the formats `csv` and `latex`; throws likewise.
+[[nodiscard]] std::vector<TextFile> tables_of(const RunFolder& folder, const Report& report,
+                                              const std::optional<HazardCurve>& hazard,
+                                              const std::set<std::string>& formats);
 
 /// The importance of a picture to a command. The purpose of `report` is to draw, so that it fails without
 /// it. For `run` and `resume` it is an addition: the results are complete, and a cluster would run them again

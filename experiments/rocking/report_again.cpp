@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
+#include <map>
 #include <optional>
 #include <set>
 #include <utility>
@@ -101,7 +102,9 @@ ExitCode report_again(const ReportRequest& request) {
     std::move(figures.files.begin(), figures.files.end(), std::back_inserter(written));
   }
   const fs::path tables = fs::path(path) / "tables";
-  for (const auto& [name, text] : analysis::table_files(report, formats)) {
+  std::map<std::string, std::string> texts = analysis::table_files(report, formats);
+  for (TextFile& table : tables_of(folder, report, hazard, formats)) texts[table.name] = std::move(table.text);
+  for (const auto& [name, text] : texts) {
     ensure_writable(tables);
     write_atomically(tables / name, text);
     written.push_back((tables / name).string());
@@ -123,7 +126,12 @@ ExitCode draw_files(const ReportRequest& request) {
     files.push_back({.path = path, .text = input_of([&path] { return read_file(path); })});
   }
   const auto figures = analysis::output_figures(files, request.window);
-  const auto written = analysis::write_figures(figures, request.drawn, request.style.pictures, stop_on_signal(), look);
+  auto written = analysis::write_figures(figures, request.drawn, request.style.pictures, stop_on_signal(), look);
+  for (const TextFile& table : analysis::output_tables(files)) {
+    const fs::path path = fs::path(request.drawn) / table.name;
+    write_atomically(path, table.text);
+    written.files.push_back(path.string());
+  }
   print_result(request.loudness.json ? facts_text(std::vector<Fact>{{"written", written.files}})
                                      : base::printable(fmt::format("{}\n", fmt::join(written.files, "\n"))));
   return tell(written.failures, no_figure, PictureRole::purpose);

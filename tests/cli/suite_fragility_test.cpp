@@ -165,6 +165,13 @@ TEST_F(SuiteFragility, IsDrawnAndStandsOnThePage) {
   EXPECT_THAT(read("out/report.html"), Not(HasSubstr("figure id=\"incremental\"")));
 }
 
+TEST_F(SuiteFragility, IsAmongTheTablesOfTheRun) {
+  run();
+  ASSERT_EQ(rocking("report out --format csv,latex -q").exit_code, 0);
+  EXPECT_THAT(read("out/tables/fragility_levels.csv"), HasSubstr("pga_g,n,count,share,"));
+  EXPECT_THAT(read("out/tables/fragility_curves.tex"), HasSubstr("rejected"));
+}
+
 TEST_F(SuiteFragility, ListsRecordsIfAsked) {
   run();
   EXPECT_THAT(rocking("fragility out").output, Not(HasSubstr("r3.at2")));

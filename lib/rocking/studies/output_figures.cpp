@@ -100,4 +100,21 @@ std::vector<Figure> output_figures(const std::vector<OutputFile>& files, const W
   return figures;
 }
 
+std::vector<TextFile> output_tables(const std::vector<OutputFile>& files) {
+  std::vector<TextFile> tables;
+  std::map<std::string, int> seen;
+  for (const OutputFile& file : files) {
+    const Json output = parsed_output(file.text);
+    const Study* study = drawn_study(output["format"].get<std::string>());
+    if (study == nullptr) continue;
+    for (TextFile& table : table_files(*study, output, {"csv", "latex"})) {
+      if (const int number = ++seen[table.name]; number > 1) {
+        table.name.insert(table.name.rfind('.'), '_' + std::to_string(number));
+      }
+      tables.push_back(std::move(table));
+    }
+  }
+  return tables;
+}
+
 }  // namespace rocking::analysis

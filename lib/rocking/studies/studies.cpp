@@ -17,6 +17,7 @@
 #include "rocking/studies/motion/study.hpp"
 #include "rocking/studies/orbits/study.hpp"
 #include "rocking/studies/rare/study.hpp"
+#include "rocking/text/json.hpp"
 
 namespace rocking {
 namespace {
@@ -74,10 +75,31 @@ std::span<const Study* const> studies() {
 std::vector<analysis::Figure> figures_of_studies(const RunShown& run) {
   std::vector<analysis::Figure> figures;
   for (const Study* study : studies()) {
-    if (study->figures_of_run == nullptr) continue;
-    for (analysis::Figure& figure : study->figures_of_run(run)) figures.push_back(std::move(figure));
+    const std::string document = study->document_of_run == nullptr ? "" : study->document_of_run(run);
+    if (document.empty()) continue;
+    for (analysis::Figure& figure : study->figures(parse_json(document), {})) figures.push_back(std::move(figure));
   }
   return figures;
+}
+
+std::vector<TextFile> table_files(const Study& study, const Json& document, const std::set<std::string>& formats) {
+  std::vector<TextFile> files;
+  if (study.tables == nullptr) return files;
+  for (const auto& [name, table, caption] : study.tables(document)) {
+    if (formats.contains("csv")) files.push_back({name + ".csv", to_csv(table)});
+    if (formats.contains("latex")) files.push_back({name + ".tex", to_latex(table, caption)});
+  }
+  return files;
+}
+
+std::vector<TextFile> tables_of_studies(const RunShown& run, const std::set<std::string>& formats) {
+  std::vector<TextFile> files;
+  for (const Study* study : studies()) {
+    const std::string document = study->document_of_run == nullptr ? "" : study->document_of_run(run);
+    if (document.empty()) continue;
+    for (TextFile& file : table_files(*study, parse_json(document), formats)) files.push_back(std::move(file));
+  }
+  return files;
 }
 
 }  // namespace rocking

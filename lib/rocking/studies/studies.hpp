@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -36,6 +37,12 @@ namespace rocking {
 /// The figures that studies add to those of a run with a suite of ground motions.
 [[nodiscard]] std::vector<analysis::Figure> figures_of_studies(const RunShown& run);
 
+/// The tables of a document of a study in these formats (`csv`, `latex`).
+[[nodiscard]] std::vector<TextFile> table_files(const Study& study, const Json& document,
+                                                const std::set<std::string>& formats);
+/// Those that studies add to those of a run with a suite of ground motions.
+[[nodiscard]] std::vector<TextFile> tables_of_studies(const RunShown& run, const std::set<std::string>& formats);
+
 }  // namespace rocking
 
 namespace rocking::analysis {
@@ -51,5 +58,8 @@ struct OutputFile {
 /// have `responses`; all trajectories together have `poincare`. The other outputs have their own figures. Repeated
 /// names are numbered. Throws base::InputError with the path of a file that is none of these.
 [[nodiscard]] std::vector<Figure> output_figures(const std::vector<OutputFile>& files, const Window& window);
+
+/// The tables of files that output_figures draws, as CSV and LaTeX.
+[[nodiscard]] std::vector<TextFile> output_tables(const std::vector<OutputFile>& files);
 
 }  // namespace rocking::analysis

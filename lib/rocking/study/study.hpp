@@ -16,6 +16,7 @@
 #include "rocking/base/error.hpp"
 #include "rocking/fields/document.hpp"
 #include "rocking/figures/figure.hpp"
+#include "rocking/look/table.hpp"
 #include "rocking/look/text_table.hpp"
 #include "rocking/scene/experiment.hpp"
 #include "rocking/scene/hazard.hpp"
@@ -106,6 +107,13 @@ struct Answer {
   AnswerEnd end = AnswerEnd::complete;
 };
 
+/// A table for other programs and for publications.
+struct StudyTable {
+  std::string name;  ///< of its files
+  look::Table table;
+  std::string caption;  ///< LaTeX
+};
+
 /// How a study is checked: with `rocking verify`.
 struct StudyVerification {
   RunCheck (*verify)(const std::filesystem::path& folder, std::optional<std::uint64_t> sample,
@@ -163,8 +171,10 @@ struct Study {
   std::vector<std::string> (*files)(const Subject& subject) = nullptr;
   /// Those of a document; `others` are drawn in the same call. Empty where it has nothing to draw.
   std::vector<analysis::Figure> (*figures)(const Json& document, std::span<const Json> others) = nullptr;
-  /// Those that a run with a suite of ground motions has beside its own; null: none.
-  std::vector<analysis::Figure> (*figures_of_run)(const RunShown& run) = nullptr;
+  /// Of a document; null: none.
+  std::vector<StudyTable> (*tables)(const Json& document) = nullptr;
+  /// That of a run with a suite of ground motions, whose figures and tables stand beside those of the run; empty: none.
+  std::string (*document_of_run)(const RunShown& run) = nullptr;
 
   /// Name of its command: `check-normal`.
   [[nodiscard]] std::string command() const;
@@ -180,7 +190,8 @@ struct StudyFunctions {
   std::string_view (*then)(const Question& question) = nullptr;
   std::vector<std::string> (*files)(const Subject& subject) = nullptr;
   std::vector<analysis::Figure> (*figures)(const Json& document, std::span<const Json> others) = nullptr;
-  std::vector<analysis::Figure> (*figures_of_run)(const RunShown& run) = nullptr;
+  std::vector<StudyTable> (*tables)(const Json& document) = nullptr;
+  std::string (*document_of_run)(const RunShown& run) = nullptr;
 };
 
 /// The study with these functions: `study_of<OrbitsRequest, functions>({.name = "orbits", ...})`.
@@ -208,7 +219,8 @@ template <class Question, const StudyFunctions<Question>& functions>
   }
   facts.files = functions.files;
   facts.figures = functions.figures;
-  facts.figures_of_run = functions.figures_of_run;
+  facts.tables = functions.tables;
+  facts.document_of_run = functions.document_of_run;
   return facts;
 }
 

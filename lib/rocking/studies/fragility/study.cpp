@@ -400,18 +400,19 @@ std::vector<analysis::Figure> figures(const Json& document, std::span<const Json
   return figures_of(fragility_document().read(document));
 }
 
-std::vector<analysis::Figure> figures_of_run(const RunShown& run) {
+std::vector<StudyTable> tables(const Json& document) { return fragility_tables(fragility_document().read(document)); }
+
+std::string document_of_run(const RunShown& run) {
   if (intensity_of(run.experiment).empty() || run.experiment.conditions.front().until) return {};
   RunOptions options;
   options.threads = run.threads;
   const RunFragility found = run_fragility(run.experiment, stripes_of(run.experiment, run.store),
                                            {.hazard = run.hazard, .incremental = true}, options);
-  if (found.suites.empty()) return {};
-  return figures_of(fragility_report({found}));
+  return found.suites.empty() ? "" : fragility_document().text(fragility_report({found}));
 }
 
 constexpr StudyFunctions<RunsQuestion> functions{
-    .check = check, .find = find, .figures = figures, .figures_of_run = figures_of_run};
+    .check = check, .find = find, .figures = figures, .tables = tables, .document_of_run = document_of_run};
 
 }  // namespace
 

@@ -82,6 +82,9 @@ struct FragilityReport {
 [[nodiscard]] std::string fragility_table(const FragilityReport& report, RecordTable records = RecordTable::omitted,
                                           Extent extent = Extent::all);
 
+/// The levels of all curves, and what is fitted to each.
+[[nodiscard]] std::vector<StudyTable> fragility_tables(const FragilityReport& report);
+
 [[nodiscard]] const StructType& fields_of(const FragilityQuestion*);
 
 /// Formats of other programs: NRML 0.5 of OpenQuake, the fragility table of pelicun, or CSV.

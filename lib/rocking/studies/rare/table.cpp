@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <initializer_list>
+#include <string_view>
 
 #include "rocking/output/parameter_text.hpp"
 #include "rocking/studies/rare/study.hpp"
@@ -25,12 +27,11 @@ std::string warning_about(const RareEstimate& found) {
     case RareDiagnosis::not_found:
       return "the last pilot run has not seen the event; the interval may be far off. Use more --particles";
     case RareDiagnosis::few_repetitions:
-      return "finished in time: " + counted(found.repetitions.size(), "repetition") +
-             ". An interval needs 8. Give more time, or fewer --particles";
+      return "finished in time: fewer repetitions than the 8 that an interval needs. Give more time, or fewer "
+             "--particles";
     case RareDiagnosis::uneven:
       return "a tenth of the repetitions missed the event, or one has more than a third of the sum; the interval may "
-             "be "
-             "too narrow. Use more --particles";
+             "be too narrow. Use more --particles";
   }
   return "";
 }
@@ -52,11 +53,35 @@ std::string end_of(const RareEstimate& found) {
   return "";
 }
 
-std::string unresolved_words(const RareEstimate& found) {
-  if (found.unresolved == 0.0) return "";
-  return "motions that ended before their horizon without an answer have the probability " +
-         significant(found.unresolved, 3) + "; the upper end of the interval counts them as the event";
-}
+constexpr std::string_view unresolved_words =
+    "motions that ended before their horizon without an answer; the upper end of the interval counts them as the event";
+
+/// What is to be said of conditions: each remark once, with a letter that stands in the rows to which it applies.
+class Remarks {
+ public:
+  /// The letters of these remarks, of which some are empty.
+  std::string letters(std::initializer_list<std::string> remarks) {
+    std::string letters;
+    for (const std::string& remark : remarks) {
+      if (remark.empty()) continue;
+      const auto known = std::ranges::find(said_, remark);
+      letters += static_cast<char>('a' + (known - said_.begin()));
+      if (known == said_.end()) said_.push_back(remark);
+    }
+    return letters;
+  }
+  [[nodiscard]] std::string lines(bool has_letters) const {
+    std::string text;
+    for (std::size_t i = 0; i < said_.size(); ++i) {
+      text += (has_letters ? std::string{static_cast<char>('a' + i), ':', ' '} : "") + said_[i] + ".\n";
+    }
+    return text;
+  }
+  [[nodiscard]] bool any() const { return !said_.empty(); }
+
+ private:
+  std::vector<std::string> said_;
+};
 
 /// A row for each suite; empty without any.
 std::string suite_rows(const std::vector<RareSuite>& suites) {
@@ -76,30 +101,37 @@ std::string suite_rows(const std::vector<RareSuite>& suites) {
 
 std::string rare_table(const RareReport& report) {
   const auto& conditions = report.conditions;
+  const bool are_several = conditions.size() > 1;
+  const bool has_unresolved =
+      std::ranges::any_of(conditions, [](const auto& one) { return one.estimate.unresolved > 0.0; });
   look::Table table = table_of(conditions.front().parameters,
                                {"probability", "from", "to", "error", "repetitions", "work", "plain sampling"});
+  if (has_unresolved) add_columns(table, {"unresolved"});
   table.title = "Probability that " + event_words(report.question) + ".\n";
   table.absent = "-";
-  std::string notes;
+  Remarks remarks;
+  std::vector<std::string> letters;
   double highest = 0.0;  // confidence
-  for (std::size_t c = 0; c < conditions.size(); ++c) {
-    const RareEstimate& estimate = conditions[c].estimate;
-    highest = std::max(highest, conditions[c].confidence);
-    table.rows.push_back(
-        row_of(conditions[c].parameters,
+  for (const auto& condition : conditions) {
+    const RareEstimate& estimate = condition.estimate;
+    highest = std::max(highest, condition.confidence);
+    look::Row& row = table.rows.emplace_back(
+        row_of(condition.parameters,
                {number(estimate.probability, 3), number(estimate.interval.low, 3), number(estimate.interval.high, 3),
                 in_per_cent(estimate.relative_error), look::whole(estimate.repetitions.size()),
                 number(estimate.work, 3), number(estimate.crude_work, 3)}));
-    for (const std::string& note :
-         {method_words(estimate), end_of(estimate), warning_about(estimate), unresolved_words(estimate)}) {
-      if (note.empty()) continue;
-      notes += (conditions.size() > 1 ? "condition " + std::to_string(c) + ": " : "") + note + ".\n";
-    }
+    if (has_unresolved) row.push_back(number(estimate.unresolved, 3));
+    letters.push_back(remarks.letters({method_words(estimate), end_of(estimate), warning_about(estimate)}));
+  }
+  if (are_several && remarks.any()) {
+    add_columns(table, {"remarks"});
+    for (std::size_t c = 0; c < conditions.size(); ++c) table.rows[c].push_back(letters[c].empty() ? look::Cell() : letters[c]);
   }
   table.notes = "from, to: interval with " + level_text(highest) +
                 " % confidence; error: standard error over the probability; work, plain sampling: simulated\ntime in "
                 "realisations to the horizon, by this method and by plain sampling for the same error.\n" +
-                notes;
+                (has_unresolved ? "unresolved: probability of " + std::string(unresolved_words) + ".\n" : "") +
+                remarks.lines(are_several);
   return to_terminal(table) + suite_rows(report.suites);
 }
 

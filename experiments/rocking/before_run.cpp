@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <variant>
 
 #include <fmt/format.h>
@@ -12,6 +13,7 @@
 #include "machine.hpp"
 #include "output.hpp"
 #include "rocking/api/checks.hpp"
+#include "rocking/output/alarms.hpp"
 #include "rocking/output/ground_motion_facts.hpp"
 #include "rocking/output/plan_text.hpp"
 #include "rocking/plan/plan.hpp"
@@ -91,7 +93,26 @@ void tell_ground_motion_notes(const Experiment& experiment) {
   for (const std::string& note : ground_motion_notes(experiment)) print_notice(note);
 }
 
+std::vector<std::string> warnings_before_run(const Experiment& experiment) {
+  std::vector<std::string> warnings = suspicious_numbers(experiment);
+  for (std::string& alarm : foreseen_clamps(experiment)) warnings.push_back(std::move(alarm));
+  for (std::string& warning : warnings) warning.insert(0, "warning: ");
+  return warnings;
+}
+
+void tell_notes(const Experiment& experiment) {
+  tell_ground_motion_notes(experiment);
+  for (const std::string& alarm : suspicious_numbers(experiment)) print_notice("warning: " + alarm);
+}
+
+std::string checked_text(const Experiment& experiment) {
+  std::string text = ground_motion_text(experiment);
+  for (const std::string& warning : warnings_before_run(experiment)) text += warning + '\n';
+  return text;
+}
+
 ExitCode show_plan(const Experiment& experiment, const std::optional<Shard>& shard, const ExecutionOptions& execution) {
+  if (!execution.loudness.quiet) tell_ground_motion_notes(experiment);
   const Means means{.threads = execution.threads, .shard = shard, .page = execution.page == PageChoice::drawn};
   Plan plan = plan_of(experiment, means);
   plan.time = estimate_time(experiment, means, {.elapsed_seconds = seconds_from_now(), .stop = stop_on_signal()});
@@ -100,7 +121,7 @@ ExitCode show_plan(const Experiment& experiment, const std::optional<Shard>& sha
   if (!plan.time) {
     print_notice(fmt::format("the time is not known: no realisation was finished within {:g} s", longest_sample_s));
   }
-  print_study(execution.loudness, facts_text(plan_facts(plan)), plan_text(plan) + ground_motion_text(experiment));
+  print_study(execution.loudness, facts_text(plan_facts(plan)), plan_text(plan) + checked_text(experiment));
   return ExitCode::done;
 }
 

@@ -17,6 +17,15 @@ namespace rocking::program {
 /// Prints the notes on standard error.
 void tell_ground_motion_notes(const Experiment& experiment);
 
+/// What is suspicious in an experiment that has not been run, a line each: `warning: ...`.
+[[nodiscard]] std::vector<std::string> warnings_before_run(const Experiment& experiment);
+
+/// Prints on standard error the notes and the suspicious numbers of an experiment; the run itself counts its clamps.
+void tell_notes(const Experiment& experiment);
+
+/// All of them below how its ground motions were read.
+[[nodiscard]] std::string checked_text(const Experiment& experiment);
+
 /// Prints what a run would do, with its time.
 [[nodiscard]] ExitCode show_plan(const Experiment& experiment, const std::optional<Shard>& shard,
                                  const ExecutionOptions& execution);

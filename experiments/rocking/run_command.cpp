@@ -27,8 +27,8 @@ struct RunRequest {
 
 ExitCode run(const RunRequest& request) {
   const Experiment experiment = load_sampled_experiment(request.file, request.overrides);
-  if (!request.execution.loudness.quiet) tell_ground_motion_notes(experiment);
   if (request.dry_run) return show_plan(experiment, request.run.shard, request.execution);
+  if (!request.execution.loudness.quiet) tell_notes(experiment);
   NewRun asked = request.run;
   asked.files = std::filesystem::absolute(request.file).parent_path();
   FolderMeans means = means_of(request.execution);

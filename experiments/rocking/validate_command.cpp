@@ -24,11 +24,14 @@ ExitCode validate(const ValidateRequest& request) {
     const Experiment experiment = load_experiment(source, request.overrides);
     if (request.loudness.json) {
       print_result(describe_as_json(experiment));
+      if (!request.loudness.quiet) {
+        for (const std::string& warning : warnings_before_run(experiment)) print_notice(warning);
+      }
     } else if (!request.loudness.quiet) {
       tell_ground_motion_notes(experiment);
       const Plan plan = plan_of(experiment, {.threads = available_threads(), .shard = {}});
-      print_result(base::printable(fmt::format("{}: valid: {}\n{}{}", source.name, describe(plan),
-                                               describe_block(experiment), ground_motion_text(experiment))));
+      print_text(fmt::format("{}: valid: {}\n{}{}", source.name, describe(plan), describe_block(experiment),
+                             checked_text(experiment)));
     }
     return ExitCode::done;
   } catch (const base::InputError& error) {
@@ -45,8 +48,9 @@ void add_validate(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("validate", "Check an experiment file without simulating");
   command->footer(
       "Example: rocking validate my-experiment.json\n"
-      "prints all problems together, each with its place, value and remedy; with --json it prints the experiment with "
-      "every default written out.");
+      "prints all problems together, each with its place, value and remedy, and warns of what is valid but suspicious: "
+      "units, a squat block, random numbers that are clamped. With --json it prints the experiment with every default "
+      "written out.");
   command->add_option("FILE", request->file, "Experiment file (JSON); -: standard input")->required();
   add_skip_unreadable(*command, request->overrides);
   add_loudness(*command, request->loudness);

@@ -14,6 +14,7 @@ using rocking::support::recorded_experiment;
 using rocking::support::recorded_pulse;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 using ::testing::Not;
 using ::testing::StartsWith;
 
@@ -44,6 +45,26 @@ TEST_F(Planning, ADryRunOfAnOpenNumberGivesTheMost) {
   write("until.json", until.dump());
   EXPECT_THAT(rocking("run until.json --dry-run").output,
               ::testing::ContainsRegex("at most [0-9.]+ [a-z]+, from a sample of 21 realisations"));
+}
+
+TEST_F(Planning, WhatIsSuspiciousIsToldBeforeARun) {
+  auto swapped = quick_experiment();
+  swapped["block"] = Json::parse(R"({"width_m": 1.9, "height_m": 0.35})");
+  swapped["friction"] = Json::parse(R"({"static": 0.5, "kinetic": 0.45})");
+  swapped["fluctuation"] = Json::parse(R"({"friction": {"sigma": 0.1}})");
+  write("swapped.json", swapped.dump());
+  const auto squat = HasSubstr("warning: /block is squat");
+  const auto clamped = HasSubstr("warning: random numbers would be clamped");
+  const auto validated = rocking("validate swapped.json");
+  EXPECT_EQ(validated.exit_code, 0);
+  EXPECT_THAT(validated.output, AllOf(squat, clamped));
+  EXPECT_THAT(rocking("run swapped.json --dry-run").output, AllOf(squat, clamped));
+  EXPECT_THAT(rocking("run swapped.json -o a").errors, AllOf(squat, Not(clamped)))
+      << "the run counts the clamps itself";
+  const auto json = rocking("validate swapped.json --json");
+  EXPECT_TRUE(Json::accept(json.output));
+  EXPECT_THAT(json.errors, AllOf(squat, clamped));
+  EXPECT_THAT(rocking("validate swapped.json -q").output + rocking("run swapped.json -q -o b").errors, IsEmpty());
 }
 
 TEST_F(Planning, AnExperimentMayComeFromStandardInput) {

@@ -1,16 +1,17 @@
-// The experiments of this repository can be read, and their canonical texts are their own.
+// The experiments of this repository can be read, their canonical texts are their own, and none has a suspicious number.
 
 #include <filesystem>
 
 #include <gtest/gtest.h>
 
 #include "rocking/input/read_experiment.hpp"
+#include "rocking/output/alarms.hpp"
 #include "rocking/text/files.hpp"
 
 namespace rocking {
 namespace {
 
-TEST(PublishedExperiment, IsValidAndItsCanonicalTextIsItsOwn) {
+TEST(PublishedExperiment, IsValidUnsuspiciousAndItsCanonicalTextIsItsOwn) {
   int found = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(ROCKING_SOURCE_DIR "/experiments")) {
     if (entry.path().extension() != ".json") continue;
@@ -18,6 +19,7 @@ TEST(PublishedExperiment, IsValidAndItsCanonicalTextIsItsOwn) {
     const Surroundings beside_it{.files = files_seen_from(entry.path().parent_path())};
     EXPECT_EQ(experiment_in(experiment.canonical_text, {}, beside_it).canonical_text, experiment.canonical_text)
         << entry.path();
+    EXPECT_TRUE(suspicious_numbers(experiment).empty()) << entry.path() << suspicious_numbers(experiment).front();
     ++found;
   }
   EXPECT_GE(found, 10);

@@ -11,6 +11,7 @@
 #include "rocking/base/number_text.hpp"
 #include "rocking/ensemble/law_in_force.hpp"
 #include "rocking/output/report.hpp"
+#include "rocking/plan/plan.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking {
@@ -153,11 +154,10 @@ constexpr std::array remedies{
            "width or height of the block outside of its bounds: reduce the sigma of /block/width_m or /block/height_m"},
 };
 
-std::string clamp_remedy(const ReportedCondition& condition) {
-  const std::string_view key = commonest_clamp(condition.result.validity.clamps);
+std::string clamp_remedy(const Scene& scene, std::string_view key) {
   const auto* const found = std::ranges::find(remedies, key, &Remedy::key);
   std::string text(found == remedies.end() ? std::string_view("another kind") : found->text);
-  const std::string in_force = law_in_force_words(condition.asked.scene, key);
+  const std::string in_force = law_in_force_words(scene, key);
   return in_force.empty() ? text : text + ". The probabilities are those of other numbers: " + in_force;
 }
 
@@ -183,9 +183,29 @@ std::optional<WorstClamps> worst_clamps(const Report& report) {
                             .draws = result.validity.clamps.all(),
                             .of_draws = result.operations.draws()};
     if (!here.is_alarming() || (worst && here.share_of_draws() <= worst->share.share_of_draws())) continue;
-    worst = {.condition = i, .share = here, .remedy = clamp_remedy(report.conditions[i])};
+    worst = {.condition = i,
+             .share = here,
+             .remedy = clamp_remedy(report.conditions[i].asked.scene, commonest_clamp(result.validity.clamps))};
   }
   return worst;
+}
+
+std::vector<std::string> foreseen_clamps(const Experiment& experiment) {
+  const std::vector<SampledClamps> sampled = sample_clamps(experiment);
+  std::vector<std::string> alarms;
+  for (const ClampKind& kind : clamp_kinds) {
+    const auto of_draws = [&kind](const SampledClamps& here) {
+      return share(here.clamps.*kind.count, here.realisations);
+    };
+    const auto worst = std::ranges::max_element(sampled, {}, of_draws);
+    if (worst == sampled.end() || of_draws(*worst) <= tolerable_clamped_share) continue;
+    const bool is_one = experiment.conditions.size() == 1;
+    alarms.push_back("random numbers would be clamped in " + significant(100.0 * of_draws(*worst), 2) +
+                     " % of their draws" +
+                     (is_one ? "" : " in condition " + std::to_string(worst->condition) + ", the most of any") + ": " +
+                     clamp_remedy(experiment.conditions[worst->condition].scene, kind.key));
+  }
+  return alarms;
 }
 
 std::optional<std::string> left_out_records(const std::vector<std::string>& names) {

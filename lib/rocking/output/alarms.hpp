@@ -41,12 +41,18 @@ struct WorstClamps {
 [[nodiscard]] std::optional<WorstClamps> worst_clamps(const Report& report);
 
 /// Names of the records of a suite that could not be read, in a sentence; absent if none was left out.
-/// The same of their names.
 [[nodiscard]] std::optional<std::string> left_out_records(const std::vector<std::string>& names);
 
 /// What to do if response modes change with the tolerance: the key and its value, or what is left if `tolerance` is at
 /// the limit of double precision.
 [[nodiscard]] std::string tolerance_remedy(double tolerance);
+
+/// What is alarming in the numbers of an experiment, each with its JSON pointer: numbers that have another unit than their
+/// key more likely than not, and blocks wider than high or that swing back at an impact.
+[[nodiscard]] std::vector<std::string> suspicious_numbers(const Experiment& experiment);
+
+/// The clamps that a run would raise an alarm for, one sentence a kind (plan's sample_clamps).
+[[nodiscard]] std::vector<std::string> foreseen_clamps(const Experiment& experiment);
 
 /// The alarms of a run, each a sentence or two: records left out, contact lost before a final fall, clamped
 /// draws.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -10,6 +11,7 @@
 #include "rocking/base/stop_request.hpp"
 #include "rocking/dynamics/block.hpp"
 #include "rocking/dynamics/excitation/shape.hpp"
+#include "rocking/realisation/measures.hpp"
 #include "rocking/scene/experiment.hpp"
 #include "rocking/store/realisation_key.hpp"
 
@@ -82,6 +84,17 @@ struct Plan {
 /// Time [s] if this share of the realisations goes on to its limit and the others are classified at once. The time of the
 /// plan is known.
 [[nodiscard]] double seconds_if_continued(const Plan& plan, double share);
+
+/// Clamps of the first random numbers of some realisations of a condition.
+struct SampledClamps {
+  std::size_t condition = 0;
+  std::uint64_t realisations = 0;
+  Clamps clamps = {};
+};
+
+/// What the laws of an experiment clamp, before it is run: of realisations 0, 1, ... what they draw at the start and the
+/// first number of each source along the way. Of the conditions that draw, and of at most a hundred, evenly spread.
+[[nodiscard]] std::vector<SampledClamps> sample_clamps(const Experiment& experiment);
 
 /// From which base acceleration a block lifts, and below which friction it slides at rest, in an impact and when it begins to
 /// rock: sentences for the mean blocks and the mean friction of all conditions (lib/docs/model.md, sections 3 and 4).

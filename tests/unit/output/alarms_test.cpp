@@ -2,8 +2,16 @@
 
 #include "rocking/output/alarms.hpp"
 
+#include <cmath>
+#include <string>
+#include <vector>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "rocking/input/read_experiment.hpp"
+#include "rocking/plan/plan.hpp"
+#include "support/experiment_text.hpp"
 
 namespace {
 
@@ -74,6 +82,98 @@ TEST(Alarms, GiveTheLawThatClampsLeave) {
   scene.friction->kinetic_coefficient = 0.30;
   scene.friction->kinetic_ratio = 0.9;
   EXPECT_THAT(worst_clamps(report).value().remedy, Not(HasSubstr("in force has"))) << "a ratio";
+}
+
+Experiment least_with(const std::vector<std::pair<std::string, std::string>>& changes) {
+  Json document = support::least_experiment();
+  for (const auto& [pointer, value] : changes) document = support::with(document, pointer, value);
+  return experiment_in(document.dump());
+}
+
+TEST(SuspiciousNumbers, AreThoseOfAnotherUnitThanThatOfTheirKey) {
+  struct Slip {
+    std::string key, value, usual, told;
+  };
+  for (const Slip& slip : std::vector<Slip>{
+           {"/block/height_m", "1900", "1.9", "/block/height_m = 1900: above 30 m, which is unusual: lengths are in m"},
+           {"/block/height_m", R"({"uniform": [1800, 2000]})", "29", "uniform from 1800 to 2000: above 30 m"},
+           {"/excitation/phase_rad", "90", "1.5708", "90 degrees are 1.571"},
+           {"/friction", R"({"static": 40, "kinetic": 0.3})", R"({"static": 0.4, "kinetic": 0.3})", "/static = 40"},
+           {"/excitation", R"({"kind": "pulse", "shape": "sine", "amplitude_g": 9.81, "period_s": 1})",
+            R"({"kind": "pulse", "shape": "sine", "amplitude_m_s2": 9.81, "period_s": 1})", "amplitude_g = 9.81"},
+           {"/excitation", R"({"kind": "harmonic", "amplitude_g": 0.3, "frequency_hz": 200})",
+            R"({"kind": "harmonic", "amplitude_g": 0.3, "frequency_hz": 2})",
+            "/excitation/frequency_hz = 200: above 50 Hz"},
+           {"/excitation", R"({"kind": "harmonic", "amplitude_g": 0.3, "period_s": 500})",
+            R"({"kind": "harmonic", "amplitude_g": 0.3, "period_s": 0.5})",
+            "/excitation/period_s = 500: above 20 s"}}) {
+    EXPECT_THAT(suspicious_numbers(least_with({{slip.key, slip.value}})), ElementsAre(HasSubstr(slip.told)))
+        << slip.key;
+    EXPECT_THAT(suspicious_numbers(least_with({{slip.key, slip.usual}})), IsEmpty()) << slip.key;
+  }
+  EXPECT_THAT(suspicious_numbers(least_with({{"/block/width_m", "0.001"}, {"/block/height_m", "0.005"}})),
+              ElementsAre(HasSubstr("/block/width_m = 0.001: below 0.01 m"), HasSubstr("/block/height_m = 0.005")));
+}
+
+TEST(SuspiciousNumbers, TellInHowManyConditionsTheyAre) {
+  const std::string sweep = R"([ { "parameter": "/block/height_m", "values": [4, 40, 50] } ])";
+  EXPECT_THAT(suspicious_numbers(least_with({{"/sweep", sweep}})),
+              ElementsAre(AllOf(HasSubstr("/block/height_m = 40"), HasSubstr("(in 2 of 3 conditions)"))));
+}
+
+TEST(SuspiciousNumbers, AreThoseOfASquatBlockAndWhatItDoesThen) {
+  // tan(psi) = 1.9/0.35: Housner's ratio is 1 - 1.5 sin^2(psi) = -0.451
+  const auto squat = suspicious_numbers(least_with({{"/block/width_m", "1.9"}, {"/block/height_m", "0.35"}}));
+  EXPECT_THAT(squat, ElementsAre(AllOf(HasSubstr("/block is squat"), HasSubstr("above 5.43 g"), HasSubstr("swapped"),
+                                       HasSubstr("-0.451 of the tilt rate. Below 0 the block does not go on"))));
+  // 1 - 1.5 (1.1/1.5)^2/(1 + (1.1/1.5)^2 ...) > 0: it goes on
+  EXPECT_THAT(suspicious_numbers(least_with({{"/block/width_m", "1.1"}, {"/block/height_m", "1.0"}})),
+              ElementsAre(AllOf(HasSubstr("above 1.1 g"), Not(HasSubstr("Below 0")))));
+  EXPECT_THAT(
+      suspicious_numbers(least_with({{"/block/width_m", "0.9"}, {"/block/height_m", "1.0"}, {"/restitution", "0.9"}})),
+      ElementsAre(AllOf(HasSubstr("/restitution: An impact leaves -"), Not(HasSubstr("squat")))));
+}
+
+TEST(SuspiciousNumbers, AreThoseOfARecordInMillisecondsOrOfAnotherUnit) {
+  Experiment experiment = experiment_in(support::least_experiment().dump());
+  const auto told = [&](double step, double peak) {
+    GroundMotion motion;
+    for (int i = 0; i < 9; ++i)
+      motion.samples.push_back({.time = step * i, .horizontal = i == 4 ? -peak : 0.0, .vertical = 0.0});
+    motion.name = "a.txt";
+    experiment.conditions[0].scene.excitation = Recorded{.ground_motion = std::make_shared<const GroundMotion>(motion)};
+    return suspicious_numbers(experiment);
+  };
+  EXPECT_THAT(told(0.02, 0.5), IsEmpty());
+  EXPECT_THAT(told(5.0, 0.5), ElementsAre(HasSubstr("a.txt has a sample in 5 s")));
+  EXPECT_THAT(told(0.02, 9.0), ElementsAre(HasSubstr("a.txt has a peak of 9 g")));
+}
+
+TEST(ForeseenClamps, OccurAsOftenAsTheirLawsSay) {
+  const auto clamps_of = [](const std::string& fluctuation) {
+    return least_with({{"/friction", R"({"static": 0.35, "kinetic": 0.30})"}, {"/fluctuation", fluctuation}});
+  };
+  const Experiment independent = clamps_of(R"({"friction": {"sigma": 0.03}})");
+  const auto sampled = sample_clamps(independent);
+  ASSERT_EQ(sampled.size(), 1U);
+  const auto n = static_cast<double>(sampled[0].realisations);
+  const double truth = 0.5 * std::erfc(0.05 / (0.03 * std::sqrt(2.0)) / std::sqrt(2.0));
+  EXPECT_NEAR(static_cast<double>(sampled[0].clamps.kinetic_at_static) / n, truth,
+              4.0 * std::sqrt(truth * (1.0 - truth) / n))
+      << "four standard errors, with a fixed seed";
+  EXPECT_THAT(foreseen_clamps(independent),
+              ElementsAre(AllOf(HasSubstr("clamped in 12 % of their draws: kinetic friction above the static friction"),
+                                HasSubstr("in force has mean 0.298 and sigma 0.0277, not 0.3 and 0.03"))));
+  EXPECT_THAT(foreseen_clamps(clamps_of(R"({"friction": {"sigma": 0.03, "correlation": 1}})")), IsEmpty());
+  EXPECT_THAT(foreseen_clamps(clamps_of(R"({"amplitude": {"sigma": 3}, "restitution": {"sigma": 1}})")),
+              ElementsAre(HasSubstr("restitution outside"), HasSubstr("amplitude below 0")));
+  EXPECT_THAT(sample_clamps(clamps_of("{}")), IsEmpty()) << "nothing is drawn";
+}
+
+TEST(ForeseenClamps, AreThoseOfNumbersThatAreDrawnOnceToo) {
+  const std::string law = R"({"normal": {"mean": 0.1, "sigma": 0.1}})";
+  EXPECT_THAT(foreseen_clamps(least_with({{"/friction", R"({"static": )" + law + R"(, "kinetic": {"ratio": 0.9}})"}})),
+              ElementsAre(HasSubstr("static friction below 0")));
 }
 
 TEST(Alarms, NameTheRecordsThatWereLeftOut) {

@@ -1,0 +1,156 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+#include <string_view>
+
+#include "rocking/dynamics/impact.hpp"
+#include "rocking/output/alarms.hpp"
+#include "rocking/scene/check_condition.hpp"
+#include "rocking/scene/drawn_quantities.hpp"
+#include "rocking/scene/restitution.hpp"
+#include "rocking/text/json.hpp"
+#include "rocking/text/number_text.hpp"
+
+namespace rocking {
+namespace {
+
+constexpr double most_usual_g = 5.0;  // the strongest records reach 4.4 g, of which a suite may scale some
+constexpr double longest_usual_step_s = 0.1;
+constexpr double largest_usual_angle = 4.0 * 3.15;
+constexpr std::string_view lengths = "lengths are in metres, 1 mm is 0.001";
+constexpr std::string_view strongest =
+    "recorded ground motions reach 4 g; \"amplitude_g\" is in g, \"amplitude_m_s2\" in m/s^2";
+constexpr std::string_view coefficients = "a coefficient is a ratio, 40 % are 0.4";
+constexpr std::string_view angles = "angles are in radians, 90 degrees are 1.571";
+
+/// Values of a key that need no second look.
+struct UsualRange {
+  std::string_view key;
+  double least;
+  double largest;
+  std::string_view unit;
+  std::string_view remedy;
+};
+
+constexpr double none = -1e300;
+constexpr std::array usual_ranges{
+    UsualRange{"width_m", 0.01, 30.0, " m", lengths},
+    UsualRange{"height_m", 0.01, 30.0, " m", lengths},
+    UsualRange{"centre_height_m", 0.005, 15.0, " m", lengths},
+    UsualRange{"edges_m", 0.005, 15.0, " m", lengths},
+    UsualRange{"frequency_hz", 0.05, 50.0, " Hz",
+               "earthquakes and shake tables have 0.1 to 35 Hz; frequencies are in Hz"},
+    UsualRange{"period_s", 0.02, 20.0, " s", "periods are in seconds, 1 ms is 0.001"},
+    UsualRange{"amplitude_g", none, most_usual_g, " g", strongest},
+    UsualRange{"amplitude_m_s2", none, most_usual_g * 10.0, " m/s^2", strongest},
+    UsualRange{"static", none, 2.0, "", coefficients},
+    UsualRange{"kinetic", none, 2.0, "", coefficients},
+    UsualRange{"phase_rad", -largest_usual_angle, largest_usual_angle, "", angles},
+};
+
+const UsualRange* range_of(std::string_view place) {
+  const auto* const found = std::ranges::find_if(usual_ranges, [place](const UsualRange& range) {
+    return place.ends_with('/' + std::string(range.key)) ||
+           place.find('/' + std::string(range.key) + '/') != place.npos;
+  });
+  return found == usual_ranges.end() ? nullptr : found;
+}
+
+/// What is alarming, each place once, with the number of conditions.
+class Suspicions {
+ public:
+  void add(const std::string& place, const std::string& text) {
+    const auto known = std::ranges::find(found_, place, &Suspicion::place);
+    if (known != found_.end()) {
+      ++known->conditions;
+    } else {
+      found_.push_back({place, text, 1});
+    }
+  }
+  [[nodiscard]] std::vector<std::string> texts(std::size_t conditions) const {
+    std::vector<std::string> texts;
+    for (const Suspicion& each : found_) {
+      const std::string where =
+          conditions == 1 ? ""
+                          : " (in " + std::to_string(each.conditions) + " of " + counted(conditions, "condition") + ')';
+      texts.push_back(each.place + each.text + where);
+    }
+    return texts;
+  }
+
+ private:
+  struct Suspicion {
+    std::string place;
+    std::string text;
+    std::size_t conditions;
+  };
+  std::vector<Suspicion> found_;
+};
+
+void look_at_numbers(const Scene& scene, Suspicions& found) {
+  for_each_quantity(scene, [&found](const QuantityPlace& what, const Quantity& quantity) {
+    const UsualRange* usual = range_of(what.place);
+    const double mean = mean_of(quantity);
+    if (usual == nullptr || (mean >= usual->least && mean <= usual->largest)) return;
+    const bool is_more = mean > usual->largest;
+    found.add(std::string(what.place), " = " + text_of(quantity) + ": " + (is_more ? "above " : "below ") +
+                                           significant(is_more ? usual->largest : usual->least, 3) +
+                                           std::string(usual->unit) +
+                                           ", which is unusual: " + std::string(usual->remedy));
+  });
+}
+
+void look_at_impacts(const Scene& scene, Suspicions& found) {
+  const dynamics::Geometry block = dynamics::geometry_of(mean_block(scene));
+  for (const double side : {1.0, -1.0}) {
+    const dynamics::Edge& edge = block.edge(side);
+    const double ratio = dynamics::inelastic_rate_ratio(edge, mean_restitution(scene.restitution, block, side));
+    const bool is_squat = edge.tangent > 1.0;
+    if (!is_squat && ratio >= 0.0) continue;
+    const std::string shape = " is squat: its edge is " + significant(edge.sine * block.half_diagonal, 3) +
+                              " m from the centre of mass, which is " +
+                              significant(block.cosine * block.half_diagonal, 3) +
+                              " m above the base; only a base acceleration above " + significant(edge.tangent, 3) +
+                              " g lifts it. If width and height are swapped, exchange them. ";
+    const std::string impact =
+        "An impact leaves " + significant(ratio, 3) + " of the tilt rate" +
+        (ratio < 0.0
+             ? ". Below 0 the block does not go on over its other edge: it swings back over the one on which it "
+               "came"
+             : "");
+    return found.add(is_squat ? "/block" : "/restitution", is_squat ? shape + impact : ": " + impact);
+  }
+}
+
+void look_at_record(const GroundMotion& motion, Suspicions& found) {
+  const auto& samples = motion.samples;
+  const double step = (samples.back().time - samples.front().time) / static_cast<double>(samples.size() - 1);
+  const auto size = [](const dynamics::GroundMotionSample& sample) { return std::abs(sample.horizontal); };
+  const double peak = size(*std::ranges::max_element(samples, {}, size));
+  if (step > longest_usual_step_s) {
+    found.add("/excitation", ": " + motion.name + " has a sample in " + significant(step, 3) +
+                                 " s, which is unusual: time steps are in seconds, 1 ms is 0.001");
+  }
+  if (peak > most_usual_g) {
+    found.add("/excitation", ": " + motion.name + " has a peak of " + significant(peak, 3) +
+                                 " g before it is scaled; recorded ground motions reach 4 g: check \"units\"");
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> suspicious_numbers(const Experiment& experiment) {
+  Suspicions found;
+  std::set<const GroundMotion*> seen;
+  for (const Condition& condition : experiment.conditions) {
+    look_at_numbers(condition.scene, found);
+    look_at_impacts(condition.scene, found);
+    const auto* recorded = std::get_if<Recorded>(&condition.scene.excitation);
+    if (recorded == nullptr || !recorded->ground_motion || !seen.insert(recorded->ground_motion.get()).second) continue;
+    if (recorded->ground_motion->samples.size() > 1) look_at_record(*recorded->ground_motion, found);
+  }
+  return found.texts(experiment.conditions.size());
+}
+
+}  // namespace rocking

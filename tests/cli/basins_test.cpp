@@ -1,5 +1,8 @@
 // experiments/basins: a small version of the run whose table is in its README.
 
+#include <algorithm>
+#include <cstdlib>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -71,10 +74,20 @@ TEST_F(Basins, AreDrawnWithTheirSaddlesAndUnstableManifolds) {
     GTEST_SKIP() << "skipped: needs the Python module and gnuplot (Debian: gnuplot-nox)";
   }
   const auto drawn =
-      shell("exec " + python_with_module() + " -B '" ROCKING_SOURCE_DIR "/experiments/basins/draw.py' out 6");
+      shell("exec " + python_with_module() + " -B '" ROCKING_SOURCE_DIR "/experiments/basins/draw.py' out 6 40");
   ASSERT_EQ(drawn.exit_code, 0) << drawn.errors;
   EXPECT_THAT(drawn.output, ::testing::HasSubstr("(3,3) saddle"));
-  EXPECT_TRUE(exists("out/basins.png"));
+  EXPECT_TRUE(exists("out/basins.png") && exists("out/basins.svg"));
+  const std::string map = read("out/basins.csv");
+  EXPECT_EQ(std::ranges::count(map, '\n'), 1 + 6 * 6);
+  EXPECT_THAT(map, ::testing::HasSubstr("overturned to the left\n"));
+  std::istringstream sizes(read("out/sizes.csv"));
+  int all = 0;
+  for (std::string row; std::getline(sizes, row);) {
+    const auto name_end = row.find(',', row.front() == '"' ? row.find('"', 1) : 0);
+    all += std::atoi(row.c_str() + name_end + 1);  // 0 of the heading
+  }
+  EXPECT_EQ(all, 40) << "each initial state has a response";
   const std::string table = read("out/basins.tsv");
   std::istringstream lines(table.substr(table.find("# unstable manifolds")));
   double nearest_to_one = 1.0;
@@ -89,6 +102,24 @@ TEST_F(Basins, AreDrawnWithTheirSaddlesAndUnstableManifolds) {
   }
   EXPECT_LT(nearest_to_one, 1e-2) << "one side leads to (1,1)";
   EXPECT_LT(nearest_to_three, 1e-2) << "the other to (1,3)";
+}
+
+TEST_F(Basins, OfOrbitsThatMirrorEachOtherAreToldApart) {
+  if (python_with_module().empty()) GTEST_SKIP() << "skipped: needs the Python module";
+  write("mirror.py", R"py(import sys, types
+sys.path.insert(0, ")py" ROCKING_SOURCE_DIR R"py(/experiments/basins")
+import draw
+def orbit(*points):
+    return types.SimpleNamespace(points=points, stable=True, symmetric=False, cycles=1, period=1, mirror=1)
+reached, other = orbit((-0.005410, -0.551138)), orbit((0.005410, 0.551138))
+assert list(draw.mirror_pairs([reached, other])) == ["(1,1)"]
+for pair in ((reached, other), (other, reached)):
+    mode = draw.on_mirror("(1,1)", (0.0, -0.55), {"(1,1)": pair})
+    print(mode, draw.colour(mode))
+)py");
+  const auto outcome = shell("exec " + python_with_module() + " -B mirror.py");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
+  EXPECT_EQ(outcome.output, "(1,1) #0072b2\n(1,1) mirrored #7fb8d8\n");
 }
 
 }  // namespace

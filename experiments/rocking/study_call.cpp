@@ -116,7 +116,7 @@ Answer answer_of(StudyCommand& command, const Subject& subject) {
     circumstances.keep = [&](const std::function<std::string()>& document) { command.file.keep(document); };
   }
   const auto find = [&] { return study.find(subject, command.question.get(), circumstances); };
-  if (study.subject == SubjectKind::none) return in_flags(study, find);
+  if (study.subject == SubjectKind::none) return in_flags(study, [&find] { return input_of(find); });
   // An experiment is read before; the other studies read what the question names.
   return study.subject == SubjectKind::experiment ? find() : input_of(find);
 }

@@ -134,9 +134,12 @@ CLI::Option* add_flag(CLI::App& command, const Field& field, void* question) {
 }  // namespace
 
 void add_flags(CLI::App& command, const StructType& fields, void* question) {
+  std::vector<std::pair<CLI::Option*, const Field*>> options;
   for (const Field& field : fields.fields()) {
-    if (field.flag.names.empty()) continue;
-    CLI::Option* option = add_flag(command, field, question);
+    if (!field.flag.names.empty()) options.emplace_back(add_flag(command, field, question), &field);
+  }
+  for (const auto& [option, of] : options) {
+    const Field& field = *of;
     if (field.flag.is_required) option->required();
     if (!field.flag.needs.empty()) option->needs(command.get_option(std::string(field.flag.needs)));
     if (field.flag.excludes.empty()) continue;

@@ -83,6 +83,55 @@ TEST_F(RandomNumbers, AreRefusedWithTheLineAndARemedy) {
   EXPECT_THAT(refused("/fluctuation/restitution/law", R"("lognormal")"), HasSubstr("positive mean"));
 }
 
+TEST_F(RandomNumbers, OfAFileAreTested) {
+  std::string lines = "test,friction\n", bare;
+  for (int i = 0; i < 200; ++i) {
+    // scores at evenly spaced probabilities, by a rational approximation (Abramowitz & Stegun 26.2.22, to 0.003)
+    const double p = (i + 0.5) / 200.0, t = std::sqrt(-2.0 * std::log(std::min(p, 1.0 - p)));
+    const double z = t - (2.30753 + 0.27061 * t) / (1.0 + 0.99229 * t + 0.04481 * t * t);
+    const std::string number = std::to_string(0.4 + (p < 0.5 ? -0.03 : 0.03) * z);
+    lines += std::to_string(i) + ',' + number + '\n';
+    bare += number + '\n';
+  }
+  write("tests.csv", lines);
+  write("bare.txt", "# friction\n" + bare);
+  const auto own = rocking("check-normal tests.csv --column friction");
+  EXPECT_EQ(own.exit_code, 0) << own.errors;
+  EXPECT_THAT(own.output, AllOf(HasSubstr("200 numbers against N(0.4, 0.029"), HasSubstr("in tests.csv"),
+                                HasSubstr("skewness"), HasSubstr("their rows test nothing")));
+  const Json found = Json::parse(rocking("check-normal bare.txt --json").output);
+  EXPECT_EQ(objections("check_normal", found.dump()), "");
+  EXPECT_EQ(found["own_law"], true);
+  EXPECT_EQ(found["n"], 200);
+  EXPECT_NEAR(found["mean"]["value"].get<double>(), 0.4, 1e-6);
+  const auto other = rocking("check-normal bare.txt --mean 0.5 --sigma 0.03 --json");
+  EXPECT_EQ(other.exit_code, 1) << "another law";
+  EXPECT_EQ(Json::parse(other.output)["own_law"], false);
+}
+
+TEST_F(RandomNumbers, OfAFileAreRefusedWithTheLine) {
+  std::string twenty;
+  for (int i = 0; i < 20; ++i) twenty += std::to_string(i) + ",1\n";
+  struct Fault {
+    std::string text, flags, told;
+  };
+  for (const Fault& fault : std::vector<Fault>{
+           {"1\n2\nthree\n", "", "numbers.csv, line 3 = \"three\": is not a number"},
+           {"1\n2\n3\n", "", "numbers.csv: has 3 numbers; give at least 20"},
+           {"x,y\n" + twenty, "", "line 1 = \"x,y\": has several columns; name one of its first line with --column"},
+           {"x,y\n" + twenty, "--column z", "line 1 = \"z\": is no column that this line names"},
+           {"x,y\n" + twenty + "7\n", "--column y", "line 22 = \"7\": has 1 fields, and the first line 2"},
+           {"x,y\n" + twenty, "--column y", "numbers.csv: has numbers that are all equal"}}) {
+    write("numbers.csv", fault.text);
+    const auto outcome = rocking("check-normal numbers.csv " + fault.flags);
+    EXPECT_EQ(outcome.exit_code, 65) << fault.text;
+    EXPECT_THAT(outcome.errors, HasSubstr(fault.told));
+  }
+  EXPECT_EQ(rocking("check-normal missing.csv").exit_code, 66);
+  EXPECT_EQ(rocking("check-normal numbers.csv --column x --mean 1").exit_code, 64);
+  EXPECT_EQ(rocking("check-normal numbers.csv --n 30").exit_code, 64);
+}
+
 TEST_F(RandomNumbers, OfLawsAlongTheWayAreTested) {
   rocking::support::FalseAlarms alarms;
   for (const std::string law : {"lognormal", "uniform"}) {

@@ -328,7 +328,8 @@ class QuestionTarget {
     const double confidence = choose_.number();
     if (choose_.yes()) {
       const SamplerQuestion question{.n = std::min<std::uint64_t>(trials, 1001),
-                                     .law = {choose_.number(), choose_.number()},
+                                     .mean = choose_.number(),
+                                     .sigma = choose_.number(),
                                      .distribution = choose_.yes() ? FluctuationLaw::lognormal : FluctuationLaw::normal,
                                      .sampler = choose_.text()};
       return static_cast<void>(check_normal(question));

@@ -45,6 +45,7 @@ std::vector<CorrelationTest> correlations(const NormalSamples& samples, const No
   for (const std::size_t lag : {1U, 2U, 3U, 200U}) {  // 200: a period of the excitation, in draws of kinetic friction
     if (lag < samples.sample.size()) add("lag_" + std::to_string(lag), lag_correlation(samples.sample, law, lag));
   }
+  if (samples.of_next_realisation.empty()) return tests;
   add("neighbouring_realisations", cross_correlation(samples.sample, samples.of_next_realisation, law));
   add("neighbouring_sources", cross_correlation(samples.sample, samples.of_next_source, law));
   return tests;
@@ -84,6 +85,22 @@ std::optional<NormalCheck> check_normal(const NormalSamples& samples, const Norm
                      .kolmogorov_smirnov = kolmogorov_smirnov(sample, law),
                      .tails = normal_tails(sample, law),
                      .histogram = normal_histogram(sample, law, 40, 4.0)};
+}
+
+std::optional<NormalCheck> check_own_law(std::span<const double> sample) {
+  const auto n = static_cast<double>(sample.size());
+  double mean = 0.0;
+  for (const double x : sample) mean += x / n;
+  double squares = 0.0;
+  for (const double x : sample) squares += (x - mean) * (x - mean) / (n - 1.0);
+  const double sigma = std::sqrt(squares);
+  if (!(sigma >= 1e-70 && sigma <= 1e70)) return std::nullopt;
+  auto check = check_normal({sample, {}, {}}, {mean, sigma});
+  if (!check) return std::nullopt;
+  check->anderson_darling.p_value =
+      anderson_darling_p_value_of_own_law(check->anderson_darling.statistic, sample.size());
+  check->kolmogorov_smirnov.p_value = lilliefors_p_value(check->kolmogorov_smirnov.statistic, sample.size());
+  return check;
 }
 
 std::vector<double> p_values_of(const NormalCheck& check) {

@@ -48,7 +48,7 @@ struct TestOfFit {
   double p_value = 1.0;
 };
 
-/// The samples to be checked: one sample, and two samples of equal length that should be independent of each other.
+/// The samples to be checked: one sample, and two samples of equal length that should be independent of it, or are empty.
 struct NormalSamples {
   std::span<const double> sample;
   std::span<const double> of_next_realisation;
@@ -100,6 +100,11 @@ struct NormalCheck {
 
 /// Absent if all numbers are equal. Needs at least 20 numbers.
 [[nodiscard]] std::optional<NormalCheck> check_normal(const NormalSamples& samples, const NormalLaw& law);
+
+/// The same against the normal law with the mean and the standard deviation of the sample, with the p-values of
+/// Anderson-Darling and Kolmogorov-Smirnov for a law of the numbers themselves. Absent likewise, and if the standard
+/// deviation is below 1e-70 or above 1e70.
+[[nodiscard]] std::optional<NormalCheck> check_own_law(std::span<const double> sample);
 
 /// All p-values, in the order of the members.
 [[nodiscard]] std::vector<double> p_values_of(const NormalCheck& check);

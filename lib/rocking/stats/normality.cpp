@@ -204,4 +204,31 @@ double two_sided_binomial_p_value(const Proportion& observed, double probability
   return std::min(1.0, (inside > 0 ? at_most(inside - 1) : 0.0) + at_least(k));
 }
 
+double anderson_darling_p_value_of_own_law(double statistic, std::size_t numbers) {
+  const auto n = static_cast<double>(numbers);
+  const double a = statistic * (1.0 + 0.75 / n + 2.25 / (n * n));
+  if (a < 0.2) return 1.0 - std::exp(-13.436 + 101.14 * a - 223.73 * a * a);
+  if (a < 0.34) return 1.0 - std::exp(-8.318 + 42.796 * a - 59.938 * a * a);
+  if (a < 0.6) return std::exp(0.9177 - 4.279 * a - 1.38 * a * a);
+  const double largest = std::min(a, 10.0);  // the parabola turns up far above
+  return std::exp(1.2937 - 5.709 * largest + 0.0186 * largest * largest);
+}
+
+double lilliefors_p_value(double distance, std::size_t numbers) {
+  const auto n = static_cast<double>(numbers);
+  const double d = n > 100.0 ? distance * std::pow(n / 100.0, 0.49) : distance;
+  const double m = std::min(n, 100.0);
+  const double p = std::exp(-7.01256 * d * d * (m + 2.78019) + 2.99587 * d * std::sqrt(m + 2.78019) - 0.122119 +
+                            0.974598 / std::sqrt(m) + 1.67997 / m);
+  if (p <= 0.1) return p;
+  const double k = (std::sqrt(n) - 0.01 + 0.85 / std::sqrt(n)) * distance;
+  const auto quartic = [k](double c0, double c1, double c2, double c3, double c4) {
+    return c0 + k * (c1 + k * (c2 + k * (c3 + k * c4)));
+  };
+  if (k <= 0.302) return 1.0;
+  if (k <= 0.5) return quartic(2.76773, -19.828315, 80.709644, -138.55152, 81.218052);
+  if (k <= 0.9) return quartic(-4.901232, 40.662806, -97.490286, 94.029866, -32.355711);
+  return std::max(0.0, quartic(6.198765, -19.558097, 23.186922, -12.234627, 2.423045));
+}
+
 }  // namespace rocking::stats

@@ -57,6 +57,14 @@ namespace rocking::stats {
 /// Source: Vrbik (2018), Pioneer J. Theor. Appl. Stat. 15, 15-23.
 [[nodiscard]] double kolmogorov_p_value(double distance, std::size_t n);
 
+/// The same two probabilities where mean and sigma of the law are those of the numbers, sigma with n - 1. Approximations,
+/// good to about 0.01 and, of small probabilities, to a tenth. Need n >= 20.
+///
+/// Source: D'Agostino & Stephens (1986), Goodness-of-Fit Techniques, table 4.9; Dallal & Wilkinson (1986), Am. Stat. 40,
+/// 294-296, and above 0.1 Stephens (1974), J. Am. Stat. Assoc. 69, 730-737, as fitted in R's nortest.
+[[nodiscard]] double anderson_darling_p_value_of_own_law(double statistic, std::size_t n);
+[[nodiscard]] double lilliefors_p_value(double distance, std::size_t n);
+
 /// Exact two-sided p-value of a count if each trial succeeds with `probability` in [0, 1]: the probability of all
 /// counts that are at most as probable as the observed one.
 ///

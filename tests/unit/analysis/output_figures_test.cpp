@@ -191,7 +191,8 @@ TEST(Bifurcation, OfNothingIsEmptyNotAnError) {
 }
 
 TEST(NormalHistogram, HasTheCountsAndACurveOfTheSameArea) {
-  rocking::SamplerCheck check{.distribution = {}, .sampler = "box-muller", .seed = 1, .found = {}};
+  rocking::SamplerCheck check{
+      .distribution = {}, .generated = rocking::GeneratedNumbers{"box-muller", 1}, .of_file = {}, .found = {}};
   check.found.n = 1000;
   check.found.law = {.mean = 0.5, .sigma = 0.1};
   check.found.histogram = {

@@ -254,8 +254,8 @@ TEST_F(Questions, OfOtherStudiesHaveNumbersInRange) {
                                         "block = nan"}});
   expect_refused<SamplerQuestion>({.n = 20}, [](const auto& question) { static_cast<void>(check_normal(question)); },
                                   {{[](auto& q) { q.n = 19; }, "n = 19"},
-                                   {[](auto& q) { q.law.mean = nan; }, "mean = nan"},
-                                   {[](auto& q) { q.law.sigma = 0.0; }, "sigma = 0"},
+                                   {[](auto& q) { q.mean = nan; }, "mean = nan"},
+                                   {[](auto& q) { q.sigma = 0.0; }, "sigma = 0"},
                                    {[](auto& q) { q.sampler = "dice"; }, "sampler = dice: must be one of box-muller"}});
   expect_refused<Execution>({}, [&](const Execution& execution) { static_cast<void>(run(still, execution)); },
                             {{[](auto& e) { e.threads = 0; }, "threads = 0: must be at least 1 and at most 4096"},

@@ -256,8 +256,8 @@ SamplerCheck example_check() {
     other.push_back(0.4 + 0.03 * (i % 2 == 0 ? 1.0 : -1.0));
   }
   return {.distribution = {},
-          .sampler = "box-muller",
-          .seed = 0x2012,
+          .generated = GeneratedNumbers{.sampler = "box-muller", .seed = 0x2012},
+          .of_file = {},
           .found = stats::check_normal({sample, other, other}, {0.4, 0.03}).value()};
 }
 

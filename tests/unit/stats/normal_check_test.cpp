@@ -27,6 +27,22 @@ NormalCheck checked(std::size_t n, const NormalLaw& law = {}) {
   return check_normal({first, second, third}, law).value();
 }
 
+TEST(OwnLaw, IsThatOfTheNumbersWhoseShapeIsTestedAlike) {
+  const NormalLaw law{4.0, 0.3};
+  const Sample numbers = normal_numbers(500, 1, law);
+  const NormalCheck own = check_own_law(numbers).value(), given = check_normal({numbers, {}, {}}, law).value();
+  EXPECT_NEAR(own.law.mean, given.mean.moment.value, 1e-14);
+  EXPECT_NEAR(own.law.sigma, given.standard_deviation.moment.value, 1e-14);
+  EXPECT_NEAR(own.skewness.test.p_value, given.skewness.test.p_value, 1e-9) << "whatever mean and sigma are";
+  EXPECT_NEAR(own.jarque_bera.p_value, given.jarque_bera.p_value, 1e-9);
+  EXPECT_EQ(own.correlations.back().between, "lag_200") << "there are no neighbours";
+  EXPECT_FALSE(is_refuted(own));
+  Sample cubes = numbers;
+  for (double& x : cubes) x = std::pow((x - 4.0) / 0.3, 3.0);
+  EXPECT_TRUE(is_refuted(check_own_law(cubes).value()));
+  EXPECT_FALSE(check_own_law(Sample(30, 2.5)));
+}
+
 // P(chi-squared of 20 degrees >= 2x) = exp(-x) sum x^k/k! over k < 10.
 TEST(NormalCheck, TestsTheStandardDeviationByItsExactLaw) {
   const NormalLaw law{0.4, 0.03};

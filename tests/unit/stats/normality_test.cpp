@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 #include <random>
+#include <tuple>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -34,6 +35,25 @@ Sample whole_numbers(std::size_t n) {
   Sample sample(n);
   std::iota(sample.begin(), sample.end(), 0.0);
   return sample;
+}
+
+// Critical values of Stephens (1974, 1986) for a normal law with the mean and the standard deviation of the numbers; the
+// approximations agree to the last digit of the tables.
+TEST(OwnLaw, HasTheCriticalValuesOfTheTables) {
+  const auto numbers = [](double a) { return a / (1.0 + 0.75 / 50.0 + 2.25 / 2500.0); };
+  const auto distance = [](double d) { return d / (std::sqrt(50.0) - 0.01 + 0.85 / std::sqrt(50.0)); };
+  for (const auto& [p, a, d] :
+       {std::tuple{0.10, 0.631, 0.819}, {0.05, 0.752, 0.895}, {0.025, 0.873, 0.955}, {0.01, 1.035, 1.035}}) {
+    EXPECT_NEAR(anderson_darling_p_value_of_own_law(numbers(a), 50) / p, 1.0, 0.03) << p;
+    EXPECT_NEAR(lilliefors_p_value(distance(d), 50) / p, 1.0, 0.15) << p;
+  }
+  EXPECT_NEAR(anderson_darling_p_value_of_own_law(numbers(0.341), 50), 0.5, 0.01);
+  double last = 1.0;
+  for (double a = 0.01; a < 40.0; a += 0.01) {
+    const double now = anderson_darling_p_value_of_own_law(a, 50);
+    EXPECT_LE(now, last + 0.001) << a;
+    last = now;
+  }
 }
 
 TEST(NormalLaw, KeepsItsDigitsFarOut) {

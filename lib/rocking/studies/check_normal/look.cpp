@@ -123,16 +123,29 @@ std::string bars(const stats::Histogram& histogram) {
 
 }  // namespace
 
+/// `, sampler box-muller, seed 0x2012`.
+static std::string origin_of(const SamplerCheck& check) {
+  if (check.generated) return ", sampler " + check.generated->sampler + ", seed " + seed_text(check.generated->seed);
+  return std::string(check.of_file->has_own_law ? ", their own mean and standard deviation" : "") + ", in " +
+         check.of_file->file;
+}
+
 std::string check_normal_summary(const SamplerCheck& check) {
   const stats::NormalCheck& found = check.found;
   const std::string mean = significant(found.law.mean, 6);
   const std::string sigma = significant(found.law.sigma, 6);
   std::string text =
-      std::to_string(found.n) + " numbers from " +
+      std::to_string(found.n) + (check.of_file ? " numbers against " : " numbers from ") +
       (check.distribution ? *check.distribution + " with mean " + mean + " and standard deviation " + sigma
                           : "N(" + mean + ", " + sigma + "^2)") +
-      ", sampler " + check.sampler + ", seed " + seed_text(check.seed) + "\n\n";
+      origin_of(check) + "\n\n";
   text += moments_table(found) + '\n';
+  if (check.of_file && check.of_file->has_own_law) {
+    text +=
+        "mean and standard deviation are those of the distribution, so that their rows test nothing; the p-values of "
+        "the "
+        "tests of fit take it into account\n\n";
+  }
   if (check.distribution) {
     text +=
         "moments: for large samples; what follows is of the normal scores of the numbers under the distribution\n\n";
@@ -204,7 +217,7 @@ Figure normal_histogram(const SamplerCheck& check) {
   const std::string law = check.distribution.value_or("normal");
   figure.title = std::to_string(found.n) + " random numbers from " + (check.distribution ? law + " " : "N") + "(" +
                  number_text(found.law.mean) + ", " + number_text(found.law.sigma) + "²)";
-  figure.subtitle = "sampler " + check.sampler + ", seed " + seed_text(check.seed);
+  figure.subtitle = origin_of(check).substr(2);
   figure.tables = {count_table(found.histogram), curve_table(found)};
   figure.panels.push_back({.title = "",
                            .x = {.quantity = "value", .symbol = "", .unit = ""},

@@ -131,18 +131,44 @@ SamplerCheck sampler_check(const SamplerQuestion& question, const stats::NormalC
   if (question.distribution != FluctuationLaw::normal) {
     distribution = fluctuation_law_names[static_cast<std::size_t>(question.distribution)];
   }
-  return {.distribution = std::move(distribution), .sampler = question.sampler, .seed = question.seed, .found = found};
+  SamplerCheck check{.distribution = std::move(distribution), .generated = {}, .of_file = {}, .found = found};
+  if (question.file) {
+    check.of_file = {.file = *question.file, .has_own_law = !question.mean};
+  } else {
+    check.generated = {.sampler = question.sampler, .seed = question.seed};
+  }
+  return check;
+}
+
+static const StructType& fields_of(const GeneratedNumbers*) {
+  static constexpr std::array<std::string_view, 3> samplers{"box-muller", "ziggurat", "inverse-cdf"};
+  static const StructType fields{
+      "GeneratedNumbers",
+      field<&GeneratedNumbers::sampler>("sampler", "that generated the numbers; absent: they are of a file",
+                                        {.choices = samplers}),
+      field<&GeneratedNumbers::seed>("seed", "of the random numbers, as text", seed_type()),
+  };
+  return fields;
+}
+
+static const StructType& fields_of(const NumbersOfFile*) {
+  static const StructType fields{
+      "NumbersOfFile",
+      field<&NumbersOfFile::file>("file", "with the numbers; absent: they were generated"),
+      field<&NumbersOfFile::has_own_law>(
+          "own_law", "whether the distribution has the mean and the standard deviation of the numbers themselves"),
+  };
+  return fields;
 }
 
 const StructType& fields_of(const SamplerCheck*) {
   static constexpr std::array<std::string_view, 2> distributions{"lognormal", "uniform"};
-  static constexpr std::array<std::string_view, 3> samplers{"box-muller", "ziggurat", "inverse-cdf"};
   static const StructType fields{
       "SamplerCheck",
       field<&SamplerCheck::distribution>("distribution", "of the numbers, absent: normal", {.choices = distributions},
                                          WithoutValue::omitted),
-      field<&SamplerCheck::sampler>("sampler", "that generated the numbers", {.choices = samplers}),
-      field<&SamplerCheck::seed>("seed", "of the random numbers, as text", seed_type()),
+      inlined<&SamplerCheck::generated>(),
+      inlined<&SamplerCheck::of_file>(),
       inlined<&SamplerCheck::found>(),
   };
   return fields;

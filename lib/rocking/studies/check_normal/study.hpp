@@ -1,6 +1,9 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "rocking/fields/document.hpp"
 #include "rocking/fields/struct_type.hpp"
@@ -10,13 +13,28 @@
 
 namespace rocking {
 
-/// The check of a sampler against its law.
-struct SamplerCheck {
-  std::optional<std::string> distribution;  ///< `lognormal`, `uniform`; absent: normal
-  std::string sampler;                      ///< `box-muller`, ...
+struct GeneratedNumbers {
+  std::string sampler;  ///< `box-muller`, ...
   std::uint64_t seed = 0;
+};
+
+struct NumbersOfFile {
+  std::string file;
+  bool has_own_law = false;  ///< the law has the mean and the standard deviation of the numbers
+};
+
+/// The check of numbers against their law.
+struct SamplerCheck {
+  std::optional<std::string> distribution;    ///< `lognormal`, `uniform`; absent: normal
+  std::optional<GeneratedNumbers> generated;  ///< or else of a file
+  std::optional<NumbersOfFile> of_file;
   stats::NormalCheck found;
 };
+
+/// The numbers in the text of a file: one a line, or of the column that its first line names so. `name`: of the file. Throws
+/// base::InputError with the line of what is no number, or if there are fewer than 20.
+[[nodiscard]] std::vector<double> read_numbers(std::string_view text, const std::string& name,
+                                               const std::optional<std::string>& column);
 
 [[nodiscard]] SamplerCheck sampler_check(const SamplerQuestion& question, const stats::NormalCheck& found);
 

@@ -95,15 +95,20 @@ TEST_F(SuiteRun, SaysHowItsFilesWereReadAndHowFarTheyWereScaled) {
   write("l.json", levels.dump());
   const auto ran = rocking("run l.json -o out -q");
   ASSERT_EQ(ran.exit_code, 0) << ran.errors;
-  const auto as_read =
-      AllOf(HasSubstr("ground motion: 3 files, push.at2 ...: peer_at2; accelerations in g; horizontal component only"),
-            HasSubstr("ground motion: b.txt: columns time, horizontal; accelerations in m/s2 (assumed); horizontal"),
-            HasSubstr("scale factor: from 0.654 (b.txt) to 600 (weak.at2)"),
-            HasSubstr("scale factors above 4 for 1 of 4 ground motions (weak.at2: up to 600)"));
-  EXPECT_THAT(ran.output, AllOf(as_read, HasSubstr("pga_g   scale")));
-  EXPECT_THAT(rocking("validate l.json").output, as_read);
-  EXPECT_THAT(rocking("run l.json --dry-run").output, as_read);
-  EXPECT_THAT(read("out/report.html"), as_read);
+  // Lines on a terminal, sentences on a page.
+  const auto as_read = [](const std::string& ground, const std::string& scale) {
+    return AllOf(
+        HasSubstr(ground + " motion: 3 files, push.at2 ...: peer_at2; accelerations in g; horizontal component "
+                           "only"),
+        HasSubstr(ground + " motion: b.txt: columns time, horizontal; accelerations in m/s2 (assumed); "
+                           "horizontal"),
+        HasSubstr(scale + " factor: from 0.654 (b.txt) to 600 (weak.at2)"),
+        HasSubstr("scale factors above 4 for 1 of 4 ground motions (weak.at2: up to 600)"));
+  };
+  EXPECT_THAT(ran.output, AllOf(as_read("ground", "scale"), HasSubstr("pga_g   scale")));
+  EXPECT_THAT(rocking("validate l.json").output, as_read("ground", "scale"));
+  EXPECT_THAT(rocking("run l.json --dry-run").output, as_read("ground", "scale"));
+  EXPECT_THAT(read("out/report.html"), as_read("Ground", "Scale"));
   EXPECT_EQ(objections("report", read("out/report.json")), "");
   const Json result = report("out")["result"];
   EXPECT_EQ(result["conditions"][5]["scale"], 600.0);

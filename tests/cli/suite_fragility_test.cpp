@@ -71,7 +71,7 @@ TEST_F(SuiteFragility, RanksTheMeasuresOfIntensityByDispersion) {
   run();
   const Json curve = fragility()["curves"][0];
   const Json& measures = curve["measures"];
-  ASSERT_EQ(measures.size(), 6U);
+  ASSERT_EQ(measures.size(), 4U);
   std::vector<double> dispersions;
   for (const Json& measure : measures) {
     dispersions.push_back(measure["dispersion"]);

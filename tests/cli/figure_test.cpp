@@ -296,9 +296,9 @@ TEST_F(Figures, AnimateInThePageOfARunOneRealisationOfEachResponse) {
   for (const Json& motion : motions) {
     const std::string name = motion["name"];
     const std::string mode = name.substr(0, name.find(':'));
-    EXPECT_TRUE(std::ranges::any_of(report["result"]["conditions"], [&mode](const Json& condition) {
-      return condition["counts"].value(mode, 0) > 0;
-    })) << name;
+    const Json& conditions = report["result"]["conditions"];
+    const auto has = [&mode](const Json& condition) { return condition["counts"].value(mode, 0) > 0; };
+    EXPECT_TRUE(std::any_of(conditions.begin(), conditions.end(), has)) << name;
   }
   ASSERT_EQ(shell("rm out/realisations.sqlite").exit_code, 0);
   ASSERT_EQ(rocking("report out --format html").exit_code, 0);

@@ -21,7 +21,7 @@ from . import documents
 from .asking import Path, Source, answer, numbers, paths, several, words
 from .experiments import ExperimentLike
 from .running import Progress
-from .tables import Given, file, files
+from .tables import Given, file as file_of, files as files_of
 
 '''
 
@@ -63,16 +63,16 @@ class Parameter:
         types = [types] if isinstance(types, str) else types
         self.is_list = types[0] == "array"
         self.is_path = asked["is_path"]
-        self.may_be_table = self.is_path and not asked["is_written"] and study["subject"] != "files"
+        self.may_be_table = self.is_path and not asked["is_written"] and study["subject"] in ("experiment", "runs")
         kind = schema["items"].get("type", "string") if self.is_list else types[0]
         self.type, self.default, self.value = self.described(SIMPLE[kind], asked["default"])
 
     def described(self, simple, default):
         """Annotation, default and the value of the question."""
         if self.may_be_table and self.is_list:
-            return "Union[None, Given, Sequence[Given]]", "None", f"files(\"{self.name}\", {self.name})"
+            return "Union[None, Given, Sequence[Given]]", "None", f"files_of(\"{self.name}\", {self.name})"
         if self.may_be_table:
-            return ("Given" if self.is_required else "Optional[Given]"), "None", f"file(\"{self.name}\", {self.name})"
+            return ("Given" if self.is_required else "Optional[Given]"), "None", f"file_of(\"{self.name}\", {self.name})"
         if self.is_list and simple == "str":
             single = "Path" if self.is_path else "str"
             convert = "paths" if self.is_path else "words"

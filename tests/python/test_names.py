@@ -26,7 +26,8 @@ FUNCTIONS = {
 # Words of a command line that have another place in Python.
 POSITIONALS = {"EXPERIMENT": "source", "PATH": "source", "FILE": "source", "SHARD": "shards", "DIR_A": "first",
                "DIR_B": "second", "NAME": "name", "DIR": "source"}
-OTHER_POSITIONALS = {("resume", "DIR"): "folder", ("motion", "FILE"): "files", ("completion", "SHELL"): None}
+OTHER_POSITIONALS = {("resume", "DIR"): "folder", ("motion", "FILE"): "files", ("check-normal", "FILE"): "file",
+                     ("completion", "SHELL"): None}
 # Flags without a keyword: what they say is about files that commands write and text that they print.
 OF_COMMANDS = {
     "--help": "help()",

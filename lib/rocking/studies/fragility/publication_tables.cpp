@@ -140,7 +140,8 @@ StudyTable table_of_curves(const FragilityReport& report) {
             row[1] = number((*law)[0].value, (*law)[0].interval, 3);
             row[2] = number((*law)[1].value, (*law)[1].interval, 3);
           }
-          if (reported.rate) row[3] = number(chosen(*reported.rate).value, chosen(*reported.rate).interval, 3);
+          if (reported.rate)
+            row[3] = number(chosen(*reported.rate).value, chosen(*reported.rate).interval, look::rate_form());
           table.rows.push_back(heads.row(reported, row));
         },
         curve);

@@ -36,9 +36,9 @@ enum class IntensityMeasure : std::uint8_t {
   avgsa,        ///< geometric mean of the same over the periods by which it does, or else over 0.1 to 1 times 2 pi/p
   sa_absolute,  ///< largest absolute acceleration of the oscillator over g, where it is swept [-]
 };
-inline constexpr std::array all_intensity_measures{
-    IntensityMeasure::pga, IntensityMeasure::pgv,   IntensityMeasure::sa_p,
-    IntensityMeasure::sa,  IntensityMeasure::avgsa, IntensityMeasure::sa_absolute};
+inline constexpr std::array all_intensity_measures{IntensityMeasure::pga,   IntensityMeasure::pgv,
+                                                   IntensityMeasure::sa_p,  IntensityMeasure::sa,
+                                                   IntensityMeasure::avgsa, IntensityMeasure::sa_absolute};
 
 /// In files: `pga_g`, `pgv_m_s`, `sa_p_g`, `sa_g`, `avgsa_g`, `sa_absolute_g`.
 inline constexpr std::array<std::string_view, 6> intensity_measure_names{"pga_g", "pgv_m_s", "sa_p_g",

@@ -125,7 +125,8 @@ std::string rare_table(const RareReport& report) {
   }
   if (are_several && remarks.any()) {
     add_columns(table, {"remarks"});
-    for (std::size_t c = 0; c < conditions.size(); ++c) table.rows[c].push_back(letters[c].empty() ? look::Cell() : letters[c]);
+    for (std::size_t c = 0; c < conditions.size(); ++c)
+      table.rows[c].push_back(letters[c].empty() ? look::Cell() : letters[c]);
   }
   table.notes = "from, to: interval with " + level_text(highest) +
                 " % confidence; error: standard error over the probability; work, plain sampling: simulated\ntime in "

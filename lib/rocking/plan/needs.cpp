@@ -27,7 +27,7 @@ struct PerCondition {
   }
 };
 constexpr PerCondition reported{.at_least = 6'600, .of_several = 1'100, .with_sliding = 2'500};
-constexpr PerCondition drawn{.at_least = 1'300, .of_several = 1'300, .with_sliding = 1'500};
+constexpr PerCondition drawn_shaking{.at_least = 1'300, .of_several = 1'300, .with_sliding = 1'500};
 constexpr PerCondition kept_for_report{.at_least = 7'700, .of_several = 1'300, .with_sliding = 2'100};
 constexpr PerCondition kept_for_page{.at_least = 6'500, .of_several = 4'500, .with_sliding = 7'000};
 
@@ -77,7 +77,7 @@ Needs needs_of(const Experiment& experiment, const Means& means) {
     needs.disk_bytes += reported.bytes(condition) + parameters_in(condition);
     needs.memory_bytes += kept_for_report.bytes(condition) + 2 * parameters_in(condition);
     if (!has_page) continue;
-    needs.disk_bytes += drawn.bytes(condition);
+    needs.disk_bytes += drawn_shaking.bytes(condition);
     needs.memory_bytes += kept_for_page.bytes(condition);
   }
   if (means.shard) rows = (rows + means.shard->parts - 1) / means.shard->parts;

@@ -33,7 +33,7 @@ std::function<double(double)> score_under(const SamplerQuestion& question) {
   const auto [mean, sigma] = law_of(question);
   if (question.distribution == FluctuationLaw::uniform) {
     const double half_width = std::sqrt(3.0) * sigma;
-    return [mean, half_width](double x) {
+    return [mean = mean, half_width](double x) {
       const double share = std::clamp(0.5 + 0.5 * (x - mean) / half_width, 0x1p-60, 1.0 - 0x1p-53);
       return -boost::math::quantile(boost::math::complement(boost::math::normal(), share));
     };

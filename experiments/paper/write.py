@@ -50,11 +50,11 @@ def citation():
             "authors": the(r'^authors:\n  - name: "(.*)"', text)}
 
 
-def headline(friction="0.4/0.35", amplitude="4"):
-    row = rf"^{friction} +{amplitude} +\S+ +(\d+) +(\S+) \[.*?\] \(\d+\) +(\S+) \["
-    n, once, in_three = the(row, read("experiments/headline/README.md"))
-    return {"headline_friction": "0.40/0.35", "headline_amplitude": amplitude, "headline_n": n, "headline_11": once,
-            "headline_13": in_three}
+def headline(friction="0.40/0.35", amplitude="4"):
+    text = read("experiments/headline/README.md")
+    once, in_three = the(rf"^\| {friction} \| {amplitude} \| (\S+) \[.*?\] \| (\S+) \[", text)
+    return {"headline_friction": friction, "headline_amplitude": amplitude, "headline_11": once, "headline_13": in_three,
+            "headline_n": the(r"Per cent of (\d+) realisations", text)}
 
 
 def quality():

@@ -156,7 +156,7 @@ const StructType& fields_of(const RateComparison*) {
       field<&Comparison::ratio>("ratio", "rate of the option over that of the base; null: that is 0",
                                 rule::not_negative),
       field<&Comparison::ratio_interval>("ratio_interval", "of it likewise; null: without an upper bound",
-                                         open_interval_type(), rule::not_negative),
+                                         optional_open_interval_type(), rule::not_negative),
   };
   return fields;
 }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "rocking/fields/container_types.hpp"
 #include "rocking/fields/converted_type.hpp"
@@ -62,7 +63,22 @@ class EventType final : public ValueType {
   }
 };
 
+std::optional<OpenEnds> written_optional_ends(const std::optional<stats::Interval>& interval) {
+  return interval ? std::optional(written_ends(*interval)) : std::nullopt;
+}
+
+void set_optional_ends(const std::optional<OpenEnds>& ends, const ReadingPlace& place,
+                       std::optional<stats::Interval>& interval) {
+  interval.reset();
+  if (ends) set_ends(*ends, place, interval.emplace());
+}
+
 }  // namespace
+
+const ValueType& optional_open_interval_type() {
+  return the_only<ConvertedType<std::optional<stats::Interval>, std::optional<OpenEnds>, written_optional_ends,
+                                set_optional_ends>>();
+}
 
 const ValueType& open_interval_type() {
   return the_only<ConvertedType<stats::Interval, OpenEnds, written_ends, set_ends>>();

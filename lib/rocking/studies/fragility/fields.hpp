@@ -12,6 +12,8 @@ inline constexpr std::string_view unresolved_sentence =
 
 /// `[low, high]`; an infinite upper end is null.
 [[nodiscard]] const ValueType& open_interval_type();
+/// Of an optional one.
+[[nodiscard]] const ValueType& optional_open_interval_type();
 
 [[nodiscard]] const StructType& fields_of(const CurveRun*);
 [[nodiscard]] const StructType& fields_of(const CurveSubject*);

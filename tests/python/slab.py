@@ -5,6 +5,9 @@ Environment: ROCKING_PROGRAM, the program; ROCKING_SOURCE, the root of the clone
 
 import json
 import os
+import subprocess
+import tempfile
+import unittest
 
 import numpy as np
 
@@ -55,3 +58,16 @@ def suite_in(folder):
 
 
 LONG = changed(realisations=100000, sweep=[{"parameter": "/excitation/amplitude", "values": [4.0]}])
+
+
+class ProgramTest(unittest.TestCase):
+    """A test in a folder of its own, with the experiment SLAB and the program at hand."""
+
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        self.path = write(self.folder.name, SLAB)
+        self.out = os.path.join(self.folder.name, "out")
+
+    def program(self, *arguments):
+        return subprocess.run([PROGRAM, *arguments], check=True, capture_output=True, text=True).stdout

@@ -5,26 +5,16 @@ import json
 import math
 import os
 import pickle
-import subprocess
 import tempfile
 import unittest
 
 import numpy as np
 
 import rocking
-from slab import PROGRAM, SLAB, suite_in, write
+from slab import SLAB, ProgramTest, suite_in, write
 
 
-class AgainstTheProgram(unittest.TestCase):
-    def setUp(self):
-        self.folder = tempfile.TemporaryDirectory()
-        self.addCleanup(self.folder.cleanup)
-        self.path = write(self.folder.name, SLAB)
-        self.out = os.path.join(self.folder.name, "out")
-
-    def program(self, *arguments):
-        return subprocess.run([PROGRAM, *arguments], check=True, capture_output=True, text=True).stdout
-
+class AgainstTheProgram(ProgramTest):
     def test_hazard_gives_the_curve_of_every_format(self):
         levels, probabilities = np.array([0.1, 0.2, 0.4]), np.array([0.3, 0.1, 0.02])
 

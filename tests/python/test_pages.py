@@ -3,27 +3,19 @@
 import json
 import os
 import shutil
-import subprocess
-import tempfile
 import unittest
 
 import numpy as np
 
 import rocking
-from slab import PROGRAM, SLAB, changed, suite_in, write
+from slab import SLAB, ProgramTest, changed, suite_in, write
 
 
 @unittest.skipUnless(hasattr(rocking._core, "write_page"), "built without fmt (Debian: libfmt-dev)")
-class Pages(unittest.TestCase):
+class Pages(ProgramTest):
     def setUp(self):
-        self.folder = tempfile.TemporaryDirectory()
-        self.addCleanup(self.folder.cleanup)
-        self.path = write(self.folder.name, SLAB)
-        self.out = os.path.join(self.folder.name, "out")
+        super().setUp()
         self.ours = os.path.join(self.folder.name, "ours")
-
-    def program(self, *arguments):
-        return subprocess.run([PROGRAM, *arguments], check=True, capture_output=True, text=True).stdout
 
     def expect_same(self, written, folder):
         """The files that were written, and those of the program in a folder, have the same names and bytes."""

@@ -6,26 +6,16 @@ import math
 import os
 import pickle
 import re
-import subprocess
 import tempfile
 import unittest
 
 import numpy as np
 
 import rocking
-from slab import LONG, PROGRAM, SLAB, changed, suite_in, write
+from slab import LONG, SLAB, ProgramTest, changed, write
 
 
-class AgainstTheProgram(unittest.TestCase):
-    def setUp(self):
-        self.folder = tempfile.TemporaryDirectory()
-        self.addCleanup(self.folder.cleanup)
-        self.path = write(self.folder.name, SLAB)
-        self.out = os.path.join(self.folder.name, "out")
-
-    def program(self, *arguments):
-        return subprocess.run([PROGRAM, *arguments], check=True, capture_output=True, text=True).stdout
-
+class AgainstTheProgram(ProgramTest):
     def test_has_the_bits_of_the_program(self):
         self.program("run", self.path, "-o", self.out, "--no-page", "-q")
         with open(os.path.join(self.out, "report.json")) as file:

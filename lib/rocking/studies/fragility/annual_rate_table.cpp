@@ -126,8 +126,9 @@ std::string source_in_words(RateSource source) {
 std::vector<RateEstimate> told_estimates(const SuiteRate& rate) {
   std::vector<RateEstimate> told = rate.estimates;
   const auto isotonic = std::ranges::find(told, RateSource::isotonic, &RateEstimate::source);
-  std::erase_if(told, [value = isotonic == told.end() ? -1.0 : isotonic->value](const RateEstimate& estimate) {
-    return estimate.source == RateSource::observed && estimate.value == value;
+  if (isotonic == told.end()) return told;
+  std::erase_if(told, [value = rate_text(isotonic->value)](const RateEstimate& estimate) {
+    return estimate.source == RateSource::observed && rate_text(estimate.value) == value;
   });
   return told;
 }

@@ -83,7 +83,7 @@ void add_unresolved(const Levels& levels, std::size_t step, look::Table& table) 
 /// What gives the probabilities of a rate: `law`, `isotonic shares`.
 [[nodiscard]] std::string source_in_words(RateSource source);
 
-/// The ways of a rate that are told: without that by the observed shares where it equals that by the isotonic ones.
+/// The ways of a rate that are told: without that by the observed shares where it is written as that by the isotonic ones.
 [[nodiscard]] std::vector<RateEstimate> told_estimates(const SuiteRate& rate);
 /// The same of an estimate: `rejected law` where the rate is not by the law.
 [[nodiscard]] std::string source_in_words(RateSource source, const SuiteRate& rate);

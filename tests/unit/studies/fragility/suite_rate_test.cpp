@@ -11,6 +11,7 @@
 #include "rocking/stats/suite_bootstrap.hpp"
 #include "rocking/studies/fragility/fragility.hpp"
 #include "rocking/studies/fragility/shares_and_hazard.hpp"
+#include "rocking/studies/fragility/words.hpp"
 #include "support/made_up_suite.hpp"
 
 namespace rocking {
@@ -317,6 +318,16 @@ TEST(RateComparison, HasTheBasisOfTheRates) {
   const RateComparison by_shares = compared_rates(whole_curve(), other, hazard());
   EXPECT_EQ(by_shares.source, RateSource::isotonic);
   EXPECT_NEAR(*by_shares.ratio, ratio(RateBasis::isotonic), 1e-12);
+}
+
+TEST(SuiteRate, IsToldByObservedSharesWhereTheyAreWrittenOtherwiseThanTheIsotonicOnes) {
+  SuiteRate rate = annual_rate(whole_curve(), hazard());
+  EXPECT_EQ(rate.estimates.size(), 5U);
+  EXPECT_EQ(told_estimates(rate).size(), 4U) << "the means rise";
+  for (RateEstimate& each : rate.estimates) {
+    if (each.source == RateSource::observed) each.value *= 1.1;
+  }
+  EXPECT_EQ(told_estimates(rate).size(), 5U);
 }
 
 // An option that never overturned is not known to have the rate 0.

@@ -96,7 +96,7 @@ TEST(TangentRun, KeepsTheExponentThatDecidedWhileItCollectsMorePoints) {
   TangentRun run(motion, motion.setting().block.shape_angle, sampled_periods);
   section::PendingClassification pending;
   pending.may_be_decided_later = [](const section::ExponentEstimate&) { return false; };
-  pending.may_be_quasi_periodic = [](const section::LongSection&) { return true; };
+  pending.wants_more_points = [](const section::LongSection&) { return true; };
   run_alone(run, pending);
   const ExponentRun found = run.result();
   const ExponentRun decided = exponent_run_of(motion, 1);

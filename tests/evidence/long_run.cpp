@@ -9,7 +9,8 @@ namespace rocking::evidence {
 LongRun::LongRun(const Condition& condition, const random::Draws& draws, int periods)
     : shape_angle_(dynamics::geometry_of(mean_block(condition.scene)).shape_angle),
       resolution_(std::max(1e-9, 1e3 * condition.tolerance)),
-      random_(is_random(condition.scene)),
+      random_(is_random_along_the_way(condition.scene)),
+      orbits_(condition, draws),
       recorder_(dynamics::geometry_of(mean_block(condition.scene)), periods) {
   const Start start = start_of(condition.scene, draws);
   const int transient = condition.horizon.transient_periods;
@@ -33,8 +34,12 @@ section::Classification LongRun::name(const Window& window, int exponent_periods
   }
   const auto sampled =
       std::span(periods()).subspan(static_cast<std::size_t>(window.first), static_cast<std::size_t>(window.count));
-  const auto pending =
-      section::classify({.periods = sampled, .random = random_, .resolution = resolution_, .thresholds = thresholds});
+  const auto pending = section::classify(
+      {.periods = sampled,
+       .random = random_,
+       .resolution = resolution_,
+       .thresholds = thresholds,
+       .find_orbit = [this](const section::StrobePoint& near, int periods) { return orbits_.find(near, periods); }});
   if (pending.classification) return *pending.classification;
   const ExponentRun run = exponent(exponent_periods, pending);
   return pending.with_exponent(run.exponent, {.points = run.points, .exponent = run.over_all});

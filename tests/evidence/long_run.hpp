@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "rocking/realisation/exponent.hpp"
+#include "rocking/realisation/orbit_search.hpp"
 #include "rocking/realisation/strobe_recorder.hpp"
 #include "rocking/section/classify.hpp"
 
@@ -33,6 +34,7 @@ class LongRun {
   double shape_angle_;
   double resolution_;
   bool random_;
+  OrbitSearch orbits_;
   StrobeRecorder recorder_;
   std::optional<Motion> after_transient_;
   std::optional<dynamics::Termination> termination_;

@@ -32,7 +32,7 @@ std::vector<ResponseMode> modes_of(const Condition& condition, std::uint64_t see
   const random::Draws draws(seed, realisation);
   const Start start = start_of(condition.scene, draws);
   const auto beginning = begin_realisation(condition, draws, start, Strobe::poincare, strobes_before_window(condition));
-  HorizonRun run(condition, beginning,
+  HorizonRun run(condition, draws, beginning,
                  [&](dynamics::Observer& observer) { return motion_of(condition.scene, beginning, observer); });
   run.observe_long_run();
   std::vector<ResponseMode> modes;

@@ -94,7 +94,7 @@ RealisationResult run_watched(const Condition& condition, std::uint64_t realisat
   const random::Draws draws(seed, realisation);
   const Beginning beginning = begin_realisation(condition, draws, start_of(condition.scene, draws), Strobe::poincare,
                                                 strobes_before_window(condition));
-  HorizonRun run(condition, beginning,
+  HorizonRun run(condition, draws, beginning,
                  [&](dynamics::Observer& observer) { return motion_of(condition.scene, beginning, observer); });
   support::GuardWatch<Motion> watch(beginning.setting, run.motion().excitation().has_vertical(), tally);
   support::WatchedMotion watched(run.motion(), watch, overlooked);

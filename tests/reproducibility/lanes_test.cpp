@@ -289,7 +289,7 @@ TEST(Lanes, AllocateNothingInTheInnerLoop) {
     const random::Draws draws(seed, number);
     const Beginning beginning = begin_realisation(condition, draws, start_of(condition.scene, draws), Strobe::poincare,
                                                   strobes_before_window(condition));
-    runs.push_back(std::make_unique<Run>(condition, beginning, [&](dynamics::Observer& observer) {
+    runs.push_back(std::make_unique<Run>(condition, draws, beginning, [&](dynamics::Observer& observer) {
       return motion_of(condition.scene, beginning, observer);
     }));
     scheduler.add(*runs.back());

@@ -22,7 +22,7 @@ RealisationResult Continuation::run(const Condition& of_sweep) {
   const std::int64_t strobes = strobes_before_window(condition);
   const Start start = start_of(condition.scene, draws_);
   const Beginning beginning = begin_realisation(condition, draws_, start, Strobe::poincare, strobes);
-  HorizonRun run(condition, beginning, [&](dynamics::Observer& observer) {
+  HorizonRun run(condition, draws_, beginning, [&](dynamics::Observer& observer) {
     if (!motion_) return motion_of(condition.scene, beginning, observer);
     motion_->observe_with(observer);
     motion_->go_on_under(beginning.setting, in_step_with(motion_->clock(), beginning.clock),

@@ -1,8 +1,10 @@
 #include "rocking/realisation/exponent.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -14,6 +16,7 @@ namespace {
 constexpr double least_growth = 1e-9;  ///< in a period; also where the motion loses its memory of the state
 constexpr double largest_size = 0x1p64;
 constexpr std::size_t batches = 8;
+constexpr std::size_t most_batches = 32;   ///< of several runs
 constexpr std::size_t shortest_batch = 4;  ///< periods
 constexpr std::int64_t longest_run = 8;    ///< in units of the periods of the window
 
@@ -40,19 +43,27 @@ double unit_norm(const dynamics::State& state, double shape_angle) {
 }
 
 /// Mean growth and its standard error from means of successive batches; absent if there are too few periods.
-std::optional<section::ExponentEstimate> estimate_from(const std::vector<double>& growths) {
-  const std::size_t batch = growths.size() / batches;
+std::optional<section::ExponentEstimate> estimate_from(const std::vector<double>& growths,
+                                                       std::size_t count = batches) {
+  const std::size_t batch = growths.size() / count;
   if (batch < shortest_batch) return std::nullopt;
-  std::array<double, batches> means{};
-  for (std::size_t b = 0; b < batches; ++b) {
+  std::array<double, most_batches> values{};
+  const std::span<double> means = std::span(values).first(count);
+  for (std::size_t b = 0; b < count; ++b) {
     const auto first = growths.begin() + static_cast<std::ptrdiff_t>(b * batch);
     means[b] = std::accumulate(first, first + static_cast<std::ptrdiff_t>(batch), 0.0) / static_cast<double>(batch);
   }
-  const double mean = std::accumulate(means.begin(), means.end(), 0.0) / static_cast<double>(batches);
+  const double mean = std::accumulate(means.begin(), means.end(), 0.0) / static_cast<double>(count);
   double squares = 0.0;
   for (const double value : means) squares += (value - mean) * (value - mean);
   return section::ExponentEstimate{.exponent = mean,
-                                   .standard_error = std::sqrt(squares / static_cast<double>(batches * (batches - 1)))};
+                                   .standard_error = std::sqrt(squares / static_cast<double>(count * (count - 1)))};
+}
+
+/// Whether two exponents differ by more than chance.
+bool differ(const section::ExponentEstimate& a, const section::ExponentEstimate& b) {
+  const double error = std::sqrt(a.standard_error * a.standard_error + b.standard_error * b.standard_error);
+  return std::abs(a.exponent - b.exponent) > 3.0 * error;
 }
 
 }  // namespace
@@ -101,7 +112,7 @@ bool TangentRun::go_on(const section::PendingClassification& pending) {
     is_undecided_ = !exponent_ || pending.may_be_decided_later(*exponent_);
   }
   const auto wants_points = [&] {
-    return pending.may_be_quasi_periodic && pending.may_be_quasi_periodic({.points = points_, .exponent = over_all_});
+    return pending.wants_more_points && pending.wants_more_points({.points = points_, .exponent = over_all_});
   };
   if (goal_ >= longest_run * window_ || !(is_undecided_ || wants_points())) return false;
   motion_.extend(goal_);
@@ -113,7 +124,32 @@ ExponentRun TangentRun::result() {
   return {.exponent = exponent_,
           .over_all = over_all_,
           .points = std::move(points_),
-          .stayed_unclear = goal_ >= longest_run * window_ && is_undecided_};
+          .growths = std::move(growths_),
+          .stayed_unclear = goal_ >= longest_run * window_ && is_undecided_,
+          .has_ended = motion_.termination() != dynamics::Termination::reached_horizon};
+}
+
+void ExponentRecord::add(std::int64_t begin, const ExponentRun& run) {
+  const auto before = estimate();
+  const bool is_another = before && run.over_all && differ(*before, *run.over_all);
+  if (is_another) growths_.clear();
+  const auto known = static_cast<std::size_t>(is_another ? 0 : std::max<std::int64_t>(covered_ - begin, 0));
+  if (known < run.growths.size()) {
+    growths_.insert(growths_.end(), run.growths.begin() + static_cast<std::ptrdiff_t>(known), run.growths.end());
+  }
+  covered_ = std::max(covered_, begin + static_cast<std::int64_t>(run.points.size()));
+  ++looks_;
+}
+
+std::optional<section::ExponentEstimate> ExponentRecord::estimate() const {
+  // As many batches as a run has, and more where they are no shorter than those of several runs.
+  const std::size_t count = std::clamp(batches * static_cast<std::size_t>(looks_), batches, most_batches);
+  auto all = estimate_from(growths_, count);
+  if (all && looks_ > 1) {
+    all->periods = static_cast<std::int64_t>(growths_.size());
+    all->looks = looks_;
+  }
+  return all;
 }
 
 void run_alone(TangentRun& run, const section::PendingClassification& pending, base::StopRequest stop) {

@@ -16,7 +16,9 @@ struct ExponentRun {
   std::optional<section::ExponentEstimate> exponent;  ///< of the periods that its sign needed; absent: too few
   std::optional<section::ExponentEstimate> over_all;  ///< of all periods
   std::vector<section::StrobePoint> points;           ///< of its excitation periods
-  bool stayed_unclear = false;                        ///< the longest run that is made did not decide
+  std::vector<double> growths;  ///< ln of the growth of the vectors, for each period in which it was measured
+  bool stayed_unclear = false;  ///< the longest run that is made did not decide
+  bool has_ended = false;       ///< the motion ended before the periods asked for
 };
 
 /// Largest Lyapunov exponent per excitation period of a window, from the derivative of the motion in it. The random
@@ -68,6 +70,22 @@ class TangentRun final : private dynamics::Observer {
   bool is_undecided_ = true;
   dynamics::Observer* recorder_;
   Motion motion_;
+};
+
+/// The exponent of a motion from all runs of its windows. Evidence adds up as long as the exponent stays the same.
+class ExponentRecord {
+ public:
+  /// Takes a run that began with this period. Its periods that an earlier run has covered are not counted again. Where its
+  /// exponent differs by more than three standard errors from that of the runs before, these are forgotten.
+  void add(std::int64_t begin, const ExponentRun& run);
+
+  /// Absent before the first run that had enough periods.
+  [[nodiscard]] std::optional<section::ExponentEstimate> estimate() const;
+
+ private:
+  std::vector<double> growths_;
+  std::int64_t covered_ = 0;  ///< first period that no run has covered
+  int looks_ = 0;
 };
 
 /// Runs the motion on one lane to its end. Throws base::Stopped if it is asked to stop.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "rocking/realisation/exponent.hpp"
+#include "rocking/realisation/orbit_search.hpp"
 #include "rocking/realisation/realisation_result.hpp"
 #include "rocking/realisation/settling_observer.hpp"
 #include "rocking/realisation/start.hpp"
@@ -71,10 +72,13 @@ inline void collect_counts(RealisationResult& result, const Motion& motion, cons
 /// the tangent vectors.
 class HorizonRun {
  public:
-  /// make_motion(observer) returns the motion of the realisation that begins so, scheduled for strobes_before_window.
+  /// `draws`: of the realisation, which begins so. make_motion(observer) returns its motion, scheduled for
+  /// strobes_before_window.
   template <class MakeMotion>
-  HorizonRun(const Condition& condition, const Beginning& beginning, MakeMotion&& make_motion)
+  HorizonRun(const Condition& condition, const random::Draws& draws, const Beginning& beginning,
+             MakeMotion&& make_motion)
       : condition_(&condition),
+        draws_(draws),
         shape_angle_(beginning.setting.block.shape_angle),
         recorder_(beginning.setting.block, condition.horizon.transient_periods + condition.horizon.sampled_periods),
         motion_(make_motion(recorder_)) {
@@ -137,11 +141,13 @@ class HorizonRun {
 
  private:
   void keep_periods();
-  [[nodiscard]] section::PendingClassification classification_without_exponent() const;
+  [[nodiscard]] section::PendingClassification classification_without_exponent();
+  [[nodiscard]] std::optional<section::NearbyOrbit> find_orbit(const section::StrobePoint& near, int periods);
   void take(const section::Classification& newest);
   void take_exponent();
 
   const Condition* condition_;
+  random::Draws draws_;
   double shape_angle_;
   StrobeRecorder recorder_;
   integrate::LoopCounts counts_;
@@ -151,6 +157,8 @@ class HorizonRun {
   section::PendingClassification pending_;
   std::optional<TangentRun> tangent_run_;
   std::optional<SettlingObserver> settling_;
+  ExponentRecord known_exponents_;     ///< of the windows up to now, while the response is not classified
+  std::optional<OrbitSearch> orbits_;  ///< once one was asked for
   section::ResponseMode newest_mode_;
 };
 
@@ -171,11 +179,16 @@ inline TangentRun* HorizonRun::classify() {
     if (!tangent_run_) tangent_run_.emplace(*at_window_, shape_angle_, condition_->horizon.sampled_periods);
     return &*tangent_run_;
   }
-  take(pending_.classification ? *pending_.classification : pending_.with_exponent(std::nullopt, {}));
+  take(pending_.classification ? *pending_.classification : pending_.with_exponent(known_exponents_.estimate(), {}));
   return nullptr;
 }
 
-inline section::PendingClassification HorizonRun::classification_without_exponent() const {
+inline std::optional<section::NearbyOrbit> HorizonRun::find_orbit(const section::StrobePoint& near, int periods) {
+  if (!orbits_) orbits_.emplace(*condition_, draws_);
+  return orbits_->find(near, periods);
+}
+
+inline section::PendingClassification HorizonRun::classification_without_exponent() {
   const auto is = [](const section::Classification& classification) {
     section::PendingClassification found;
     found.classification = classification;
@@ -190,9 +203,11 @@ inline section::PendingClassification HorizonRun::classification_without_exponen
   if (termination != dynamics::Termination::reached_horizon) return is({});
   if (!motion_.excitation().is_periodic()) return is(classification_after_shaking(recorder_.periods()));
   const std::int64_t sampled = condition_->horizon.sampled_periods;
-  return section::classify({.periods = std::span(recorder_.periods()).last(static_cast<std::size_t>(sampled)),
-                            .random = is_random(condition_->scene),
-                            .resolution = resolution_of(condition_->tolerance)});
+  return section::classify(
+      {.periods = std::span(recorder_.periods()).last(static_cast<std::size_t>(sampled)),
+       .random = is_random_along_the_way(condition_->scene),
+       .resolution = resolution_of(condition_->tolerance),
+       .find_orbit = [this](const section::StrobePoint& near, int periods) { return find_orbit(near, periods); }});
 }
 
 /// Takes the classification of the newest window.
@@ -211,8 +226,13 @@ inline void HorizonRun::take_exponent() {
   tangent_run_.reset();
   result_.operations.exponent_periods += run.points.size();
   const bool is_of_long_run = settling_ && settling_->has_only_long_run();
-  if (run.exponent && !is_of_long_run) result_.exponent = run.exponent;
-  take(pending_.with_exponent(run.exponent, {.points = run.points, .exponent = run.over_all}));
+  auto exponent = run.exponent;
+  if (settling_) {
+    known_exponents_.add(settling_->window_begin(), run);
+    if (settling_->is_continued()) exponent = known_exponents_.estimate();
+  }
+  if (exponent && !is_of_long_run) result_.exponent = exponent;
+  take(pending_.with_exponent(exponent, {.points = run.points, .exponent = run.over_all, .has_ended = run.has_ended}));
   const bool is_quasi_periodic = newest_mode_.kind == section::ResponseKind::quasi_periodic;
   if (is_quasi_periodic && !is_of_long_run) result_.exponent = run.over_all;
   if (settling_ && run.stayed_unclear && !is_quasi_periodic) settling_->pause_exponents();

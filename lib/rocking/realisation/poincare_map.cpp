@@ -11,7 +11,9 @@
 namespace rocking {
 namespace {
 
-constexpr double largest_tolerance = 1e-16;
+constexpr double largest_tolerance(PoincareMap::Detail detail) {
+  return detail == PoincareMap::Detail::everything ? 1e-16 : 1e-13;
+}
 
 /// Sides times slip directions after a change of contact: each is negative, absent or positive.
 constexpr int directions = 9;
@@ -74,9 +76,9 @@ Scene from_section(Scene scene) {
   return scene;
 }
 
-Beginning beginning_of(Condition condition) {
+Beginning beginning_of(Condition condition, PoincareMap::Detail detail) {
   condition.scene = from_section(std::move(condition.scene));
-  condition.tolerance = std::min(condition.tolerance, largest_tolerance);
+  condition.tolerance = std::min(condition.tolerance, largest_tolerance(detail));
   const random::Draws draws(0, 0);
   return begin_realisation(condition, draws, start_of(condition.scene, draws), Strobe::poincare, 1);
 }
@@ -111,8 +113,8 @@ ContactSequence mirrored(const ContactSequence& sequence) {
   return mirror;
 }
 
-PoincareMap::PoincareMap(const Condition& condition)
-    : scene_(from_section(condition.scene)), at_zero_(beginning_of(condition)) {
+PoincareMap::PoincareMap(const Condition& condition, Detail detail)
+    : scene_(from_section(condition.scene)), detail_(detail), at_zero_(beginning_of(condition, detail)) {
   ROCKING_EXPECT(!is_random(condition.scene));
 }
 
@@ -131,7 +133,7 @@ std::optional<PoincareImage> PoincareMap::image(const section::StrobePoint& from
   TangentMotion<Motion, 3> motion(motion_of(scene_, begin, observer),
                                   {{{.tilt = 1.0}, {.tilt_rate = 1.0}, {.slip_rate = 1.0}}});
   GuardLog log;
-  motion.log_guards(log);
+  if (detail_ == Detail::everything) motion.log_guards(log);
   observer.strobe(motion.state());  // the edge about which the block turns at the start
   integrate::advance(motion);
   if (motion.termination() != dynamics::Termination::reached_horizon) return std::nullopt;

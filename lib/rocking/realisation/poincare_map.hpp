@@ -45,11 +45,15 @@ struct PoincareImage {
 /// The Poincare map of a condition with harmonic excitation in which nothing is random: from an instant at which the
 /// argument of the excitation is a multiple of 2 pi to later ones. X is no coordinate: nothing depends on it.
 ///
-/// The tolerance of its steps is at most 1e-16, so that the map is smooth up to rounding between events.
 class PoincareMap {
  public:
+  /// What is kept of an image. `everything`: all of it, with steps of a tolerance of at most 1e-16, so that the map is
+  /// smooth up to rounding between events. `states_and_derivative`: no crossings and minima of guards, and steps of at
+  /// most 1e-13.
+  enum class Detail : std::uint8_t { everything, states_and_derivative };
+
   /// Precondition: the condition is valid, periodic and not random.
-  explicit PoincareMap(const Condition& condition);
+  explicit PoincareMap(const Condition& condition, Detail detail = Detail::everything);
 
   /// Whether the mirror image of a motion is a motion.
   [[nodiscard]] bool has_mirror_symmetry() const { return rocking::has_mirror_symmetry(scene_); }
@@ -72,6 +76,7 @@ class PoincareMap {
   [[nodiscard]] Beginning beginning(const section::StrobePoint& from, const dynamics::Schedule& schedule) const;
 
   Scene scene_;
+  Detail detail_;
   Beginning at_zero_;
 };
 

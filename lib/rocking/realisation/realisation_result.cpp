@@ -21,7 +21,7 @@ RealisationResult realise_unchecked(const Condition& condition, std::uint64_t se
   const Start start = start_of(condition.scene, draws);
   const Beginning beginning =
       begin_realisation(condition, draws, start, Strobe::poincare, strobes_before_window(condition));
-  HorizonRun run(condition, beginning,
+  HorizonRun run(condition, draws, beginning,
                  [&](dynamics::Observer& observer) { return motion_of(condition.scene, beginning, observer); });
   if (has_long_run(condition, realisation)) run.observe_long_run();
   return run_alone(run, stop);

@@ -47,9 +47,9 @@ struct TangentsInProgress {
 /// A realisation in the scheduler, with the caller's id.
 struct RealisationInProgress : HorizonRun {
   template <class MakeMotion>
-  RealisationInProgress(const Condition& condition, const Beginning& beginning, std::size_t its_id,
-                        ExponentNeed& of_condition, MakeMotion&& make_motion)
-      : HorizonRun(condition, beginning, make_motion), id(its_id), need(of_condition) {}
+  RealisationInProgress(const Condition& condition, const random::Draws& draws, const Beginning& beginning,
+                        std::size_t its_id, ExponentNeed& of_condition, MakeMotion&& make_motion)
+      : HorizonRun(condition, draws, beginning, make_motion), id(its_id), need(of_condition) {}
 
   /// As that of HorizonRun; also false, with `tangents`, where the window is run with tangent vectors.
   [[nodiscard]] bool go_on() {
@@ -103,7 +103,7 @@ class RealisationScheduler::Implementation {
     const Beginning beginning =
         begin_realisation(condition, draws, start, Strobe::poincare, strobes_before_window(condition));
     runs_.push_back(std::make_unique<RealisationInProgress>(
-        condition, beginning, id, needs_[&condition], [&](dynamics::Observer& observer) {
+        condition, draws, beginning, id, needs_[&condition], [&](dynamics::Observer& observer) {
           return motion_of(beginning, observer, excitation_.of(condition.scene, beginning));
         }));
     if (has_long_run(condition, run.realisation)) runs_.back()->observe_long_run();

@@ -85,6 +85,8 @@ class SettlingObserver {
   /// Whether the newest window is observed for the long run alone. The classification and the values of the motion are
   /// those from before it.
   [[nodiscard]] bool has_only_long_run() const { return has_only_long_run_; }
+  /// The first period of the newest window.
+  [[nodiscard]] std::int64_t window_begin() const { return observed_ - horizon_->sampled_periods; }
   /// Whether the newest window lies after the fixed horizon.
   [[nodiscard]] bool is_continued() const { return continued_.has_value(); }
   [[nodiscard]] const section::Classification& classification() const { return classification_; }

@@ -77,12 +77,16 @@ bool has_mirror_symmetry(const Scene& scene) {
   return sine && sine->periods == 1.0 && 0.5 * sine->cycles == std::floor(0.5 * sine->cycles);
 }
 
+bool is_random_along_the_way(const Scene& scene) {
+  const Fluctuation& f = scene.fluctuation;
+  return f.static_friction > 0.0 || f.kinetic_friction > 0.0 || f.restitution > 0.0 || f.amplitude > 0.0;
+}
+
 bool is_random(const Scene& scene) {
   bool has_law = false;
   for_each_quantity(scene,
                     [&](const QuantityPlace&, const Quantity& quantity) { has_law = has_law || is_drawn(quantity); });
-  const Fluctuation& f = scene.fluctuation;
-  return f.static_friction > 0.0 || f.kinetic_friction > 0.0 || f.restitution > 0.0 || f.amplitude > 0.0 || has_law;
+  return has_law || is_random_along_the_way(scene);
 }
 
 std::uint64_t effective_realisations(const Condition& condition) {

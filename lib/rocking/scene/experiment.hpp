@@ -330,6 +330,9 @@ struct Experiment {
 /// then as before.
 [[nodiscard]] bool has_mirror_symmetry(const Scene& scene);
 
+/// Whether anything is drawn while a realisation moves. What is drawn once, at its start, makes nothing random within it.
+[[nodiscard]] bool is_random_along_the_way(const Scene& scene);
+
 /// Whether any quantity of the scene is random. If not, all realisations are equal and one suffices.
 [[nodiscard]] bool is_random(const Scene& scene);
 

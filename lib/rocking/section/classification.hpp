@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -17,6 +19,12 @@ struct StrobePoint {
   double slip_rate = 0.0;  ///< V [-]
 };
 
+/// Largest difference in Theta, Theta' or V.
+[[nodiscard]] inline double distance(const StrobePoint& a, const StrobePoint& b) {
+  return std::max(
+      {std::abs(a.tilt - b.tilt), std::abs(a.tilt_rate - b.tilt_rate), std::abs(a.slip_rate - b.slip_rate)});
+}
+
 /// One excitation period and the strobe point at its end.
 struct Period {
   StrobePoint point;
@@ -32,9 +40,10 @@ enum class Reason : std::uint8_t {
   never_moved,         ///< rest
   came_to_rest,        ///< rest, under a recorded excitation: moved, and is at rest at the end
   points_coincide,     ///< periodic: the strobe points repeat to within the resolution
-  points_converge,     ///< periodic: successive returns come closer geometrically, and little drift remains
+  stable_orbit,        ///< periodic: the points tend to a stable orbit that Newton's method found
   tight_clouds,        ///< periodic: clouds visited in cyclic order, very small compared with the motion
   contracting_clouds,  ///< periodic: large clouds visited in cyclic order, and a negative exponent
+  clouds_about_orbit,  ///< periodic: clouds about a stable orbit of the motion without noise, and a negative exponent
   closed_curves,       ///< quasi-periodic: on closed curves in the order of a rotation, and an exponent of zero
   positive_exponent,   ///< chaotic
   too_few_points,      ///< unresolved: the horizon is too short for any rule
@@ -54,11 +63,11 @@ enum class Reason : std::uint8_t {
 
 /// The names of the reasons, in the order of their declaration.
 inline constexpr auto reason_names = std::to_array<std::string_view>(
-    {"never_moved",        "came_to_rest",     "points_coincide",   "points_converge", "tight_clouds",
-     "contracting_clouds", "closed_curves",    "positive_exponent", "too_few_points",  "still_converging",
-     "not_periodic",       "exponent_unclear", "clouds_overlap",    "period_too_long", "out_of_order",
-     "not_stationary",     "changed_regime",   "phase_jump",        "interrupted",     "slow_memory",
-     "impacts_irregular"});
+    {"never_moved",        "came_to_rest",       "points_coincide",  "stable_orbit",      "tight_clouds",
+     "contracting_clouds", "clouds_about_orbit", "closed_curves",    "positive_exponent", "too_few_points",
+     "still_converging",   "not_periodic",       "exponent_unclear", "clouds_overlap",    "period_too_long",
+     "out_of_order",       "not_stationary",     "changed_regime",   "phase_jump",        "interrupted",
+     "slow_memory",        "impacts_irregular"});
 static_assert(reason_names.size() == static_cast<std::size_t>(Reason::impacts_irregular) + 1);
 
 [[nodiscard]] constexpr std::string_view to_string(Reason reason) {

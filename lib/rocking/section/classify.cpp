@@ -1,9 +1,11 @@
 #include "rocking/section/classify.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <numeric>
 #include <vector>
 
 #include "rocking/base/error.hpp"
@@ -23,10 +25,14 @@ enum class Sign : std::uint8_t { negative, unclear, positive };
 struct ExponentFinding {
   Sign sign = Sign::unclear;
   double margin = 0.0;
+  double least_decay =
+      0.0;  ///< if negative: lower limit of the rate at which deviations shrink, one standard error off
 };
 
 /// The exponent differs clearly from zero if it exceeds a number of standard errors and if it changes a distance by
-/// more than a factor over the window. A smaller change could not be seen in the window itself.
+/// more than a factor over its periods. A smaller change could not be seen in them. At the k-th look the number of
+/// standard errors is sqrt(1 + ln k) times as large: the chance of a wrong sign is then below k^-4.5 times that at the first,
+/// and over all looks below 1.3 times.
 double clear_distance(const ExponentEstimate& estimate, double standard_errors, double periods,
                       const Thresholds& thresholds) {
   return std::max(standard_errors * estimate.standard_error, thresholds.clear_growth / periods);
@@ -34,10 +40,14 @@ double clear_distance(const ExponentEstimate& estimate, double standard_errors, 
 
 ExponentFinding judge(const std::optional<ExponentEstimate>& estimate, double periods, const Thresholds& thresholds) {
   if (!estimate) return {};
-  const double needed = clear_distance(*estimate, thresholds.clear_standard_errors, periods, thresholds);
+  const double looks = std::sqrt(1.0 + base::natural_logarithm(static_cast<double>(estimate->looks)));
+  const double over = estimate->periods > 0 ? static_cast<double>(estimate->periods) : periods;
+  const double needed = clear_distance(*estimate, thresholds.clear_standard_errors * looks, over, thresholds);
   const double margin = std::min(std::max(estimate->exponent, -estimate->exponent) / needed, largest_margin);
   if (estimate->exponent > needed) return {Sign::positive, margin};
-  if (estimate->exponent < -needed) return {Sign::negative, margin};
+  if (estimate->exponent < -needed) {
+    return {Sign::negative, margin, -estimate->exponent - estimate->standard_error};
+  }
   return {};
 }
 
@@ -65,21 +75,28 @@ Classification quasi_periodic(const ClosedCurves& found) {
 }
 
 /// decide(judged) returns the classification. What it leaves unresolved is quasi-periodic if the points lie on closed
-/// curves and the exponent may be zero.
+/// curves and the exponent may be zero. Without noise, growth that is no faster than on closed curves is no chaos, and growth
+/// is followed as far as exponents are, since a motion may be chaotic for long before it comes to an orbit.
 template <class Decide>
 PendingClassification by_exponent(const ClassifierInput& input, DecisiveSigns decisive, Decide decide) {
   const auto window = static_cast<double>(input.periods.size());
   const Thresholds& thresholds = input.thresholds;
   const double resolution = input.resolution;
+  const bool is_noise_free = !input.random;
   const auto may_be_closed = [](const LongSection& all) {
     return all.exponent && may_be_zero(*all.exponent, all.points.size());
   };
   const auto with_exponent = [=](const std::optional<ExponentEstimate>& estimate,
                                  const LongSection& all) -> Classification {
-    const Classification decided = decide(judge(estimate, window, thresholds));
-    const bool is_open =
-        decided.mode.kind == ResponseKind::unresolved && judge(all.exponent, window, thresholds).sign == Sign::unclear;
-    if (!is_open || !may_be_closed(all)) return decided;
+    ExponentFinding judged = judge(estimate, window, thresholds);
+    if (is_noise_free && judged.sign == Sign::positive) {
+      if (all.has_ended) return unresolved(Reason::changed_regime, true);
+      judged = judge(all.exponent, window, thresholds);
+      if (judged.sign == Sign::positive && may_be_closed(all)) judged = {};
+    }
+    const Classification decided = decide(judged);
+    if (decided.mode.kind != ResponseKind::unresolved || !may_be_closed(all)) return decided;
+    if (!is_noise_free && judge(all.exponent, window, thresholds).sign != Sign::unclear) return decided;
     const auto curves = find_closed_curves(all.points, resolution, thresholds);
     return curves ? quasi_periodic(*curves) : decided;
   };
@@ -87,12 +104,13 @@ PendingClassification by_exponent(const ClassifierInput& input, DecisiveSigns de
     return may_be_decided_later(estimate, decisive, window, thresholds);
   };
   const auto more_points = [=](const LongSection& all) {
+    if (is_noise_free && judge(all.exponent, window, thresholds).sign == Sign::positive) return true;
     return may_be_closed(all) && may_be_closed_curves(all.points, resolution, thresholds);
   };
   return {.classification = std::nullopt,
           .with_exponent = with_exponent,
           .may_be_decided_later = later,
-          .may_be_quasi_periodic = more_points};
+          .wants_more_points = more_points};
 }
 
 PendingClassification classified(const Classification& classification) {
@@ -105,18 +123,51 @@ Classification chaotic(const ExponentFinding& exponent) {
   return {{ResponseKind::chaotic, 0, 0}, Reason::positive_exponent, false, exponent.margin};
 }
 
+/// The orbit that the points tend to, sought over each of these numbers of periods.
+std::optional<Classification> first_approached(const ClassifierInput& input, std::span<const int> candidates) {
+  for (const int n : candidates) {
+    const auto found = approached_orbit(input.periods, n, input.find_orbit, input.resolution, input.thresholds);
+    if (found) return found;
+  }
+  return std::nullopt;
+}
+
+std::optional<Classification> approached_over_any_period(const ClassifierInput& input) {
+  std::array<int, longest_period> all{};
+  std::iota(all.begin(), all.end(), 1);
+  return first_approached(input, all);
+}
+
 PendingClassification classify_noise_free(const ClassifierInput& input) {
   if (input.periods.size() < fewest_noise_free) return classified(unresolved(Reason::too_few_points));
-  if (const auto classification = find_recurrence(input.periods, input.resolution, input.thresholds))
-    return classified(*classification);
-  return by_exponent(input, {.negative = false, .positive = true}, [](const ExponentFinding& judged) {
-    switch (judged.sign) {
-      case Sign::positive: return chaotic(judged);
-      case Sign::negative: return unresolved(Reason::not_periodic);
-      case Sign::unclear: break;
-    }
-    return unresolved(Reason::exponent_unclear);
+  const Recurrence recurrence = find_recurrence(input.periods, input.resolution, input.thresholds);
+  if (recurrence.classification) return classified(*recurrence.classification);
+  if (const auto found = first_approached(input, recurrence.candidates)) return classified(*found);
+  if (!recurrence.candidates.empty()) {
+    return classified(approached_over_any_period(input).value_or(unresolved(Reason::still_converging, true)));
+  }
+  return by_exponent(input, {.negative = false, .positive = true}, [input](const ExponentFinding& judged) {
+    if (judged.sign == Sign::positive) return chaotic(judged);
+    if (const auto found = approached_over_any_period(input)) return *found;
+    return unresolved(judged.sign == Sign::negative ? Reason::not_periodic : Reason::exponent_unclear);
   });
+}
+
+/// `settled`, held by the margin of the exponent too.
+Classification confirmed(Classification settled, const ExponentFinding& negative) {
+  settled.margin = std::min(settled.margin, negative.margin);
+  return settled;
+}
+
+/// The response of clouds whose exponent is negative and that are not clear by themselves.
+std::optional<Classification> about_orbit(const ClassifierInput& input, const Finding& finding) {
+  if (finding.periods == 0) return std::nullopt;
+  const auto found =
+      clouds_about_orbit(input.periods, finding.periods, input.find_orbit, input.resolution, input.thresholds);
+  // Clouds that overlap are not told apart by an orbit: only a divisor of their number is.
+  const bool overlap = finding.classification.reason == Reason::clouds_overlap;
+  if (!found || (overlap && found->mode.periods == finding.periods)) return std::nullopt;
+  return found;
 }
 
 /// Classifies a response that is not described by n clouds over the whole window.
@@ -127,29 +178,49 @@ PendingClassification classify_unsteady(const ClassifierInput& input, const Find
       clouds_stay ? RegimeChange{} : find_regimes(input.periods, input.resolution, input.thresholds);
   Classification fallback = finding.classification;
   if (change.reason) fallback = unresolved(*change.reason, *change.reason == Reason::changed_regime);
-  if (!change.last_regime && finding.need == ExponentNeed::none) return classified(fallback);
+  const bool may_be_about_orbit =
+      finding.need != ExponentNeed::none && !change.reason && !change.last_regime && !clouds_stay;
+  const auto about = may_be_about_orbit ? about_orbit(input, finding) : std::nullopt;
+  // An orbit alone is no reason to run more periods than those of the window.
   const DecisiveSigns decisive{.negative = change.last_regime.has_value(),
                                .positive = finding.need == ExponentNeed::to_find_chaos};
-  return by_exponent(input, decisive, [fallback, decisive, last = change.last_regime](const ExponentFinding& judged) {
+  const auto settled = change.last_regime ? change.last_regime : about;
+  if (!settled && !decisive.positive) return classified(fallback);
+  return by_exponent(input, decisive, [fallback, decisive, settled](const ExponentFinding& judged) {
     if (judged.sign == Sign::positive && decisive.positive) return chaotic(judged);
-    if (judged.sign != Sign::negative || !last) return fallback;
-    Classification settled = *last;
-    settled.margin = std::min(settled.margin, judged.margin);
-    return settled;
+    return judged.sign == Sign::negative && settled ? confirmed(*settled, judged) : fallback;
   });
+}
+
+/// What the points of several clouds say without noise: where none acts on the motion, as on a block that does not slide,
+/// slow spirals and doublings look like clouds of a multiple of the period.
+std::optional<Classification> of_noise_free_points(const ClassifierInput& input, const Finding& finding) {
+  const Recurrence recurrence = find_recurrence(input.periods, input.resolution, input.thresholds);
+  const auto found =
+      recurrence.classification ? recurrence.classification : first_approached(input, recurrence.candidates);
+  const bool is_another =
+      found && found->mode.kind == ResponseKind::periodic && found->mode != finding.classification.mode;
+  return is_another ? found : std::nullopt;
 }
 
 PendingClassification classify_random(const ClassifierInput& input) {
   if (input.periods.size() < fewest_random) return classified(unresolved(Reason::too_few_points));
   const Finding finding = find_clouds(input.periods, input.resolution, input.thresholds);
-  if (finding.classification.mode.kind == ResponseKind::unresolved) return classify_unsteady(input, finding);
+  const bool is_unresolved = finding.classification.mode.kind == ResponseKind::unresolved;
+  if (finding.periods != 1 || is_unresolved) {
+    if (const auto found = of_noise_free_points(input, finding)) return classified(*found);
+  }
+  if (is_unresolved) return classify_unsteady(input, finding);
   if (finding.need == ExponentNeed::none) return classified(finding.classification);
-  const auto decide = [classification = finding.classification](const ExponentFinding& judged) {
+  const auto decide = [input, finding](const ExponentFinding& judged) {
+    const Classification& classification = finding.classification;
     if (judged.sign == Sign::positive) return chaotic(judged);
     if (judged.sign == Sign::unclear) return unresolved(Reason::exponent_unclear, classification.in_transient);
-    Classification settled = classification;
-    settled.margin = std::min(settled.margin, judged.margin);
-    return settled;
+    if (are_apart(finding, input.periods.size(), judged.least_decay, input.thresholds)) {
+      return confirmed(classification, judged);
+    }
+    const auto found = about_orbit(input, finding);
+    return found ? confirmed(*found, judged) : unresolved(Reason::slow_memory, true);
   };
   return by_exponent(input, {.negative = true, .positive = true}, decide);
 }

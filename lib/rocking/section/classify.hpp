@@ -1,10 +1,12 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <span>
 
 #include "rocking/section/classification.hpp"
+#include "rocking/section/nearby_orbit.hpp"
 #include "rocking/section/thresholds.hpp"
 
 namespace rocking::section {
@@ -13,6 +15,8 @@ namespace rocking::section {
 struct ExponentEstimate {
   double exponent = 0.0;        ///< [1/period]
   double standard_error = 0.0;  ///< [1/period]
+  std::int64_t periods = 0;     ///< over which it was taken, where those are more than the window; else 0
+  int looks = 1;                ///< at its sign up to now, each with more periods than the one before
 };
 
 /// Returns the exponent of the response, or nothing if it could not be computed. Expensive.
@@ -23,6 +27,7 @@ using ExponentSource = std::function<std::optional<ExponentEstimate>()>;
 struct LongSection {
   std::span<const StrobePoint> points;
   std::optional<ExponentEstimate> exponent;  ///< over all of them
+  bool has_ended = false;                    ///< the motion overturned after them
 };
 
 /// A classification, or functions that complete it once the exponent is known.
@@ -32,23 +37,25 @@ struct PendingClassification {
   /// Whether the exponent of more periods is wanted: this estimate has a sign that would decide, but is not far enough
   /// from zero. A motion may diverge or converge for the length of a window and do the opposite later.
   std::function<bool(const ExponentEstimate&)> may_be_decided_later;
-  /// Whether more points are wanted, because these may lie on closed curves. May be empty: never.
-  std::function<bool(const LongSection&)> may_be_quasi_periodic;
+  /// Whether more points are wanted, because these may lie on closed curves, or may be of chaos that ends. May be empty: never.
+  std::function<bool(const LongSection&)> wants_more_points;
 };
 
 struct ClassifierInput {
   std::span<const Period> periods;  ///< the sampled periods, in order and without gaps
-  bool random = false;              ///< whether any quantity of the scene is random
+  bool random = false;              ///< whether anything is random along the way
   double resolution = 1e-7;         ///< accuracy of a strobe point, in units of Theta; > 0
   Thresholds thresholds = {};
+  OrbitSource find_orbit = {};  ///< may be empty: then no label is given that needs an orbit
 };
 
 /// Classifies a realisation that did not overturn.
 ///
-/// Noise-free: n is the smallest number of periods <= 12 after which strobe points repeat. Random: n is the number of
-/// clouds that are visited in cyclic order; it is found from spectral lines that exceed their neighbourhood. m follows
-/// from the impacts. If these do not decide, the exponent does. A random response that settles within the window is
-/// classified by the part after that. What is not clear is unresolved.
+/// Noise-free: n <= 12 is the period of the stable orbit that the strobe points tend to. Random: n is the number of
+/// clouds that are visited in cyclic order; it is found from spectral lines that exceed their neighbourhood, and by the
+/// orbit of the motion without noise where the clouds move slowly. m follows from the impacts. If these do not decide,
+/// the exponent does. A random response that settles within the window is classified by the part after that. What is not
+/// clear is unresolved.
 ///
 /// The thresholds are derived in lib/docs/methods-classification.md. The same input gives the same bits everywhere.
 /// Cost: linear memory and O(N) time; some tens of passes if random, a few times as many if the response settles late.

@@ -65,9 +65,9 @@ std::optional<Phases> find_phases(std::span<const PlanePoint> points, double res
 }
 
 /// The smallest of the separations that distinguish n from its divisors; infinite for n = 1.
-double least_distance(const Clouds& clouds) {
+double least_distance(std::span<const Separation> apart) {
   double least = std::numeric_limits<double>::infinity();
-  for (const Separation& s : separations(clouds)) least = std::min(least, s.distance);
+  for (const Separation& s : apart) least = std::min(least, s.distance);
   return least;
 }
 
@@ -85,22 +85,26 @@ bool moves_with_time(std::span<const PlanePoint> points, const Clouds& clouds, d
 /// Factor by which the separation of the clouds exceeds the required one; the smallest over the largest proper divisors
 /// d of n, of which the window holds N/d cycles. If there are few cycles, noise with memory from cycle to cycle can
 /// look like separate clouds.
-double separation_margin(const Clouds& clouds, const Thresholds& thresholds) {
+/// `memory_of(divisor)`: correlation of deviations from cycle to cycle.
+template <class Memory>
+double separation_margin(std::span<const Separation> apart, std::size_t periods, const Thresholds& thresholds,
+                         Memory memory_of) {
   double margin = largest_margin;
-  for (const Separation& s : separations(clouds)) {
-    const double cycles = static_cast<double>(clouds.deviations.size()) / static_cast<double>(s.divisor);
+  for (const Separation& s : apart) {
+    const double cycles = static_cast<double>(periods) / static_cast<double>(s.divisor);
+    const double independence = (1.0 - memory_of(s.divisor)) / (1.0 - thresholds.usual_memory);
     const double grown =
-        base::natural_logarithm(std::max(0.5 * s.distance, 1.0)) * cycles / thresholds.separation_growth;
+        base::natural_logarithm(std::max(0.5 * s.distance, 1.0)) * cycles * independence / thresholds.separation_growth;
     margin = std::min({margin, s.distance / thresholds.least_separation, grown});
   }
   return margin;
 }
 
-bool are_tiny(const Clouds& clouds, double resolution, double tiny_share) {
+bool are_tiny(const Clouds& clouds, std::span<const Separation> apart, double resolution, double tiny_share) {
   const double deviation = largest_deviation(clouds.scatter);
   const double extent = extent_of(clouds);
   const bool at_resolution = deviation <= 10.0 * resolution;
-  return (at_resolution || deviation <= tiny_share * extent) && least_distance(clouds) >= 1.0 / tiny_share;
+  return (at_resolution || deviation <= tiny_share * extent) && least_distance(apart) >= 1.0 / tiny_share;
 }
 
 struct Strays {
@@ -117,14 +121,6 @@ Strays find_strays(std::span<const PlanePoint> points, const Clouds& clouds, con
   return {count / static_cast<double>(points.size()), 2 * at_end > last};
 }
 
-Finding uncleared_count(Reason reason, bool in_transient = false) {
-  return {unresolved(reason, in_transient), ExponentNeed::to_find_chaos};
-}
-
-Finding final_significance(Reason reason, bool in_transient = false) {
-  return {unresolved(reason, in_transient), ExponentNeed::none};
-}
-
 }  // namespace
 
 std::vector<PlanePoint> plane_points(std::span<const Period> periods) {
@@ -138,29 +134,50 @@ std::vector<PlanePoint> plane_points(std::span<const Period> periods) {
   return points;
 }
 
+bool are_apart(const Finding& finding, std::size_t periods, double decay, const Thresholds& thresholds) {
+  const auto memory = [decay](std::size_t divisor) {
+    return base::exponential(std::max(-decay * static_cast<double>(divisor), -700.0));
+  };
+  return separation_margin(finding.apart, periods, thresholds, memory) >= 1.0;
+}
+
+bool are_out_of_order(std::span<const PlanePoint> points, const Clouds& clouds, const Thresholds& thresholds) {
+  const Strays astray = find_strays(points, clouds, thresholds);
+  return astray.at_the_end || astray.share > thresholds.largest_stray_share;
+}
+
 Finding find_clouds(std::span<const Period> periods, double resolution, const Thresholds& thresholds) {
   ROCKING_EXPECT(periods.size() >= 4 * static_cast<std::size_t>(longest_period));
   const std::vector<PlanePoint> points = plane_points(periods);
   const double line_chance = thresholds.line_chance / line_count;
   std::optional<Phases> phases = find_phases(points, resolution, line_chance);
-  if (!phases) return uncleared_count(Reason::period_too_long);
+  if (!phases) return {unresolved(Reason::period_too_long), ExponentNeed::to_find_chaos};
 
   const Clouds clouds = clouds_about(std::move(phases->centres), std::move(phases->deviations), resolution);
-  const double apart = separation_margin(clouds, thresholds);
+  Finding found{.classification = {}, .periods = phases->n, .apart = separations(clouds)};
+  const auto without = [&found](Reason reason, ExponentNeed need, bool in_transient = false) {
+    found.classification = unresolved(reason, in_transient);
+    found.need = need;
+    return found;
+  };
+  const double apart =
+      separation_margin(found.apart, points.size(), thresholds, [&](std::size_t) { return thresholds.usual_memory; });
   const bool moving = moves_with_time(points, clouds, resolution, thresholds.chance_per_cut);
-  const bool tiny = are_tiny(clouds, resolution, thresholds.tiny_share);
-  if (apart < 1.0) return uncleared_count(Reason::clouds_overlap, moving);
+  const bool tiny = are_tiny(clouds, found.apart, resolution, thresholds.tiny_share);
+  if (apart < 1.0) return without(Reason::clouds_overlap, ExponentNeed::to_find_chaos, moving);
   const Strays astray = find_strays(points, clouds, thresholds);
-  if (astray.at_the_end) return final_significance(Reason::not_stationary, true);
-  if (astray.share > thresholds.largest_stray_share) return uncleared_count(Reason::out_of_order, moving);
-  if (moving && !tiny) return final_significance(Reason::not_stationary, true);
+  if (astray.at_the_end) return without(Reason::not_stationary, ExponentNeed::none, true);
+  if (astray.share > thresholds.largest_stray_share) {
+    return without(Reason::out_of_order, ExponentNeed::to_find_chaos, moving);
+  }
+  if (moving && !tiny) return without(Reason::not_stationary, ExponentNeed::to_find_orbit, true);
   if (!tiny && has_longer_memory(clouds, resolution, thresholds.longest_memory)) {
-    return uncleared_count(Reason::slow_memory, true);
+    return without(Reason::slow_memory, ExponentNeed::to_find_chaos, true);
   }
 
   const Rocks rocks = count_rocks(periods, phases->n);
   if (rocks.regular_share < thresholds.least_regular_share) {
-    return tiny ? final_significance(Reason::impacts_irregular) : uncleared_count(Reason::impacts_irregular);
+    return without(Reason::impacts_irregular, tiny ? ExponentNeed::none : ExponentNeed::to_find_chaos);
   }
   double margin = apart;
   // The chance of the strongest line that was not accepted is computed only if it may decide.
@@ -170,8 +187,9 @@ Finding find_clouds(std::span<const Period> periods, double resolution, const Th
   }
   margin = std::clamp(margin, 1.0, largest_margin);
   const Reason reason = tiny ? Reason::tight_clouds : Reason::contracting_clouds;
-  return {{periodic(rocks.rocks, phases->n), reason, moving, margin},
-          tiny ? ExponentNeed::none : ExponentNeed::to_confirm};
+  found.classification = {periodic(rocks.rocks, phases->n), reason, moving, margin};
+  found.need = tiny ? ExponentNeed::none : ExponentNeed::to_confirm;
+  return found;
 }
 
 }  // namespace rocking::section

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "rocking/section/classification.hpp"
+#include "rocking/section/clouds.hpp"
 #include "rocking/section/plane.hpp"
 #include "rocking/section/thresholds.hpp"
 
@@ -16,11 +17,14 @@ enum class ExponentNeed : std::uint8_t {
   none,           ///< the classification is final
   to_confirm,     ///< the classification holds if the exponent is negative
   to_find_chaos,  ///< the classification, unresolved, holds unless the exponent is positive
+  to_find_orbit,  ///< the same, unless the exponent is negative and the clouds lie about a stable orbit
 };
 
 struct Finding {
   Classification classification;
   ExponentNeed need = ExponentNeed::none;
+  int periods = 0;                     ///< n: number of clouds; 0 if it is above longest_period
+  std::vector<Separation> apart = {};  ///< of the clouds from those of the divisors of n
 };
 
 /// The points in the plane in which they are compared: (Theta, Theta'), or (V, 0) for a block that never rocked.
@@ -32,6 +36,14 @@ struct Finding {
 /// order and stationary over the window, and deviations must decay fast enough. Needs at least 48 periods.
 [[nodiscard]] Finding find_clouds(std::span<const Period> periods, double resolution,
                                   const Thresholds& thresholds = {});
+
+/// Whether clouds are farther apart than noise makes them by chance whose deviations shrink by so much per period (> 0). A
+/// motion that returns slowly to an orbit of a divisor of n keeps its phase for a part of the window, and looks like n clouds.
+[[nodiscard]] bool are_apart(const Finding& finding, std::size_t periods, double decay, const Thresholds& thresholds);
+
+/// Whether too many points, or those at the end, are not in the cloud that should come next.
+[[nodiscard]] bool are_out_of_order(std::span<const PlanePoint> points, const Clouds& clouds,
+                                    const Thresholds& thresholds);
 
 /// Classification of a response that changes within the window, from parts of the window.
 struct RegimeChange {

@@ -4,17 +4,13 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "rocking/base/error.hpp"
 
 namespace rocking::section {
 namespace {
-
-double distance(const StrobePoint& a, const StrobePoint& b) {
-  return std::max(
-      {std::abs(a.tilt - b.tilt), std::abs(a.tilt_rate - b.tilt_rate), std::abs(a.slip_rate - b.slip_rate)});
-}
 
 /// Largest distances between points n apart in the first, middle and last third of the window.
 struct Returns {
@@ -34,32 +30,30 @@ Returns returns_after(std::span<const Period> periods, std::size_t n) {
   return returns;
 }
 
-/// Remaining drift if the distances continue to shrink at the same ratio r; nothing if they do not shrink. A third has
-/// N/(3n) returns. In the j-th third to come each is at most D3 r^j. The sum is (N/3n) D3 (r + r^2 + ...).
-std::optional<double> remaining_drift(const Returns& returns, double returns_per_third, double slowest_ratio) {
+/// Whether they shrink by a factor from third to third; not if one is 0.
+bool is_shrinking(const Returns& returns, double slowest_ratio) {
   const auto& [first, middle, last] = returns.thirds;
-  const double ratio = std::max(middle / first, last / middle);
-  if (!(ratio < slowest_ratio)) return std::nullopt;  // also if a distance is 0
-  return returns_per_third * last * ratio / (1.0 - ratio);
+  return std::max(middle / first, last / middle) < slowest_ratio;
 }
 
-/// Margin of a coincidence: the factor by which these distances are below the threshold and those of the divisors above
-/// it.
-double margin_of(std::span<const Period> periods, int n, double separation, double threshold) {
-  double margin = separation > 0.0 ? threshold / separation : largest_margin;
+/// Smallest of the distances after a proper divisor of n periods; infinite for n = 1.
+double distance_of_divisors(std::span<const Period> periods, int n) {
+  double least = std::numeric_limits<double>::infinity();
   for (int divisor = 1; divisor < n; ++divisor) {
-    if (n % divisor != 0) continue;
-    margin = std::min(margin, returns_after(periods, static_cast<std::size_t>(divisor)).last_half / threshold);
+    if (n % divisor == 0) least = std::min(least, returns_after(periods, static_cast<std::size_t>(divisor)).last_half);
   }
-  return std::clamp(margin, 1.0, largest_margin);
+  return least;
 }
 
-Classification periodic_classification(std::span<const Period> periods, int n, Reason reason, double margin) {
+/// A motion that tends to an orbit of a divisor of n by a factor r per period comes back after n periods, too, but misses by
+/// at least (1 - r^n)/2 of its distance after the divisor. Returns that are closer by `clear_divisors` exclude that down to
+/// 1 - r^n = 2e-5, which is nearer to a bifurcation than the resolution of any parameter.
+Classification coinciding(std::span<const Period> periods, int n, double margin) {
   // Impacts of the first half may belong to the transient; only the last half, at least one cycle, is counted.
   const std::size_t half = std::max(periods.size() / 2, static_cast<std::size_t>(n));
   const Rocks rocks = count_rocks(periods.last(half), n);
   if (rocks.regular_share < 1.0) return unresolved(Reason::impacts_irregular);
-  return {periodic(rocks.rocks, n), reason, false, margin};
+  return {periodic(rocks.rocks, n), Reason::points_coincide, false, std::clamp(margin, 1.0, largest_margin)};
 }
 
 struct Cycle {
@@ -88,27 +82,24 @@ int median_impacts(std::vector<Cycle> cycles) {
 
 }  // namespace
 
-std::optional<Classification> find_recurrence(std::span<const Period> periods, double resolution,
-                                              const Thresholds& thresholds) {
+Recurrence find_recurrence(std::span<const Period> periods, double resolution, const Thresholds& thresholds) {
   ROCKING_EXPECT(periods.size() >= 2 * static_cast<std::size_t>(longest_period));
   const double threshold = thresholds.coincidence * resolution;
-  bool converging = false;
+  Recurrence found;
   for (int n = 1; n <= longest_period; ++n) {
     const Returns returns = returns_after(periods, static_cast<std::size_t>(n));
-    if (returns.last_half <= threshold) {
-      const double margin = margin_of(periods, n, returns.last_half, threshold);
-      return periodic_classification(periods, n, Reason::points_coincide, margin);
+    const bool coincide = returns.last_half <= threshold;
+    const double needed = thresholds.clear_divisors * returns.last_half;
+    const double margin =
+        coincide ? std::min(threshold / returns.last_half, distance_of_divisors(periods, n) / needed) : 0.0;
+    if (coincide && !(margin < 1.0)) {
+      found.classification = coinciding(periods, n, returns.last_half > 0.0 ? margin : largest_margin);
+      return found;
     }
-    const double returns_per_third = static_cast<double>(periods.size()) / (3.0 * n);
-    const std::optional<double> drift = remaining_drift(returns, returns_per_third, thresholds.slowest_ratio);
-    if (drift && *drift <= thresholds.small_drift) {
-      return periodic_classification(periods, n, Reason::points_converge,
-                                     std::min(thresholds.small_drift / *drift, largest_margin));
-    }
-    converging = converging || drift.has_value();
+    const bool is_multiple = std::ranges::any_of(found.candidates, [n](int candidate) { return n % candidate == 0; });
+    if (!is_multiple && (coincide || is_shrinking(returns, thresholds.slowest_ratio))) found.candidates.push_back(n);
   }
-  if (converging) return unresolved(Reason::still_converging, true);
-  return std::nullopt;
+  return found;
 }
 
 Rocks count_rocks(std::span<const Period> periods, int length) {

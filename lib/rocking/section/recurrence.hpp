@@ -2,18 +2,26 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "rocking/section/classification.hpp"
 #include "rocking/section/thresholds.hpp"
 
 namespace rocking::section {
 
-/// Classifies a noise-free response by its strobe points.
-///
-/// Periodic; or unresolved because it still converges or its impacts are irregular; or nothing if it repeats for no n
-/// <= 12, so that the exponent must decide. Needs at least 24 periods.
-[[nodiscard]] std::optional<Classification> find_recurrence(std::span<const Period> periods, double resolution,
-                                                            const Thresholds& thresholds = {});
+/// What the returns of a noise-free response say.
+struct Recurrence {
+  /// Periodic where the points alone decide: they repeat after n periods, and after no divisor of n do they come anywhere
+  /// near. Unresolved where they repeat but the impacts do not. Absent otherwise.
+  std::optional<Classification> classification;
+  /// Numbers of periods, in increasing order, after which the points come close or ever closer: the period, or on a slow
+  /// spiral and near a doubling a multiple of it. None is a multiple of another one.
+  std::vector<int> candidates;
+};
+
+/// Compares points 1 ... 12 periods apart. Needs at least 24 periods.
+[[nodiscard]] Recurrence find_recurrence(std::span<const Period> periods, double resolution,
+                                         const Thresholds& thresholds = {});
 
 /// Number of rocking cycles in n periods, and its regularity.
 struct Rocks {

@@ -64,9 +64,10 @@ std::optional<Regime> longest_regime(std::span<const Period> periods, End end, d
     const double share = static_cast<double>(count) / static_cast<double>(periods.size());
     if (count < fewest || share < thresholds.least_held) return std::nullopt;
     const std::size_t first = end == End::first ? 0 : periods.size() - count;
-    auto [classification, need] = find_clouds(periods.subspan(first, count), resolution, thresholds);
+    const Finding finding = find_clouds(periods.subspan(first, count), resolution, thresholds);
+    Classification classification = finding.classification;
     if (classification.mode.kind != ResponseKind::periodic) continue;
-    if (end == End::last && need != ExponentNeed::none) continue;
+    if (end == End::last && finding.need != ExponentNeed::none) continue;
     classification.held = share;
     return Regime{classification, first, count};
   }

@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include "rocking/realisation/fixed_point.hpp"
 #include "rocking/realisation/realisation_result.hpp"
-#include "rocking/studies/orbits/fixed_point.hpp"
 #include "support/branches.hpp"
 
 namespace rocking {

@@ -14,8 +14,8 @@
 
 #include "rocking/base/error.hpp"
 #include "rocking/realisation/exponent.hpp"
+#include "rocking/realisation/fixed_point.hpp"
 #include "rocking/realisation/trajectory.hpp"
-#include "rocking/studies/orbits/fixed_point.hpp"
 #include "support/event_log.hpp"
 #include "support/excitation.hpp"
 

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "analytic/orbits/slender_orbit.hpp"
-#include "rocking/studies/orbits/fixed_point.hpp"
+#include "rocking/realisation/fixed_point.hpp"
 #include "rocking/studies/orbits/orbit.hpp"
 #include "rocking/studies/orbits/orbits.hpp"
 

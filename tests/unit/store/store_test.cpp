@@ -39,7 +39,7 @@ Summary filled(std::uint64_t number) {
   });
   summary.mode = section::periodic(static_cast<int>(number), 3);
   summary.termination = dynamics::Termination::stopped;
-  summary.reason = section::Reason::points_converge;
+  summary.reason = section::Reason::stable_orbit;
   summary.overturned_side = dynamics::Side::right;
   summary.rerun_mode = section::ResponseMode{.kind = section::ResponseKind::chaotic};
   return summary;

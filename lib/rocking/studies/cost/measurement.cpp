@@ -53,10 +53,6 @@ double largest_of(const section::StrobePoint& point) {
   return std::max({std::abs(point.tilt), std::abs(point.tilt_rate), std::abs(point.slip_rate)});
 }
 
-double distance(const section::StrobePoint& a, const section::StrobePoint& b) {
-  return largest_of({a.tilt - b.tilt, a.tilt_rate - b.tilt_rate, a.slip_rate - b.slip_rate});
-}
-
 /// A realisation in progress at all tolerances. It must not move, because its runs point into it.
 class MeasurementInProgress {
  public:

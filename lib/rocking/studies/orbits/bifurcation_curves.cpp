@@ -5,7 +5,7 @@
 #include <iterator>
 #include <utility>
 
-#include "rocking/studies/orbits/fixed_point.hpp"
+#include "rocking/realisation/fixed_point.hpp"
 #include "rocking/studies/orbits/fold_and_flip.hpp"
 #include "rocking/studies/orbits/trace.hpp"
 

@@ -6,8 +6,8 @@
 #include <iterator>
 #include <utility>
 
+#include "rocking/realisation/fixed_point.hpp"
 #include "rocking/section/classification.hpp"
-#include "rocking/studies/orbits/fixed_point.hpp"
 #include "rocking/studies/orbits/fold_and_flip.hpp"
 #include "rocking/studies/orbits/trace.hpp"
 

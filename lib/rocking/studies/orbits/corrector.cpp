@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "rocking/studies/orbits/fixed_point.hpp"
+#include "rocking/realisation/fixed_point.hpp"
 
 namespace rocking {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <Eigen/Dense>
 
-#include "rocking/studies/orbits/fixed_point.hpp"
+#include "rocking/realisation/fixed_point.hpp"
 
 namespace rocking {
 namespace {

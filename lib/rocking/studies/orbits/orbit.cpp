@@ -5,7 +5,7 @@
 
 #include <Eigen/Dense>
 
-#include "rocking/studies/orbits/fixed_point.hpp"
+#include "rocking/realisation/fixed_point.hpp"
 #include "rocking/studies/orbits/question.hpp"
 
 namespace rocking {
@@ -61,24 +61,6 @@ Stability stability_of(const PoincareImage& image) {
   stability.kind = kind_of(stability.multipliers);
   return stability;
 }
-
-namespace {
-
-/// Two points of one orbit differ by the residual, 1e-13, over the distance of the multipliers from 1, which is taken as
-/// 1e-5 at least.
-constexpr double same_point = 1e-8;
-
-/// The smallest period of a fixed point of the map over `images.size()` periods: a divisor after which it is back.
-int smallest_period(const section::StrobePoint& start, const std::vector<SectionState>& images) {
-  const auto periods = static_cast<int>(images.size());
-  for (int divisor = 1; divisor < periods; ++divisor) {
-    if (periods % divisor != 0) continue;
-    if (distance(images[static_cast<std::size_t>(divisor) - 1].point, start) < same_point) return divisor;
-  }
-  return periods;
-}
-
-}  // namespace
 
 bool is_same_cycle(const std::vector<SectionState>& a, const std::vector<SectionState>& b) {
   if (a.size() != b.size()) return false;

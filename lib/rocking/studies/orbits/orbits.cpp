@@ -5,9 +5,9 @@
 
 #include "rocking/base/error.hpp"
 #include "rocking/realisation/continuation.hpp"
+#include "rocking/realisation/fixed_point.hpp"
 #include "rocking/scene/check_condition.hpp"
 #include "rocking/scene/drawn_quantities.hpp"
-#include "rocking/studies/orbits/fixed_point.hpp"
 
 namespace rocking {
 namespace {

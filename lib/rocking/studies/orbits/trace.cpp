@@ -5,7 +5,7 @@
 #include <iterator>
 #include <utility>
 
-#include "rocking/studies/orbits/fixed_point.hpp"
+#include "rocking/realisation/fixed_point.hpp"
 
 namespace rocking {
 namespace {

@@ -12,9 +12,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "rocking/realisation/fixed_point.hpp"
 #include "rocking/realisation/realisation_result.hpp"
 #include "rocking/studies/orbits/bracket.hpp"
-#include "rocking/studies/orbits/fixed_point.hpp"
 #include "support/branches.hpp"
 
 namespace rocking {

@@ -45,6 +45,14 @@ namespace rocking::dynamics {
 struct GuardSlope {
   Tangent<double> gradient;  ///< grad g
   double rate;               ///< grad g . f- + dg/dtau
+
+  /// By how much the guard is reached later after this change of the state. A guard that does not depend on X ignores
+  /// the part along X, which may have left the range of numbers.
+  [[nodiscard]] double delay(const Tangent<double>& change) const {
+    double rise = gradient.tilt * change.tilt + gradient.tilt_rate * change.tilt_rate;
+    if (gradient.slip != 0.0) rise += gradient.slip * change.slip;
+    return -(rise + gradient.slip_rate * change.slip_rate) / rate;
+  }
 };
 
 /// Base accelerations over g and their rates of change.

@@ -14,11 +14,6 @@ struct Tangent {
   Real slip_rate = Real(0.0);  ///< of V
 };
 
-template <base::Lane Real>
-[[nodiscard]] inline Real dot(const Tangent<Real>& a, const Tangent<Real>& b) {
-  return a.tilt * b.tilt + a.tilt_rate * b.tilt_rate + a.slip * b.slip + a.slip_rate * b.slip_rate;
-}
-
 /// a + factor b.
 template <base::Lane Real>
 [[nodiscard]] inline Tangent<Real> plus(const Tangent<Real>& a, const Real& factor, const Tangent<Real>& b) {

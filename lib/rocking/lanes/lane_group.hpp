@@ -86,8 +86,8 @@ class LaneGroup {
   void pass_strobe(std::size_t lane) {
     auto& motion = run(lane).motion();
     if constexpr (has_tangents) {
-      motion.set_tangents(vectors_of(tangents_->now, lane));
-      motion.set_at_strobe(vectors_of(tangents_->at_strobe, lane));
+      motion.set_tangents(vectors_of(*tangents_, tangents_->now, lane));
+      motion.set_at_strobe(vectors_of(*tangents_, tangents_->at_strobe, lane));
     }
     adapt(motion).pass_strobe(strobe_point(*state_, lane));
     if constexpr (has_tangents) {
@@ -117,7 +117,10 @@ class LaneGroup {
       here.intervals = here.steps - (at_breakpoint ? 1 : 0);
     }
     here.at_breakpoint = at_breakpoint;
-    if constexpr (has_tangents) motion.set_tangents(vectors_of(tangents_->now, lane));
+    // Without a step, time has not gone on since the last event, and a further one may follow.
+    if constexpr (has_tangents) {
+      if (here.steps > 0) motion.set_tangents(vectors_of(*tangents_, tangents_->now, lane));
+    }
     adapt(motion).catch_up(here);
   }
 
@@ -141,16 +144,16 @@ class LaneGroup {
   }
 
   void load_tangents(std::size_t lane) {
-    if constexpr (has_tangents) load_vectors(tangents_->now, lane, run(lane).motion().tangents());
+    if constexpr (has_tangents) load_vectors(*tangents_, lane, run(lane).motion().tangents());
   }
 
   /// The vectors in the step that the lane has computed and the motion completes.
   void hand_over_end(std::size_t lane) {
     auto& motion = run(lane).motion();
-    if ((state_->strobed >> lane & 1U) != 0) motion.set_at_strobe(vectors_of(tangents_->at_strobe, lane));
+    if ((state_->strobed >> lane & 1U) != 0) motion.set_at_strobe(vectors_of(*tangents_, tangents_->at_strobe, lane));
     if ((state_->at_last_strobe >> lane & 1U) != 0) return;
     const double side = motion.state().side;
-    motion.end_elsewhere(state_->duration[lane], vectors_of(tangents_->at_end, lane),
+    motion.end_elsewhere(state_->duration[lane], vectors_of(*tangents_, tangents_->at_end, lane),
                          {.now = {.horizontal = side * tangents_->end_base[lane], .weight = 1.0},
                           .slope = {.horizontal = side * tangents_->end_base_slope[lane], .weight = 0.0}});
   }

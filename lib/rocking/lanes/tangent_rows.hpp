@@ -12,7 +12,8 @@ namespace rocking::lanes {
 inline constexpr std::size_t tangent_count = 3;
 using Tangents = std::array<dynamics::Tangent<double>, tangent_count>;
 
-/// Tangent vectors in fixed axes, without their part along X, on which nothing in a lane depends.
+/// Tangent vectors in fixed axes. No kernel changes their part along X. Only the end of a cell of the friction depends on
+/// it; where friction has cells, no lane computes a step with slip, and without slip this part is constant.
 struct TangentRows {
   struct Vector {
     LaneRow tilt;
@@ -20,6 +21,8 @@ struct TangentRows {
     LaneRow slip_rate;
   };
   using Vectors = std::array<Vector, tangent_count>;
+
+  std::array<LaneRow, tangent_count> slip;  ///< their part along X
 
   Vectors now;        ///< at the start of the coming step
   Vectors at_strobe;  ///< in the lanes that passed a strobe point
@@ -29,19 +32,24 @@ struct TangentRows {
   LaneRow end_base_slope;  ///< its rate of change
 };
 
-inline void load_vectors(TangentRows::Vectors& rows, std::size_t lane, const Tangents& vectors) {
+/// At the start of the coming step.
+inline void load_vectors(TangentRows& rows, std::size_t lane, const Tangents& vectors) {
   for (std::size_t i = 0; i < tangent_count; ++i) {
-    rows[i].tilt[lane] = vectors[i].tilt;
-    rows[i].tilt_rate[lane] = vectors[i].tilt_rate;
-    rows[i].slip_rate[lane] = vectors[i].slip_rate;
+    rows.now[i].tilt[lane] = vectors[i].tilt;
+    rows.now[i].tilt_rate[lane] = vectors[i].tilt_rate;
+    rows.slip[i][lane] = vectors[i].slip;
+    rows.now[i].slip_rate[lane] = vectors[i].slip_rate;
   }
 }
 
-[[nodiscard]] inline Tangents vectors_of(const TangentRows::Vectors& rows, std::size_t lane) {
+/// `at`: one of those in `rows`.
+[[nodiscard]] inline Tangents vectors_of(const TangentRows& rows, const TangentRows::Vectors& at, std::size_t lane) {
   Tangents vectors;
   for (std::size_t i = 0; i < tangent_count; ++i) {
-    vectors[i] = {
-        .tilt = rows[i].tilt[lane], .tilt_rate = rows[i].tilt_rate[lane], .slip_rate = rows[i].slip_rate[lane]};
+    vectors[i] = {.tilt = at[i].tilt[lane],
+                  .tilt_rate = at[i].tilt_rate[lane],
+                  .slip = rows.slip[i][lane],
+                  .slip_rate = at[i].slip_rate[lane]};
   }
   return vectors;
 }

@@ -232,7 +232,7 @@ class TangentMotion : public Motion {
     if (!guard) return;
     is_later_ = true;
     for (std::size_t i = 0; i < count; ++i) {
-      delays_[i] = -dot(guard->gradient, tangents_[i]) / guard->rate;
+      delays_[i] = guard->delay(tangents_[i]);
       at_event_[i] = plus(tangents_[i], delays_[i], rates);
     }
   }

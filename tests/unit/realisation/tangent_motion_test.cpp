@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -129,6 +130,15 @@ TEST(TangentMotion, IsTheDerivativeUnderAVerticalMotion) {
   for (const char* kind : {"impact_stick", "impact_slip", "slip_start", "slip_stop", "slip_reverse"}) {
     EXPECT_NE(stories.find(kind), std::string::npos) << kind;
   }
+}
+
+// Without cells nothing bounds the part along X, while the other parts shrink and are scaled up.
+TEST(GuardSlope, IgnoresThePartAlongXUnlessTheGuardDependsOnIt) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  const dynamics::GuardSlope impact{.gradient = {.tilt = 1.0}, .rate = -2.0};
+  EXPECT_EQ(impact.delay({.tilt = 3.0, .slip = infinite}), 1.5);
+  const dynamics::GuardSlope cell{.gradient = {.slip = 1.0}, .rate = 4.0};
+  EXPECT_EQ(cell.delay({.tilt = 3.0, .slip = 2.0}), -0.5);
 }
 
 }  // namespace

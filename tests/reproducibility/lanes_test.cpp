@@ -374,6 +374,22 @@ std::vector<std::string> output_of(const std::string& command) {
   return lines;
 }
 
+// g++ makes fused operations of products with alternating signs where it vectorises straight-line code, although
+// contraction is off. A motion alone then has other bits than a lane.
+TEST(Lanes, AreComparedWithCodeInWhichNothingIsFusedThatIsNotWrittenSo) {
+  const auto rooms = std::filesystem::path(ROCKING_PROGRAM).parent_path() / "lib/rocking";
+  int instructions = 0;
+  for (const std::string room : {"dynamics", "integrate", "lanes", "realisation", "scene", "section"}) {
+    const auto library = rooms / room / ("librocking_" + room + ".a");
+    for (const std::string& line : output_of("objdump -d --no-show-raw-insn '" + library.string() + "'")) {
+      ++instructions;
+      EXPECT_EQ(line.find("fmaddsub"), std::string::npos) << room << line;
+      EXPECT_EQ(line.find("fmsubadd"), std::string::npos) << room << line;
+    }
+  }
+  EXPECT_GT(instructions, 10'000);
+}
+
 // The linker could use an inline function of a standard container that was compiled for AVX-512 in the whole program,
 // which would crash on an older processor. Such units must not share functions with others.
 TEST(Lanes, ShareNothingThatWasCompiledForANewerProcessor) {

@@ -54,18 +54,19 @@ std::vector<Arc> periodic_arcs(int rocks, int periods) {
 
 /// None: the mode has no sketch.
 std::vector<Arc> arcs_of(const section::ResponseMode& mode) {
+  const std::vector<Arc> flat{{.length = 4.0, .top = 0.0}};
   switch (mode.kind) {
-    case ResponseKind::periodic:
-      if (mode.rocks > 0) return periodic_arcs(mode.rocks, mode.periods);
-      return {{.length = 4.0, .top = 0.0}};
+    case ResponseKind::periodic: return mode.rocks > 0 ? periodic_arcs(mode.rocks, mode.periods) : flat;
     case ResponseKind::quasi_periodic:
       return arcs_of({0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5}, {0.9, 0.75, 0.5, 0.4, 0.55, 0.8, 0.9, 0.7, 0.45});
     case ResponseKind::chaotic:
       return arcs_of({0.5, 0.7, 0.4, 0.9, 1.1, 0.5, 0.6, 0.4, 0.9}, {0.5, 0.75, 0.35, 0.9, 1.0, 0.4, 0.7, 0.3, 0.85});
     case ResponseKind::overturned: return arcs_of({0.4, 0.5, 0.6, 0.75, 0.9, 1.6}, {0.12, 0.18, 0.27, 0.4, 0.55, 0.0});
     case ResponseKind::rest: return arcs_of({0.6, 0.5, 0.4, 0.3, 2.2}, {0.5, 0.35, 0.2, 0.1, 0.0});
-    default: return {};
+    case ResponseKind::slide: return flat;
+    case ResponseKind::unresolved: break;
   }
+  return {};
 }
 
 /// Parabolas, as quadratic Bezier curves; the last arc of an overturning leaves the drawing instead.

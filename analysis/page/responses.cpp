@@ -37,6 +37,21 @@ std::string mode_in_words(const ResponseMode& mode) {
   return mode.kind == section::ResponseKind::periodic ? meaning + ' ' + escaped(to_string(mode)) : meaning;
 }
 
+/// `; largest slip 0.5 to 1.6 m`: the medians of the conditions in which blocks slid without rocking. Empty for another mode.
+std::string slip_in_words(const Report& report, const ResponseMode& mode) {
+  std::vector<double> medians;
+  for (const ReportedCondition& condition : report.conditions) {
+    const auto& slip = condition.result.peaks.slip;
+    if (mode.kind != section::ResponseKind::slide || !slip || share_of(condition, mode).count == 0) continue;
+    const auto median = std::ranges::find(slip->metres, 0.5, &stats::QuantileEstimate::level);
+    if (median != slip->metres.end() && median->value) medians.push_back(*median->value);
+  }
+  if (medians.empty()) return "";
+  const std::string least = significant(std::ranges::min(medians), 2);
+  const std::string most = significant(std::ranges::max(medians), 2);
+  return "; largest slip " + (least == most ? most : least + " to " + most) + " m";
+}
+
 /// `98.5 % [94.4, 99.8]`, or `95.5 to 100.0 %` for several conditions; empty if nothing is random.
 std::string probability_along(const Along& along, const Range& range, const ResponseMode& mode) {
   double least = 1.0;
@@ -110,7 +125,7 @@ std::string modes_in_brief(const Report& report) {
   std::string entries;
   for (const ResponseMode& mode : modes_to_show(report.occurring(), most_stretches)) {
     entries += fmt::format("<li>{}<span><b>{}</b> {}</span></li>\n", mode_drawing(mode), escaped(to_string(mode)),
-                           meaning_of(mode));
+                           meaning_of(mode) + slip_in_words(report, mode));
   }
   return fmt::format("<ul class=\"modes\">\n{}</ul>\n<p class=\"small\">{}</p>\n", entries, legend_of_modes(report));
 }
@@ -130,8 +145,8 @@ std::string shares_in_brief(const Report& report) {
         "preserveAspectRatio=\"none\" "
         "role=\"img\" aria-label=\"{}\"><rect class=\"whole\" width=\"100\" height=\"10\"/><rect "
         "width=\"{:.2f}\" height=\"10\"/>{}</svg><span>{}{}</span></li>\n",
-        mode_drawing(mode), escaped(to_string(mode)), meaning_of(mode), value, 100.0 * share.estimate, ends, value,
-        count_at(condition, mode));
+        mode_drawing(mode), escaped(to_string(mode)), meaning_of(mode) + slip_in_words(report, mode), value,
+        100.0 * share.estimate, ends, value, count_at(condition, mode));
   }
   return fmt::format(
       "<ul class=\"shares\">\n{}</ul>\n<p class=\"small\">Bars: share of the realisations, from 0 to 100 %; lines with "

@@ -48,7 +48,7 @@ struct Declaration {
 [[nodiscard]] ROCKING_API std::string describe_as_json(const Experiment& experiment);
 [[nodiscard]] ROCKING_API std::string describe_as_json(const base::InputError& problems);
 
-/// `(1,3)`, `chaotic`, `overturned`, `rest` or `unresolved`.
+/// `(1,3)`, `chaotic`, `overturned`, `slide`, `rest` or `unresolved`.
 [[nodiscard]] ROCKING_API std::string name_of(const section::ResponseMode& mode);
 
 /// The colour of a response mode in all figures, as `#rrggbb`.

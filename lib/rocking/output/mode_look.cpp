@@ -33,6 +33,7 @@ ModeLook look_of(const section::ResponseMode& mode) {
     case ResponseKind::quasi_periodic: return {"#332288", 2, 12, 3};
     case ResponseKind::chaotic: return {"#cc79a7", 3, 2, 2};
     case ResponseKind::overturned: return {"#000000", 1, 10, 0};
+    case ResponseKind::slide: return {"#d2b48c", 4, 3, 1};
     case ResponseKind::rest: return {"#b4b4b4", 5, 4, 0};
     case ResponseKind::unresolved: break;
   }

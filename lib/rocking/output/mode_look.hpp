@@ -13,7 +13,7 @@ struct ModeLook {
 };
 
 /// The look of a response mode. The colours are those of Okabe and Ito (2008), which readers with a colour vision
-/// deficiency can distinguish; hatching, dashes and markers distinguish them in grey. Rest, chaotic, overturned,
+/// deficiency can distinguish; hatching, dashes and markers distinguish them in grey. Rest, slide, chaotic, overturned,
 /// unresolved, (1,1), (1,2), (1,3), (1,4) and (1,5) have distinct looks; other (m,n) share five further ones.
 [[nodiscard]] ModeLook look_of(const section::ResponseMode& mode);
 

@@ -233,17 +233,20 @@ Layout layout_of(std::size_t leading, const ModeColumns& columns, const TableLoo
   return {.modes = modes, .wide = modes, .bar = std::min(longest_bar, shortest_bar + left)};
 }
 
-/// Adds the column of the peak tilt if there is room.
-void add_peak_tilt(std::span<const TableRow> conditions, const TableLook& look, look::Table& table) {
-  std::size_t width = peak_tilt_heading.size();
+/// Adds the column of a peak if the rows have it and there is room.
+void add_peak(std::span<const TableRow> conditions, std::string_view heading, std::string TableRow::*peak,
+              const TableLook& look, look::Table& table) {
+  std::size_t width = heading.size();
   for (const TableRow& condition : conditions) {
-    if (condition.peak_tilt.empty()) return;
-    width = std::max(width, condition.peak_tilt.size());
+    if ((condition.*peak).empty()) return;
+    width = std::max(width, (condition.*peak).size());
   }
   if (width_of(table) + gap + width > look.width) return;
-  add_columns(table, {std::string(peak_tilt_heading)});
-  for (std::size_t i = 0; i < conditions.size(); ++i) table.rows[i].emplace_back(conditions[i].peak_tilt);
+  add_columns(table, {std::string(heading)});
+  for (std::size_t i = 0; i < conditions.size(); ++i) table.rows[i].emplace_back(conditions[i].*peak);
 }
+
+bool slides(const TableRow& condition) { return count_of(condition, {.kind = section::ResponseKind::slide}) > 0; }
 
 }  // namespace
 
@@ -260,7 +263,7 @@ look::Cell share_cell(const AnyShare& share, std::uint64_t realisations) {
 
 look::Cell bound_cell(double share) { return look::Number{.value = share, .form = look::percentage(), .bound = '<'}; }
 
-std::string peak_tilt_cell(const std::vector<stats::QuantileEstimate>& quantiles) {
+std::string peak_cell(const std::vector<stats::QuantileEstimate>& quantiles) {
   std::string text;
   for (const double level : {0.5, 0.95}) {
     const auto found = std::ranges::find(quantiles, level, &stats::QuantileEstimate::level);
@@ -288,8 +291,9 @@ std::vector<TableRow> table_rows(const Report& report) {
                  .is_random = condition.result.is_random(),
                  .shaking = condition.shaking,
                  .scale = condition.scale};
-    const auto& tilts = condition.result.peaks.tilt.levels;
-    if (!tilts.empty()) row.peak_tilt = peak_tilt_cell(tilts);
+    const PeakQuantiles& peaks = condition.result.peaks;
+    if (!peaks.tilt.levels.empty()) row.peak_tilt = peak_cell(peaks.tilt.levels);
+    if (peaks.slip && !peaks.slip->metres.empty()) row.peak_slip = peak_cell(peaks.slip->metres);
     for (const section::ResponseMode& mode : modes) {
       const AnyShare share = share_of(condition, mode);
       row.modes.push_back({.mode = mode, .count = share.count, .estimate = share.estimate, .interval = share.interval});
@@ -365,7 +369,10 @@ std::string mode_table(std::span<const TableRow> conditions, const TableLook& lo
     if (layout.bar > 0) row.emplace_back(bar_of(condition, shown, {.length = layout.bar, .letters = *look.bars}));
   }
   if (wide.size() < shown.size()) table.notes += "where there is no room for an interval: report.json has it\n";
-  add_peak_tilt(conditions, look, table);
+  add_peak(conditions, peak_tilt_heading, &TableRow::peak_tilt, look, table);
+  if (std::ranges::any_of(conditions, slides)) {
+    add_peak(conditions, peak_slip_heading, &TableRow::peak_slip, look, table);
+  }
   return to_terminal(table);
 }
 

@@ -38,6 +38,9 @@ struct TableEntry {
 inline constexpr std::string_view peak_tilt_heading = "peak tilt";
 inline constexpr std::string_view peak_tilt_legend =
     "peak tilt: median and 95 % quantile of the largest abs(Theta); overturned counts as above every value (-)";
+/// Likewise of the peak slip, which is shown where a block slid without rocking.
+inline constexpr std::string_view peak_slip_heading = "peak slip";
+inline constexpr std::string_view peak_slip_legend = "peak slip: likewise of the largest slip, in m";
 
 /// A condition: a row of the table.
 struct TableRow {
@@ -48,7 +51,8 @@ struct TableRow {
   bool is_random = true;  ///< otherwise the single realisation is the response of the condition, with certainty
   std::optional<Shaking> shaking = std::nullopt;  ///< absent under a ground motion
   std::optional<double> scale = std::nullopt;     ///< of a ground motion
-  std::string peak_tilt = {};                     ///< peak_tilt_cell, or empty
+  std::string peak_tilt = {};                     ///< peak_cell, or empty
+  std::string peak_slip = {};                     ///< likewise [m]
 };
 
 /// `98.5 [94.4, 99.8] (48)`, of a response mode in per cent; `< 2.8`, the end of its interval, if it did not occur.
@@ -58,9 +62,9 @@ struct TableRow {
 /// `< 2.8`, of a share.
 [[nodiscard]] look::Cell bound_cell(double share);
 
-/// Median and 95 % quantile of the peak tilt in two digits, `0.41 0.53`. `-`: the realisations that ended before their
+/// Median and 95 % quantile of a peak in two digits, `0.41 0.53`. `-`: the realisations that ended before their
 /// horizon, mostly by overturning, are too many for a value.
-[[nodiscard]] std::string peak_tilt_cell(const std::vector<stats::QuantileEstimate>& quantiles);
+[[nodiscard]] std::string peak_cell(const std::vector<stats::QuantileEstimate>& quantiles);
 
 /// The modes that a table or figure with room for `most` shows: the most frequent ones, in the order of the modes.
 /// Overturning is one of them if it occurs, however rare it is.
@@ -77,7 +81,7 @@ struct TableRow {
 /// without an interval if need be, and the others are added up in a last column: each row accounts for every realisation. A bar of the modes' shares follows if bars are wanted,
 /// several modes occur, and there is room for it and for three modes (or all); its marks stand before the headings. If
 /// no row is random, there is one column with the response instead. The peak tilt follows if the rows have it and there
-/// is room. Empty without rows.
+/// is room, and after it the peak slip where a block slid without rocking. Empty without rows.
 [[nodiscard]] std::string mode_table(std::span<const TableRow> conditions, const TableLook& look = {});
 
 /// A line on overturning: where it is most likely, or the largest upper bound of its probability in any condition.

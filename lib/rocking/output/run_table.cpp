@@ -129,8 +129,8 @@ std::string legend_of(const Report& report, const std::string& table) {
     text += "\nnothing is random: one realisation is the response of its condition\n";
   }
   if (table.find(peak_tilt_heading) != std::string::npos) {
-    text += peak_tilt_legend;
-    text += '\n';
+    text += std::string(peak_tilt_legend) + '\n';
+    if (table.find(peak_slip_heading) != std::string::npos) text += std::string(peak_slip_legend) + '\n';
     if (has_unlike_edges(report))
       text += "Theta: tilt over psi of the side on which the block is, so that balance is 1 on both\n";
   }

@@ -51,11 +51,14 @@ inline void collect_counts(RealisationResult& result, const Motion& motion, cons
   result.clamps += motion.coefficients().clamps();
 }
 
-/// Classification under a recorded excitation, which does not repeat: the block is at rest at the end, or it is not.
-[[nodiscard]] inline section::Classification classification_after_shaking(const std::vector<section::Period>& periods) {
+/// Classification under a recorded excitation, which does not repeat: the block is at rest at the end, or it is not. One
+/// that has moved without ever rocking has slid.
+[[nodiscard]] inline section::Classification classification_after_shaking(const std::vector<section::Period>& periods,
+                                                                          bool has_rocked) {
   if (periods.back().moved) return section::unresolved(section::Reason::not_periodic, true);
   const bool ever_moved = std::ranges::any_of(periods, [](const section::Period& period) { return period.moved; });
-  return {.mode = {.kind = section::ResponseKind::rest},
+  const bool has_slid = ever_moved && !has_rocked;
+  return {.mode = {.kind = has_slid ? section::ResponseKind::slide : section::ResponseKind::rest},
           .reason = ever_moved ? section::Reason::came_to_rest : section::Reason::never_moved,
           .in_transient = false,
           .margin = section::largest_margin};
@@ -201,7 +204,8 @@ inline section::PendingClassification HorizonRun::classification_without_exponen
     return is(overturned);
   }
   if (termination != dynamics::Termination::reached_horizon) return is({});
-  if (!motion_.excitation().is_periodic()) return is(classification_after_shaking(recorder_.periods()));
+  if (!motion_.excitation().is_periodic())
+    return is(classification_after_shaking(recorder_.periods(), motion_.peaks().tilt > 0.0));
   const std::int64_t sampled = condition_->horizon.sampled_periods;
   return section::classify(
       {.periods = std::span(recorder_.periods()).last(static_cast<std::size_t>(sampled)),

@@ -38,7 +38,7 @@ inline constexpr int longest_period = 12;
 /// The rule that decided a classification, or the reason why the response is unresolved.
 enum class Reason : std::uint8_t {
   never_moved,         ///< rest
-  came_to_rest,        ///< rest, under a recorded excitation: moved, and is at rest at the end
+  came_to_rest,        ///< rest or slide, under a recorded excitation: moved, and is at rest at the end
   points_coincide,     ///< periodic: the strobe points repeat to within the resolution
   stable_orbit,        ///< periodic: the points tend to a stable orbit that Newton's method found
   tight_clouds,        ///< periodic: clouds visited in cyclic order, very small compared with the motion

@@ -18,7 +18,8 @@ constexpr auto named_kinds = std::to_array<NamedKind>(
     {{ResponseKind::quasi_periodic, "quasi-periodic", "rocks with two frequencies that have no common period"},
      {ResponseKind::chaotic, "chaotic", "rocks without ever repeating"},
      {ResponseKind::overturned, "overturned", "overturns"},
-     {ResponseKind::rest, "rest", "does not rock, or stops rocking"},
+     {ResponseKind::slide, "slide", "slides and stops, without rocking"},
+     {ResponseKind::rest, "rest", "does not move, or stops rocking"},
      {ResponseKind::unresolved, "unresolved", "could not be classified"}});
 static_assert(named_kinds.size() == static_cast<std::size_t>(ResponseKind::unresolved), "a kind has no name");
 

@@ -10,7 +10,7 @@
 namespace rocking::section {
 
 /// Kind of the long-time motion of a realisation.
-enum class ResponseKind : std::uint8_t { periodic, quasi_periodic, chaotic, overturned, rest, unresolved };
+enum class ResponseKind : std::uint8_t { periodic, quasi_periodic, chaotic, overturned, slide, rest, unresolved };
 
 /// Class of a response; (m, n) if it is periodic.
 struct ResponseMode {
@@ -18,7 +18,7 @@ struct ResponseMode {
   int rocks = 0;    ///< m: pairs of impacts in n periods; 0 unless periodic
   int periods = 0;  ///< n: excitation periods until the response repeats; 0 unless periodic
 
-  /// Order in tables: periodic by n, then by m; then quasi-periodic, chaotic, overturned, rest, unresolved.
+  /// Order in tables: periodic by n, then by m; then quasi-periodic, chaotic, overturned, slide, rest, unresolved.
   friend std::strong_ordering operator<=>(const ResponseMode& a, const ResponseMode& b) {
     if (const auto by_kind = a.kind <=> b.kind; by_kind != 0) return by_kind;
     if (const auto by_periods = a.periods <=> b.periods; by_periods != 0) return by_periods;
@@ -31,7 +31,7 @@ struct ResponseMode {
   return {ResponseKind::periodic, rocks, periods};
 }
 
-/// `(1,3)`, `quasi-periodic`, `chaotic`, `overturned`, `rest` or `unresolved`.
+/// `(1,3)`, `quasi-periodic`, `chaotic`, `overturned`, `slide`, `rest` or `unresolved`.
 [[nodiscard]] std::string to_string(const ResponseMode& mode);
 
 /// What a block does with a response of this kind: `overturns`; empty if it is periodic, where the numbers say it.
@@ -40,7 +40,7 @@ struct ResponseMode {
 /// The mode with this name; absent if there is none.
 [[nodiscard]] std::optional<ResponseMode> response_mode_named(std::string_view name);
 
-/// The names of the modes that are not periodic, for messages: `quasi-periodic, chaotic, overturned, rest, unresolved`.
+/// The names of the modes that are not periodic, for messages: `quasi-periodic, chaotic, overturned, slide, rest, unresolved`.
 [[nodiscard]] std::string response_mode_words();
 
 /// Regular expression of the names, for schemas.

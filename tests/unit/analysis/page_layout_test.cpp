@@ -266,12 +266,23 @@ TEST(TheAnswer, DrawsEachModeButTheUnresolved) {
   std::set<std::string> drawings;
   for (const auto& mode :
        {periodic(1, 1), periodic(1, 3), periodic(2, 3), rocking::section::ResponseMode{ResponseKind::rest},
-        rocking::section::ResponseMode{ResponseKind::chaotic},
+        rocking::section::ResponseMode{ResponseKind::slide}, rocking::section::ResponseMode{ResponseKind::chaotic},
         rocking::section::ResponseMode{ResponseKind::overturned}}) {
     drawings.insert(mode_drawing(mode));
   }
-  EXPECT_THAT(drawings, AllOf(SizeIs(6), Each(StartsWith("<svg class=\"mode\""))));
+  EXPECT_THAT(drawings, AllOf(SizeIs(7), Each(StartsWith("<svg class=\"mode\""))));
   EXPECT_EQ(mode_drawing({}), "");
+}
+
+TEST(TheAnswer, TellsTheSlipOfABlockThatSlidWithoutRocking) {
+  rocking::Report report;
+  rocking::ConditionResult& result = report.conditions.emplace_back().result;
+  result.realisations = 10;
+  result.modes.push_back(
+      {.mode = {rocking::section::ResponseKind::slide}, .probability = rocking::support::sample_estimate(10, 10)});
+  EXPECT_THAT(modes_in_brief(report), HasSubstr("without rocking</span>"));
+  result.peaks.slip.emplace().metres = {{.level = 0.5, .value = 0.6, .low = {}, .high = {}}};
+  EXPECT_THAT(modes_in_brief(report), HasSubstr("without rocking; largest slip 0.6 m</span>"));
 }
 
 }  // namespace

@@ -180,12 +180,23 @@ TEST(ModeTable, EndsWithThePeakTiltWhereThereIsRoom) {
   EXPECT_THAT(made.lines({.width = 32})[0], ::testing::EndsWith("(1,1)"));
 }
 
+TEST(ModeTable, ShowsTheSlipOfABlockThatSlidWithoutRocking) {
+  Made made;
+  made.add({}, {{{section::ResponseKind::rest}, 1}});
+  made.rows[0].peak_tilt = "0 0";
+  made.rows[0].peak_slip = "0.6 0.61";
+  EXPECT_THAT(made.lines()[0], ::testing::EndsWith("rest  peak tilt"));
+  made.rows[0].modes.front().mode = {section::ResponseKind::slide};
+  EXPECT_THAT(made.lines(), ::testing::ElementsAre("n                slide  peak tilt  peak slip",
+                                                   "1  100.0 [50.0, 100.0]        0 0   0.6 0.61"));
+}
+
 TEST(PeakTiltCell, HasADashWhereOverturningLeavesNoValue) {
   using Quantiles = std::vector<stats::QuantileEstimate>;
   const stats::QuantileEstimate median{.level = 0.5, .value = 0.412, .low = {}, .high = {}};
   const stats::QuantileEstimate upper{.level = 0.95, .value = {}, .low = 0.5, .high = {}};
-  EXPECT_EQ(peak_tilt_cell(Quantiles{median, upper}), "0.41 -");
-  EXPECT_EQ(peak_tilt_cell(Quantiles{}), "- -");
+  EXPECT_EQ(peak_cell(Quantiles{median, upper}), "0.41 -");
+  EXPECT_EQ(peak_cell(Quantiles{}), "- -");
 }
 
 TEST(ModeTable, IsEmptyWithoutConditions) { EXPECT_EQ(mode_table({}), ""); }

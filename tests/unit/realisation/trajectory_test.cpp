@@ -215,6 +215,23 @@ TEST(Classification, AfterAGroundMotionTellsWhetherTheBlockEverMoved) {
   EXPECT_EQ(result.classification.reason, section::Reason::came_to_rest);
 }
 
+TEST(Classification, AfterAGroundMotionTellsASlideFromRest) {
+  Condition condition = with_friction(fifty_periods(1.0), 0.2, 0.15);
+  condition.scene.block = {.width = 1.0, .height = 1.0};
+  condition.scene.excitation =
+      support::recorded_by({.samples = {{0.0, 0.0, 0.0}, {0.1, 0.5, 0.0}, {0.6, 0.5, 0.0}, {0.7, 0.0, 0.0}}}, 10.0);
+  condition.horizon.sampled_periods = 300;
+  const RealisationResult slid = realise(condition, 0, 0);
+  EXPECT_EQ(to_string(slid.classification.mode), "slide");
+  EXPECT_EQ(slid.classification.reason, section::Reason::came_to_rest);
+  EXPECT_GT(slid.peaks.slip_m, 0.1);
+  EXPECT_EQ(slid.peaks.tilt, 0.0);
+  condition.scene.initial.tilt = 0.1;
+  const RealisationResult rocked = realise(condition, 0, 0);
+  EXPECT_EQ(to_string(rocked.classification.mode), "rest") << "it has slid, too";
+  EXPECT_GT(rocked.peaks.slip_m, 0.1);
+}
+
 TEST(DivergencePeriod, IsTheFirstPeriodWithPointsApart) {
   RealisationResult a;
   RealisationResult b;

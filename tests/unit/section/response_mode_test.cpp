@@ -16,6 +16,7 @@ TEST(ResponseMode, IsSpelledAsInReports) {
   EXPECT_EQ(to_string(ResponseMode{ResponseKind::chaotic, 0, 0}), "chaotic");
   EXPECT_EQ(to_string(ResponseMode{ResponseKind::overturned, 0, 0}), "overturned");
   EXPECT_EQ(to_string(ResponseMode{ResponseKind::rest, 0, 0}), "rest");
+  EXPECT_EQ(to_string(ResponseMode{ResponseKind::slide, 0, 0}), "slide");
   EXPECT_EQ(to_string(ResponseMode{}), "unresolved");
 }
 
@@ -25,6 +26,7 @@ TEST(ResponseMode, SortsByPeriodsThenRocksThenKind) {
                                          periodic(1, 3),
                                          periodic(3, 3),
                                          {ResponseKind::chaotic, 0, 0},
+                                         {ResponseKind::slide, 0, 0},
                                          {ResponseKind::rest, 0, 0},
                                          {}};
   std::vector<ResponseMode> shuffled(sorted.rbegin(), sorted.rend());

@@ -48,7 +48,8 @@ struct WorstClamps {
 [[nodiscard]] std::string tolerance_remedy(double tolerance);
 
 /// What is alarming in the numbers of an experiment, each with its JSON pointer: numbers that have another unit than their
-/// key more likely than not, and blocks wider than high or that swing back at an impact.
+/// key more likely than not, blocks wider than high or that swing back at an impact, and fewer periods than the classifier
+/// needs.
 [[nodiscard]] std::vector<std::string> suspicious_numbers(const Experiment& experiment);
 
 /// The clamps that a run would raise an alarm for, one sentence a kind (plan's sample_clamps).

@@ -9,6 +9,7 @@
 #include "rocking/scene/check_condition.hpp"
 #include "rocking/scene/drawn_quantities.hpp"
 #include "rocking/scene/restitution.hpp"
+#include "rocking/section/classify.hpp"
 #include "rocking/text/json.hpp"
 #include "rocking/text/number_text.hpp"
 
@@ -101,6 +102,19 @@ void look_at_numbers(const Scene& scene, Suspicions& found) {
   });
 }
 
+/// Whether the classifier has points enough, also in each window of a realisation that goes on until it is classified.
+void look_at_horizon(const Condition& condition, Suspicions& found) {
+  const bool random = is_random(condition.scene);
+  const int fewest = section::fewest_periods(random);
+  const int sampled = condition.horizon.sampled_periods;
+  if (!is_periodic(condition.scene.excitation) || sampled >= fewest) return;
+  found.add("/horizon/sampled_periods",
+            " = " + std::to_string(sampled) +
+                ": too few points to classify a response, so that every block that moves is "
+                "unresolved or overturns: give at least " +
+                std::to_string(fewest) + (random ? " where something is random" : "") + "; the default is 120");
+}
+
 void look_at_impacts(const Scene& scene, Suspicions& found) {
   const dynamics::Geometry block = dynamics::geometry_of(mean_block(scene));
   for (const double side : {1.0, -1.0}) {
@@ -146,6 +160,7 @@ std::vector<std::string> suspicious_numbers(const Experiment& experiment) {
   for (const Condition& condition : experiment.conditions) {
     look_at_numbers(condition.scene, found);
     look_at_impacts(condition.scene, found);
+    look_at_horizon(condition, found);
     const auto* recorded = std::get_if<Recorded>(&condition.scene.excitation);
     if (recorded == nullptr || !recorded->ground_motion || !seen.insert(recorded->ground_motion.get()).second) continue;
     if (recorded->ground_motion->samples.size() > 1) look_at_record(*recorded->ground_motion, found);

@@ -340,9 +340,11 @@ void keys_of(FieldVisitor& in, Horizon& horizon, const Scene& scene) {
         {"would be " + std::to_string(standard.sampled_periods) + ", until the block rests after the shaking",
          "lower the frequency, so that strobe periods are longer, or give at most 1000000"});
   }
-  in.value({"sampled_periods",
-            "periods whose strobe points are used; harmonic: 120, else until the block rests after the shaking"},
-           horizon.sampled_periods, rules::sampled_periods, follows);
+  in.value(
+      {"sampled_periods",
+       "periods whose strobe points are used; harmonic: 120, and at least 24 to classify a response, 48 of a random "
+       "one; else until the block rests after the shaking"},
+      horizon.sampled_periods, rules::sampled_periods, follows);
   in.optional("until_classified", horizon.until_classified, [&](UntilClassified& until) {
     in.object({"until_classified",
                "a realisation that is unresolved goes on, window by window of sampled_periods, until its response is "

@@ -17,9 +17,6 @@
 namespace rocking::section {
 namespace {
 
-constexpr std::size_t fewest_noise_free = 2 * static_cast<std::size_t>(longest_period);
-constexpr std::size_t fewest_random = 4 * static_cast<std::size_t>(longest_period);
-
 enum class Sign : std::uint8_t { negative, unclear, positive };
 
 struct ExponentFinding {
@@ -139,7 +136,6 @@ std::optional<Classification> approached_over_any_period(const ClassifierInput& 
 }
 
 PendingClassification classify_noise_free(const ClassifierInput& input) {
-  if (input.periods.size() < fewest_noise_free) return classified(unresolved(Reason::too_few_points));
   const Recurrence recurrence = find_recurrence(input.periods, input.resolution, input.thresholds);
   if (recurrence.classification) return classified(*recurrence.classification);
   if (const auto found = first_approached(input, recurrence.candidates)) return classified(*found);
@@ -204,7 +200,6 @@ std::optional<Classification> of_noise_free_points(const ClassifierInput& input,
 }
 
 PendingClassification classify_random(const ClassifierInput& input) {
-  if (input.periods.size() < fewest_random) return classified(unresolved(Reason::too_few_points));
   const Finding finding = find_clouds(input.periods, input.resolution, input.thresholds);
   const bool is_unresolved = finding.classification.mode.kind == ResponseKind::unresolved;
   if (finding.periods != 1 || is_unresolved) {
@@ -239,6 +234,8 @@ PendingClassification classify(const ClassifierInput& input) {
   if (!moved && !input.periods.empty()) {
     return classified({{ResponseKind::rest, 0, 0}, Reason::never_moved, false, largest_margin});
   }
+  if (input.periods.size() < static_cast<std::size_t>(fewest_periods(input.random)))
+    return classified(unresolved(Reason::too_few_points));
   return input.random ? classify_random(input) : classify_noise_free(input);
 }
 

@@ -41,6 +41,9 @@ struct PendingClassification {
   std::function<bool(const LongSection&)> wants_more_points;
 };
 
+/// Sampled periods without which every response that moves is unresolved: 24, or 48 of a random one.
+[[nodiscard]] constexpr int fewest_periods(bool random) { return (random ? 4 : 2) * longest_period; }
+
 struct ClassifierInput {
   std::span<const Period> periods;  ///< the sampled periods, in order and without gaps
   bool random = false;              ///< whether anything is random along the way

@@ -115,6 +115,20 @@ TEST(SuspiciousNumbers, AreThoseOfAnotherUnitThanThatOfTheirKey) {
               ElementsAre(HasSubstr("/block/width_m = 0.001: below 0.01 m"), HasSubstr("/block/height_m = 0.005")));
 }
 
+TEST(SuspiciousNumbers, AreFewerPeriodsThanTheClassifierNeeds) {
+  const auto with_periods = [](const std::string& periods, const std::string& phase) {
+    return suspicious_numbers(
+        least_with({{"/horizon", "{\"transient_periods\": 5, \"sampled_periods\": " + periods + "}"},
+                    {"/excitation/phase_rad", phase}}));
+  };
+  const std::string drawn = R"({"uniform": [0, 6]})";
+  EXPECT_THAT(with_periods("47", drawn),
+              ElementsAre(AllOf(HasSubstr("/horizon/sampled_periods = 47: too few"), HasSubstr("at least 48 where"))));
+  EXPECT_THAT(with_periods("48", drawn), IsEmpty());
+  EXPECT_THAT(with_periods("23", "0"), ElementsAre(HasSubstr("at least 24; the default is 120")));
+  EXPECT_THAT(with_periods("24", "0"), IsEmpty());
+}
+
 TEST(SuspiciousNumbers, TellInHowManyConditionsTheyAre) {
   const std::string sweep = R"([ { "parameter": "/block/height_m", "values": [4, 40, 50] } ])";
   EXPECT_THAT(suspicious_numbers(least_with({{"/sweep", sweep}})),

@@ -129,6 +129,8 @@ void Reduction::add_to_validity(const Summary& summary) {
   if (named && summary.held < 1.0) validity_.settled_late.add(number);
   if (named) validity_.least_held = std::min(validity_.least_held, summary.held);
   if (!named && summary.reason) validity_.unresolved[*summary.reason].add(number);
+  const auto backing = summary.reason ? section::backing_of(*summary.reason) : std::nullopt;
+  if (named && backing) validity_.backed_by[*backing].add(number);
 }
 
 void Reduction::add_to_pairs(const Summary& summary) {

@@ -121,6 +121,7 @@ struct Validity {
   Cases contradictions;     ///< had an instant at which neither sticking nor slipping is consistent; it sticks there
   Cases clamped;            ///< had at least one draw clamped
   std::map<section::Reason, Cases> unresolved;  ///< by the reason why the response is unresolved
+  std::map<section::Backing, Cases> backed_by;  ///< periodic ones, by what backs the label
   Clamps clamps;                                ///< clamped draws of all realisations
 
   /// Of so many unresolved realisations those that ended before their horizon without an answer

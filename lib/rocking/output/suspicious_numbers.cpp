@@ -104,7 +104,7 @@ void look_at_numbers(const Scene& scene, Suspicions& found) {
 
 /// Whether the classifier has points enough, also in each window of a realisation that goes on until it is classified.
 void look_at_horizon(const Condition& condition, Suspicions& found) {
-  const bool random = is_random(condition.scene);
+  const bool random = is_random_along_the_way(condition.scene);
   const int fewest = section::fewest_periods(random);
   const int sampled = condition.horizon.sampled_periods;
   if (!is_periodic(condition.scene.excitation) || sampled >= fewest) return;

@@ -56,6 +56,9 @@ template <>
 struct TypeOf<Cases> {
   static const ValueType& get() { return the_only<CasesType>(); }
 };
+const ValueType& TypeOf<section::Backing>::get() {
+  return the_only<NamedType<section::Backing, section::backing_names>>();
+}
 const ValueType& TypeOf<section::Reason>::get() {
   return the_only<NamedType<section::Reason, section::reason_names>>();
 }
@@ -109,6 +112,9 @@ static const StructType& fields_of(const Validity*) {
       field<&V::contradictions>("contradictions",
                                 "had an instant at which neither sticking nor slipping is consistent; it sticks there"),
       field<&V::clamped>("clamped", "had a random number clamped"),
+      field<&V::backed_by>(
+          "backed_by",
+          "what the labels (m,n) are backed by (a stable orbit, points that repeat, clouds) to realisations"),
       field<&V::unresolved>("unresolved", "reason why the mode is unresolved to realisations"),
       field<&V::clamps>("clamped_draws",
                         "clamped random numbers by kind; `block_length_at_bound` only where it is not 0"),

@@ -36,6 +36,11 @@ void for_each_case(SomeValidity& validity, const Visit& visit) {
 
 /// Its name.
 template <>
+struct TypeOf<section::Backing> {
+  static const ValueType& get();
+};
+
+template <>
 struct TypeOf<section::Reason> {
   static const ValueType& get();
 };

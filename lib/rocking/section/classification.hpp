@@ -74,6 +74,43 @@ static_assert(reason_names.size() == static_cast<std::size_t>(Reason::impacts_ir
   return reason_names[static_cast<std::size_t>(reason)];
 }
 
+/// What a label (m,n) is backed by: a stable orbit that Newton's method found, points that repeat, or clouds in order.
+enum class Backing : std::uint8_t { orbit, points, clouds };
+
+inline constexpr std::array<std::string_view, 3> backing_names{"orbit", "points", "clouds"};
+[[nodiscard]] constexpr std::string_view to_string(Backing backing) {
+  return backing_names[static_cast<std::size_t>(backing)];
+}
+
+/// Absent of a rule that gives no (m,n).
+[[nodiscard]] constexpr std::optional<Backing> backing_of(Reason reason) {
+  switch (reason) {
+    case Reason::stable_orbit:
+    case Reason::clouds_about_orbit: return Backing::orbit;
+    case Reason::points_coincide: return Backing::points;
+    case Reason::tight_clouds:
+    case Reason::contracting_clouds: return Backing::clouds;
+    case Reason::never_moved:
+    case Reason::came_to_rest:
+    case Reason::closed_curves:
+    case Reason::positive_exponent:
+    case Reason::too_few_points:
+    case Reason::still_converging:
+    case Reason::not_periodic:
+    case Reason::exponent_unclear:
+    case Reason::clouds_overlap:
+    case Reason::period_too_long:
+    case Reason::out_of_order:
+    case Reason::not_stationary:
+    case Reason::changed_regime:
+    case Reason::phase_jump:
+    case Reason::interrupted:
+    case Reason::slow_memory:
+    case Reason::impacts_irregular: break;
+  }
+  return std::nullopt;
+}
+
 /// The reason with this name; absent where there is none.
 [[nodiscard]] std::optional<Reason> reason_named(std::string_view name);
 

@@ -16,7 +16,8 @@ namespace rocking {
 /// 2: a block that stops slipping slips on where sticking would need N <= 0 but slipping keeps the contact.
 /// 3: the Lyapunov exponent follows from tangent vectors.
 /// 4: the records of a suite have independent random numbers.
-inline constexpr std::uint64_t results_version = 4;
+/// 5: labels (m,n) are those of orbits, and exponents in lanes those of the realisation alone.
+inline constexpr std::uint64_t results_version = 5;
 
 /// What a store belongs to. Only realisations of the same experiment and results version may be combined.
 struct Identity {

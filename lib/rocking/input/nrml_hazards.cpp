@@ -25,8 +25,15 @@ pugi::xml_node below(const pugi::xml_node& node, std::string_view name) {
   return node.find_node([name](const pugi::xml_node& each) { return is_element(each, name); });
 }
 
+/// All text of an element: what stands behind a comment, in CDATA and in elements below it, too.
+std::string text_of(const pugi::xml_node& node) {
+  std::string text = node.value();
+  for (const pugi::xml_node& child : node.children()) text += text_of(child);
+  return text;
+}
+
 std::vector<std::string> words_in(const pugi::xml_node& node) {
-  std::istringstream text(node.text().get());
+  std::istringstream text(text_of(node));
   std::vector<std::string> words;
   for (std::string word; text >> word;) words.push_back(std::move(word));
   return words;
@@ -38,7 +45,8 @@ class NrmlHazards {
   NrmlHazards(std::string_view text, std::string name) : text_(text), name_(std::move(name)) {}
 
   std::vector<HazardInFile> read() {
-    const pugi::xml_parse_result parsed = document_->load_buffer(text_.data(), text_.size());
+    const pugi::xml_parse_result parsed =
+        document_->load_buffer(text_.data(), text_.size(), pugi::parse_default | pugi::parse_ws_pcdata);
     if (!parsed) {
       refuse(line_at(static_cast<std::size_t>(std::max<std::ptrdiff_t>(parsed.offset, 0))), "",
              std::string("is not XML: ") + parsed.description(), "give the file as OpenQuake wrote it");

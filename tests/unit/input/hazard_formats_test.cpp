@@ -167,6 +167,19 @@ TEST(HazardNrml, IsReadWithItsMeasureAndStatistic) {
   }
 }
 
+TEST(HazardNrml, CountsAllTextOfAnElement) {
+  for (const char* poes : {"4.553861E-01 <!-- two more --> 5.754043E-02 6.354517E-03",
+                           "4.553861E-01<!-- --> <!-- -->5.754043E-02 6.3545<!-- in a number -->17E-03",
+                           "<![CDATA[4.553861E-01 5.754043E-02]]> 6.354517E-03"}) {
+    SCOPED_TRACE(poes);
+    const std::string text = nrml_file(nrml_curves("IMT=\"PGA\"", poes));
+    expect_rates_of_first(hazard_in_file(text));
+  }
+  std::string text = nrml_file(nrml_curves("IMT=\"PGA\""));
+  text.replace(text.find("0.1 0.4"), 7, "0.1 <!-- g -->0.4");
+  expect_rates_of_first(hazard_in_file(text));
+}
+
 TEST(HazardNrml, ChoosesByMeasureAndStatistic) {
   const std::string text =
       nrml_file(nrml_curves(R"(statistics="mean" IMT="PGA")") +

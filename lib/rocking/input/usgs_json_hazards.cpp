@@ -67,7 +67,7 @@ void add_points(HazardPoints& points, const std::string& name, const JsonAt& int
 class UsgsHazards {
  public:
   UsgsHazards(std::string_view text, std::string name)
-      : document_(std::make_shared<const Json>(parse_json(text))), name_(std::move(name)) {}
+      : document_(std::make_shared<const Json>(parsed(text, name))), name_(std::move(name)) {}
 
   std::vector<HazardInFile> read() {
     const JsonAt root{document_.get()};
@@ -82,6 +82,17 @@ class UsgsHazards {
   }
 
  private:
+  static Json parsed(std::string_view text, const std::string& name) {
+    try {
+      return parse_json(text);
+    } catch (const base::InputError& error) {
+      std::vector<base::Problem> problems = error.problems();
+      for (base::Problem& problem : problems)
+        problem.place = name + (problem.place.empty() ? "" : ", " + problem.place);
+      throw base::InputError(std::move(problems));
+    }
+  }
+
   [[noreturn]] void refuse(const JsonAt& where, std::string reason, std::string remedy) const {
     const std::string place = where.pointer.empty() ? name_ : name_ + ", " + where.pointer;
     throw base::InputError({place, "", std::move(reason), std::move(remedy)});

@@ -106,9 +106,12 @@ std::optional<Refusal> refusal_of_numbers(const SceneBlock& block) {
   if (!body.mass) return std::nullopt;
   const auto& [left, right, height, radius] = *body.mass;
   if (!(left >= least_length && right >= least_length)) {
-    return Refusal{"has its centre of mass outside its base, " + in_metres(std::abs(std::min(left, right))) +
-                       " m beyond the " + (left < right ? "left" : "right") + " edge",
-                   "a body at rest needs its centre of mass above its base"};
+    const double least = std::min(left, right);
+    const std::string edge = left < right ? "left edge" : "right edge";
+    return Refusal{least > 0.0
+                       ? "has its centre of mass " + in_metres(least) + " m from its " + edge
+                       : "has its centre of mass outside its base, " + in_metres(-least) + " m beyond the " + edge,
+                   "a body at rest needs its centre of mass above its base, at least 1e-6 m from the edges"};
   }
   if (!(height >= least_length)) return Refusal{"has its centre of mass below its base", "give it a positive height"};
   if (!std::holds_alternative<GivenCentre>(block.mass)) return std::nullopt;

@@ -249,6 +249,7 @@ TEST(HazardOfTheUsgs, IsRefusedWithItsPlace) {
     return complaint_of_file(R"({"response": [{"metadata": {"imt": {"value": "PGA"}, "xvals": [0.1, 0.2]}, "data": [)" +
                              data + "]}]}");
   };
+  EXPECT_THAT(complaint_of_file("{\"a\": 1,,}"), ::testing::StartsWith("h"));
   EXPECT_THAT(complaint_of_file("{\"a\": 1}"), HasSubstr("is no answer of the hazard service"));
   EXPECT_THAT(complaint_of_file("{\"response\": []}"), HasSubstr("has no hazard curve"));
   EXPECT_THAT(with(R"({"component": "Fault", "yvals": [0.1, 0.01]})"),

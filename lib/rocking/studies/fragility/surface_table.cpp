@@ -38,13 +38,17 @@ std::string median_in_words(const SurfaceMedian& median) {
 /// Whether y matters, and where the medians are.
 std::string answer_of(const FragilitySurface& surface) {
   const std::string &x = surface.measures[0], &y = surface.measures[1];
-  const bool matters = surface.second->p_value && *surface.second->p_value <= stats::surface_significance;
+  const auto& p = surface.second->p_value;
+  const bool matters = p && *p <= stats::surface_significance;
+  const std::string conclusion = matters ? " matters beside "
+                                 : p     ? " does not clearly matter beside "
+                                         : " is not tested beside ";
   const SurfaceMedian &low = surface.medians.at(0), &high = surface.medians.at(1);
   const auto median = [&x](const SurfaceMedian& at, const std::string& quartile) {
     return "median " + x + ' ' + median_in_words(at) + " at the " + quartile + ", " + significant(at.y, 3) + '\n';
   };
-  return y + (matters ? " matters beside " : " does not clearly matter beside ") + x + " (" +
-         p_in_words(*surface.second) + ")\n" + median(low, "lower quartile of " + y) + median(high, "upper quartile");
+  return y + conclusion + x + " (" + p_in_words(*surface.second) + ")\n" + median(low, "lower quartile of " + y) +
+         median(high, "upper quartile");
 }
 
 std::string rate_of(const FragilitySurface& surface) {

@@ -155,6 +155,9 @@ TEST(FragilitySurface, SaysWhetherTheSecondMeasureMattersAndWhereTheMediansAre) 
   EXPECT_NEAR(stats::surface_probit(c, std::log(*low.x / found.centre[0]), v), 0.0, 1e-12);
   EXPECT_TRUE(low.interval && low.interval->low < *low.x && *low.x < low.interval->high);
   EXPECT_THAT(surface_table("", found), HasSubstr("surface of overturning: pgv_over_pga_s matters beside pga_g (p = "));
+  FragilitySurface untested = found;
+  untested.second->p_value.reset();
+  EXPECT_THAT(surface_table("", untested), HasSubstr("pgv_over_pga_s is not tested beside pga_g (no p: too few"));
 }
 
 // All levels have all ratios: nothing of the rectangle between the extremes is extrapolated.

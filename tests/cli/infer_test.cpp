@@ -186,7 +186,8 @@ TEST_F(Infer, RefusesTestsWithLineValueAndRemedy) {
                    at("line 2 = \"1.5\": is not a number of tests", "give a whole number"));
   expect_bad_tests("amplitude,\"(1,1)\",other\n4.5,1,2\n-6,1,2\n",
                    at("line 3 = \"-6\": /excitation/amplitude", "give"));
-  expect_bad_tests("amplitude,\"(1,1)\",other\n4.5,1\n", at("line 2 = \"2 fields\"", "give 3 fields"));
+  expect_bad_tests("amplitude,\"(1,1)\",other\n4.5,1\n",
+                   at("line 2 = \"4.5,1\": has 2 fields", "give every line as many"));
   expect_bad_tests("amplitude,\"(1,1)\",other\n4.5,0,0\n", at("line 2", "omit the line"));
   expect_bad_tests("mean,\"(1,1)\",other\n0.3,1,2\n", at("line 1 = \"mean\": is an unknown", "omit the column"));
   expect_bad_tests("amplitude\n4.5\n", HasSubstr("has no column of a response mode"));

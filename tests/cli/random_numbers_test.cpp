@@ -120,7 +120,7 @@ TEST_F(RandomNumbers, OfAFileAreRefusedWithTheLine) {
            {"1\n2\n3\n", "", "numbers.csv: has 3 numbers; give at least 20"},
            {"x,y\n" + twenty, "", "line 1 = \"x,y\": has several columns; name one of its first line with --column"},
            {"x,y\n" + twenty, "--column z", "line 1 = \"z\": is no column that this line names"},
-           {"x,y\n" + twenty + "7\n", "--column y", "line 22 = \"7\": has 1 fields, and the first line 2"},
+           {"x,y\n" + twenty + "7\n", "--column y", "line 22 = \"7\": has 1 field, but the first line has 2"},
            {"x,y\n" + twenty, "--column y", "numbers.csv: has numbers that are all equal"}}) {
     write("numbers.csv", fault.text);
     const auto outcome = rocking("check-normal numbers.csv " + fault.flags);

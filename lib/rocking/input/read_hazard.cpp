@@ -9,71 +9,44 @@
 
 #include "rocking/base/error.hpp"
 #include "rocking/base/number_text.hpp"
-#include "rocking/input/line_problems.hpp"
+#include "rocking/input/csv_table.hpp"
 
 namespace rocking {
 namespace {
-
-/// Without the quotation marks that programs write around the name of a column.
-std::string unquoted(const std::string& field) {
-  const bool is_quoted = field.size() > 1 && field.front() == '"' && field.back() == '"';
-  return is_quoted ? field.substr(1, field.size() - 2) : field;
-}
-
-/// The fields of a line, without the comment and without blanks around them: between commas or semicolons if there are
-/// any, else between blanks.
-std::vector<std::string> fields_of(std::string_view line) {
-  constexpr std::string_view blanks = " \t\r";
-  line = line.substr(0, line.find('#'));
-  const std::string_view separators = line.find_first_of(",;") == std::string_view::npos ? blanks : ",;";
-  std::vector<std::string> fields;
-  while (true) {
-    const std::size_t end = line.find_first_of(separators);
-    std::string_view field = line.substr(0, end);
-    field.remove_prefix(std::min(field.find_first_not_of(blanks), field.size()));
-    field = field.substr(0, field.find_last_not_of(blanks) + 1);
-    // Blanks side by side separate once.
-    if (!field.empty() || separators != blanks) fields.emplace_back(field);
-    if (end == std::string_view::npos) return fields;
-    line.remove_prefix(end + 1);
-  }
-}
 
 /// Two columns, with or without a header.
 class TwoColumns {
  public:
   TwoColumns(std::string name, const HazardReading& reading)
-      : name_(std::move(name)), is_given_years_(reading.years), points_(name_, reading) {}
+      : name_(std::move(name)), is_given_years_(reading.years), points_(name_, reading), lines_(name_, problems_) {}
 
   HazardCurve read(std::string_view text) {
-    while (!text.empty() && !points_.is_enough()) {
-      ++line_;
-      const std::size_t end = text.find('\n');
-      read_line(text.substr(0, end));
-      text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
-    }
+    CsvTable rows(text, lines_, {.do_blanks_separate = true});
+    if (rows.next()) read_first(rows.fields());
+    while (are_two_ && !points_.is_enough() && rows.next()) add(rows.fields());
+    for (const base::Problem& each : problems_) points_.reject(each.place, each.value, each.reason, each.remedy);
     return points_.finish();
   }
 
  private:
-  [[nodiscard]] std::string place() const { return name_ + ", line " + std::to_string(line_); }
+  [[nodiscard]] std::string place() const { return name_ + ", line " + std::to_string(lines_.line()); }
 
-  void read_line(std::string_view line) {
-    const std::vector<std::string> fields = fields_of(line);
-    if (fields.empty() || (fields.size() == 1 && fields.front().empty())) return;
-    const bool is_first = std::exchange(is_first_, false);
-    if (fields.size() != 2) {
-      return points_.reject(place(), std::string(line.substr(0, 200)), "has not two columns",
-                            "write: intensity, annual rate of exceedance");
+  void read_first(const std::vector<std::string>& fields) {
+    are_two_ = fields.size() == 2;
+    if (!are_two_) {
+      return points_.reject(place(), std::to_string(fields.size()) + " in the first line", "are not two columns",
+                            "write: intensity, annual rate of exceedance; a decimal point is a point");
     }
-    if (is_first && !hazard_number(fields[0]) && !hazard_number(fields[1])) return read_header(fields);
-    if (is_first) take_as_flags_say();
-    points_.add(place(), fields[0], fields[1]);
+    if (!hazard_number(fields[0]) && !hazard_number(fields[1])) return read_header(fields);
+    take_as_flags_say();
+    add(fields);
   }
 
+  void add(const std::vector<std::string>& fields) { points_.add(place(), fields[0], fields[1]); }
+
   void read_header(const std::vector<std::string>& fields) {
-    points_.set_header_line(line_);
-    const std::string first = unquoted(fields[0]), second = unquoted(fields[1]);
+    points_.set_header_line(lines_.line());
+    const std::string &first = fields[0], &second = fields[1];
     const bool is_nameless = std::ranges::find(nameless, first) != nameless.end();
     const std::optional<HazardMeasure> measure = hazard_measure(first);
     if (!measure && !is_nameless) {
@@ -98,8 +71,9 @@ class TwoColumns {
   std::string name_;
   bool is_given_years_;
   HazardPoints points_;
-  std::size_t line_ = 0;
-  bool is_first_ = true;
+  Problems problems_;  ///< of lines that are no rows
+  LineProblems lines_;
+  bool are_two_ = false;  ///< columns
 };
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "rocking/base/error.hpp"
 #include "rocking/base/utf8.hpp"
 #include "rocking/input/condition_family.hpp"
+#include "rocking/input/csv_table.hpp"
 #include "rocking/input/line_problems.hpp"
 #include "rocking/input/quantities_in_text.hpp"
 #include "rocking/text/json.hpp"
@@ -67,24 +68,16 @@ class TestReader {
     if (text.size() > most_tests_bytes) lines_.reject_file("is longer than 1 MB", "give one line for each condition");
     text = without_byte_order_mark(text);
     check_unknowns();
-    std::optional<std::size_t> columns;
-    while (!text.empty() && !lines_.enough() && !(lines_.any() && !columns)) {
-      const std::vector<std::string> fields = test_fields(lines_.next_line(text), lines_);
-      if (fields.empty()) continue;
-      if (!columns) {
-        columns_ = read_test_columns(fields, *experiment_, lines_);
-        check_columns(has_counts);
-        if (lines_.any()) break;
-        columns = fields.size();
-      } else if (fields.size() != *columns) {
-        lines_.reject_line(std::to_string(fields.size()) + " fields", "has not as many fields as there are columns",
-                           "give " + std::to_string(*columns) + " fields");
-      } else if (conditions_.size() == most_tested_conditions) {
-        lines_.reject_file("has more than " + std::to_string(most_tested_conditions) + " conditions", "omit some");
-        break;
-      } else {
-        read_condition(fields, has_counts);
-      }
+    CsvTable rows(text, lines_);
+    if (rows.next()) {
+      columns_ = read_test_columns(rows.fields(), *experiment_, lines_);
+      check_columns(has_counts);
+    }
+    for (bool goes_on = !lines_.any(); goes_on && rows.next(); goes_on = conditions_.size() <= most_tested_conditions) {
+      read_condition(rows.fields(), has_counts);
+    }
+    if (conditions_.size() > most_tested_conditions) {
+      lines_.reject_file("has more than " + std::to_string(most_tested_conditions) + " conditions", "omit some");
     }
     if (!lines_.any() && conditions_.empty()) {
       lines_.reject_file("has no conditions", "write the names of the columns, and a line for each condition");

@@ -17,8 +17,7 @@ inline constexpr std::size_t most_tests_bytes = 1'000'000;
 /// Reads counted tests: a line for each tested condition, of which the first names the columns. A column is a parameter
 /// (a JSON pointer into the experiment, or its last key where only one has it), or else response modes with their
 /// count: `(1,1)`, `chaotic`, `(1,1)|(3,3)` for modes that are counted together, `other` for all that no column has.
-/// Fields are separated by a comma, a semicolon or a tab outside of quotation marks and parentheses; `#` begins a
-/// comment. A parameter is a JSON value, or text.
+/// A parameter is a JSON value, or text.
 ///
 /// `name`: of the file, for messages. Throws base::InputError with the line of each fault, also where the experiment
 /// does not allow a value, with the unknowns at the ends of their ranges or between them. Files of the experiment are
@@ -32,11 +31,6 @@ void read_candidates(std::string_view text, const std::string& name, const Exper
 
 /// Largest number of columns of a file of tests.
 inline constexpr std::size_t most_test_columns = 100;
-
-/// The fields of a line, without blanks and quotation marks around them. A separator within quotation marks or
-/// parentheses belongs to the field; two quotation marks within others are one. A comment is left out. A quotation mark
-/// that is not closed is reported; then there are no fields.
-[[nodiscard]] std::vector<std::string> test_fields(std::string_view line, LineProblems& problems);
 
 /// What the columns of a file of tests are.
 struct TestColumns {

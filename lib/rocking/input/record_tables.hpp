@@ -23,13 +23,12 @@ struct SelectedRecord {
 /// Whether a text has the line of PEER's metadata.
 [[nodiscard]] bool is_search_results(std::string_view text);
 
-/// The horizontal records of PEER's table, two for each line: between its line of metadata and the first empty one. What is
-/// empty, `-` or -999 is not known. `name`: of the file, for problems.
+/// The horizontal records of PEER's table, two for each line: between its line of metadata and the first empty one. A number
+/// that is empty, `-` or -999 is not known; dashes stand for a component that does not exist. `name`: of the file, for problems.
 [[nodiscard]] std::vector<SelectedRecord> search_results(std::string_view text, const std::string& name,
-                                                         Problems& problems);
+                                                         Problems& found);
 
 /// Lines `level,file,factor`, perhaps with `component`, below a line with these names in any order.
-[[nodiscard]] std::vector<SelectedRecord> level_table(std::string_view text, const std::string& name,
-                                                      Problems& problems);
+[[nodiscard]] std::vector<SelectedRecord> level_table(std::string_view text, const std::string& name, Problems& found);
 
 }  // namespace rocking

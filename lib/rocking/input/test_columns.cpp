@@ -11,12 +11,6 @@
 namespace rocking {
 namespace {
 
-std::string without_blanks(const std::string& text) {
-  const std::size_t first = text.find_first_not_of(" \t\r");
-  if (first == std::string::npos) return "";
-  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
-
 class ColumnReader {
  public:
   ColumnReader(const Experiment& experiment, LineProblems& problems)
@@ -133,37 +127,6 @@ class ColumnReader {
 };
 
 }  // namespace
-
-std::vector<std::string> test_fields(std::string_view line, LineProblems& problems) {
-  std::vector<std::string> fields(1);
-  bool is_quoted = false;
-  int depth = 0;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    const char c = line[i];
-    if (c == '"' && is_quoted && line.substr(i + 1).starts_with('"')) {
-      fields.back() += line[++i];
-    } else if (c == '"') {
-      is_quoted = !is_quoted;
-    } else if (is_quoted) {
-      fields.back() += c;
-    } else if (c == '#') {
-      break;
-    } else if (depth == 0 && (c == ',' || c == ';' || c == '\t')) {
-      fields.emplace_back();
-    } else {
-      if (c == '(') ++depth;
-      if (c == ')' && depth > 0) --depth;
-      fields.back() += c;
-    }
-  }
-  for (std::string& field : fields) field = without_blanks(field);
-  if (is_quoted) {
-    problems.reject_line(fields.back(), "has a quotation mark that is not closed", "write for example \"(1,1)\"");
-    return {};
-  }
-  if (fields.size() == 1 && fields.front().empty()) fields.clear();
-  return fields;
-}
 
 TestColumns read_test_columns(const std::vector<std::string>& names, const Experiment& experiment,
                               LineProblems& problems) {

@@ -118,13 +118,13 @@ TEST(HazardTable, OfTheUsgsHasAnnualRates) {
 TEST(HazardTable, IsRefusedWithLineAndValue) {
   const std::string line = "# investigation_time=1.0, imt=\"PGA\"\n";
   EXPECT_THAT(complaint_of_file(line + "lon,lat,poe-0.1,poe-0.2,mmi\n1,2,0.1,0.01,3\n"),
-              HasSubstr("line 2 = mmi: is neither a place nor an intensity"));
+              HasSubstr("line 2 = \"mmi\": is neither a place nor an intensity"));
   EXPECT_THAT(complaint_of_file(line + "lon,lat,poe-0.1,0.2\n1,2,0.1,0.01\n"),
-              HasSubstr("line 2 = 0.2: is of another kind"));
+              HasSubstr("line 2 = \"0.2\": is of another kind"));
   EXPECT_THAT(complaint_of_file(line + "lon,lat,poe-0.1,poe-0.2\n1,2,0.1\n"),
-              HasSubstr("line 3 = 1,2,0.1: has not as many"));
+              HasSubstr("line 3 = \"1,2,0.1\": has 3 fields, but the first line has 4"));
   EXPECT_THAT(complaint_of_file(line + "lon,lat,poe-0.1,poe-0.2\nx,2,0.1,0.1\n"),
-              HasSubstr("line 3 = x: is not a number"));
+              HasSubstr("line 3 = \"x\": is not a number"));
   EXPECT_THAT(complaint_of_file(line + "lon,lat,poe-0.1,poe-0.2\n1,2,1.1,0.1\n"),
               HasSubstr("line 3 = 1.1: is no probability"));
   EXPECT_THAT(complaint_of_file(line + "lon,lat,poe-98.1,poe-196.2\n1,2,0.1,0.01\n"), HasSubstr("likely in cm/s2"));

@@ -187,9 +187,11 @@ TEST(Hazard, IsRefusedWithLineValueAndRemedy) {
   EXPECT_THAT(of("0.1,1e-2\n0.2,2e-2\n"), HasSubstr("line 3 = 2e-2: is above the number before it"));
   EXPECT_THAT(of("0.1,1e-2\n0.2,-1\n"), HasSubstr("line 3 = -1: must not be negative"));
   EXPECT_THAT(of("-0.1,1e-2\n0.2,1e-3\n"), HasSubstr("line 2 = -0.1: must be positive"));
-  EXPECT_THAT(of("0.1,1e-2\n0.2,1e-3,7\n"), HasSubstr("two columns"));
+  EXPECT_THAT(of("0.1,1e-2\n0.2,1e-3,7\n"),
+              HasSubstr("line 3 = \"0.2,1e-3,7\": has 3 fields, but the first line has 2"));
+  EXPECT_THAT(complaint("pga_g,rate,7\n0.1,1e-2,7\n"), HasSubstr("two columns"));
   EXPECT_THAT(of("0.1,1e-2\n0.2,nan\n"), HasSubstr("not a number"));
-  EXPECT_THAT(of("0,1;0,01\n"), HasSubstr("two columns"));
+  EXPECT_THAT(of("0,1;0,01\n"), HasSubstr("has 4 fields, but the first line has 2"));
 }
 
 }  // namespace

@@ -32,19 +32,20 @@ TEST(RecordMetadata, AreReadByTheirColumns) {
 
 TEST(RecordMetadata, AreRefusedWithLineValueAndRemedy) {
   EXPECT_THAT(metadata_complaint(""), HasSubstr("has no line with the names of the columns"));
-  EXPECT_THAT(metadata_complaint("a.at2,6.5\n"), HasSubstr("line 1 = a.at2: is not a column"));
-  EXPECT_THAT(metadata_complaint("file,Mw\n"), HasSubstr("line 1 = Mw: is not a column"));
+  EXPECT_THAT(metadata_complaint("a.at2,6.5\n"), HasSubstr("line 1 = \"a.at2\": is not a column"));
+  EXPECT_THAT(metadata_complaint("file,Mw\n"), HasSubstr("line 1 = \"Mw\": is not a column"));
   EXPECT_THAT(metadata_complaint("file,file,magnitude\n"), HasSubstr("stands twice"));
   EXPECT_THAT(metadata_complaint("magnitude,distance_km\n"), HasSubstr("does not name the columns"));
   const std::string header = "file,magnitude,distance_km\n";
-  EXPECT_THAT(metadata_complaint(header + "a,6\n"), HasSubstr("line 2 = 2 values: do not fit the columns"));
-  EXPECT_THAT(metadata_complaint(header + "a,six,10\n"), HasSubstr("line 2 = six: is not a number"));
+  EXPECT_THAT(metadata_complaint(header + "a,6\n"),
+              HasSubstr("line 2 = \"a,6\": has 2 fields, but the first line has 3"));
+  EXPECT_THAT(metadata_complaint(header + "a,six,10\n"), HasSubstr("line 2 = \"six\": is not a number"));
   EXPECT_THAT(metadata_complaint(header + "a,6,0\n"), HasSubstr("must be positive"));
   for (const char* missing : {"-999", "-9", "-99", "99", "11"}) {
     EXPECT_THAT(metadata_complaint(header + "a," + missing + ",10\n"), HasSubstr("is not a magnitude from 0 to 10"));
   }
   EXPECT_THAT(metadata_complaint(header + "a,6,-999\n"), HasSubstr("must be positive"));
-  EXPECT_THAT(metadata_complaint(header + "a,6,1\nb,inf,1\na,6,1\n"), HasSubstr("line 4 = a: stands twice"));
+  EXPECT_THAT(metadata_complaint(header + "a,6,1\nb,inf,1\na,6,1\n"), HasSubstr("line 4 = \"a\": stands twice"));
 }
 
 }  // namespace
@@ -54,7 +55,7 @@ TEST(RecordMetadata, MayBeTheTableOfPeersSearch) {
       "(km), "
       "Horizontal-1 Acc. Filename, Horizontal-2 Acc. Filename\n1, 2, \" \"\"Joshua, Tree #3\"\"\", 7.28, 11.03, a.at2, "
       "b.at2 \n"
-      "2, 2, c, -999, , d.at2, -----\n\n3, 1, e, 6, 5, f.at2, g.at2\n",
+      "2, 2, c, -999, , d.at2, -----\n\n These records are UNSCALED\n",
       "_SearchResults.csv");
   ASSERT_EQ(found.size(), 3U);
   EXPECT_EQ(found[1].file, "b.at2");

@@ -405,7 +405,7 @@ std::string peer_table(const std::string& magnitude = "7.28") {
          magnitude +
          ", 11.03, a.at2, b.at2 , v.at2  \r\n"
          "2, 865, -, \"C\", \"D\", -999, , c.at2, -----, v.at2\n,,,,\n"
-         " These records are UNSCALED,,\n3, 866, 2, E, F, 6, 20, never.at2, never.at2, v.at2\n";
+         " These records are UNSCALED,,\n   .AT2 = Acceleration\nPeriod (sec),Target pSa (g)\n0.01,0.5\n";
 }
 
 TEST_F(Suite, MayBeTheTableOfPeersSearch) {
@@ -441,6 +441,43 @@ TEST_F(Suite, RefusesATableOfPeerThatIsNotAsItMustBe) {
               AllOf(HasSubstr("records/_SearchResults.csv, line 5"), HasSubstr("\"x\"")));
   files_["records/_SearchResults.csv"] = " -- Summary of Metadata of Selected Records --\nA, B\n1, 2\n";
   EXPECT_THAT(refusal_of(experiment(R"("records/_SearchResults.csv")")), HasSubstr("Horizontal-1 Acc. Filename"));
+}
+
+TEST_F(Suite, RefusesATableOfPeerFromWhichARecordWouldBeLost) {
+  files_["records/c.at2"] = support::peer_at2({0.4, 0.1, 0.05, 0.0}, ".01");
+  const auto complaint_with = [this](const std::string& there, const std::string& instead) {
+    std::string text = peer_table();
+    const std::size_t place = text.find(there);
+    EXPECT_NE(place, std::string::npos) << there;
+    files_["records/_SearchResults.csv"] = text.replace(place, there.size(), instead);
+    return refusal_of(experiment(R"("records/_SearchResults.csv")"));
+  };
+  const auto in_line = [](const char* line, const char* reason) {
+    return AllOf(HasSubstr("records/_SearchResults.csv, line " + std::string(line)), HasSubstr(reason));
+  };
+  EXPECT_THAT(complaint_with(", b.at2 , v.at2", ""), in_line("5", "has 8 fields, but the first line has 10"));
+  EXPECT_THAT(complaint_with("11.03", "11,03"), in_line("5", "has 11 fields, but the first line has 10"));
+  EXPECT_THAT(complaint_with("b.at2 ,", ","), in_line("5", "has no Horizontal-2 Acc. Filename"));
+  EXPECT_THAT(complaint_with("\"A, B\"", "\"A, B"), in_line("5", "a quotation mark that is not closed"));
+  EXPECT_THAT(complaint_with("\"A, B\"", "A, B\""), in_line("5", "a quotation mark that is not closed"));
+  EXPECT_THAT(complaint_with("2, 865", "\n2, 865"), in_line("7", "names a record behind the empty line"));
+  for (const char* column : {"Horizontal-2 Acc. Filename", "Scale Factor", "Magnitude", "Rrup (km)"}) {
+    EXPECT_THAT(complaint_with(column, "Another"), HasSubstr("has no column"));
+  }
+  EXPECT_THAT(complaint_with("Station Name", "Magnitude"), HasSubstr("has several columns \"Magnitude\""));
+}
+
+TEST_F(Suite, RefusesALevelWithMoreOrFewerFieldsThanItsHeader) {
+  const auto complaint_about = [this](const std::string& lines) {
+    files_["records/selection.csv"] = lines;
+    return refusal_of(experiment(R"({"levels": "records/selection.csv"})"));
+  };
+  const std::string header = "level,file,factor\n0.2,a.at2,0.5\n";
+  EXPECT_THAT(complaint_about(header + "0.6,b.at2,1,75\n"),
+              AllOf(HasSubstr("selection.csv, line 3"), HasSubstr("has 4 fields, but the first line has 3")));
+  EXPECT_THAT(complaint_about(header + "0.6,b.at2\n"), HasSubstr("has 2 fields, but the first line has 3"));
+  EXPECT_THAT(complaint_about("level,file,factor,comp\n0.6,b.at2,1,x\n"), HasSubstr("has the column \"comp\""));
+  EXPECT_EQ(complaint_about("# selected\n" + header + ",,\n0.6;b.at2;1 # the last\n"), "accepted");
 }
 
 TEST_F(Suite, MayGiveEachLevelItsOwnRecordsAndFactors) {

@@ -3,7 +3,7 @@
 
 #include "rocking/base/error.hpp"
 #include "rocking/base/number_text.hpp"
-#include "rocking/input/line_problems.hpp"
+#include "rocking/input/csv_table.hpp"
 #include "rocking/input/read_hazard.hpp"
 #include "rocking/studies/fragility/fragility.hpp"
 #include "rocking/text/files.hpp"
@@ -15,14 +15,14 @@ namespace {
 using Columns = std::array<std::size_t, 3>;
 
 /// Of the header; absent, with a problem, where it does not name them.
-std::optional<Columns> columns_of(const std::vector<std::string_view>& names, const std::vector<std::string>& measures,
+std::optional<Columns> columns_of(const std::vector<std::string>& names, const std::vector<std::string>& measures,
                                   std::string_view line, LineProblems& problems) {
   const std::array<std::string_view, 3> wanted{measures.at(0), measures.at(1), "annual_rate"};
   Columns columns{};
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     const auto found = std::ranges::find(names, wanted[i]);
     if (found == names.end() || names.size() != wanted.size()) {
-      problems.reject_line(trimmed(line), "does not name the columns of the joint hazard",
+      problems.reject_line(line, "does not name the columns of the joint hazard",
                            "begin the file with: " + measures[0] + ',' + measures[1] + ",annual_rate");
       return std::nullopt;
     }
@@ -37,20 +37,9 @@ class JointHazardReader {
       : lines_(name, problems_), measures_(measures), hazard_{.name = std::move(name), .cells = {}} {}
 
   JointHazard read(std::string_view text) {
-    text = without_byte_order_mark(text);
-    while (!text.empty() && !lines_.enough()) {
-      std::string_view line = lines_.next_line(text);
-      line = line.substr(0, line.find('#'));
-      std::vector<std::string_view> fields;
-      split_fields(line, fields);
-      if (fields.empty()) continue;
-      if (columns_) {
-        add(line, fields);
-      } else {
-        columns_ = columns_of(fields, measures_, line, lines_);
-        if (!columns_) break;
-      }
-    }
+    CsvTable rows(without_byte_order_mark(text), lines_, {.do_blanks_separate = true});
+    if (rows.next()) columns_ = columns_of(rows.fields(), measures_, rows.line(), lines_);
+    while (columns_ && rows.next()) add(rows.line(), rows.fields());
     const bool has_rate = std::ranges::any_of(hazard_.cells, [](const JointCell& cell) { return cell.rate > 0.0; });
     if (!lines_.any() && !has_rate) {
       lines_.reject_file("has no cell with a rate above 0",
@@ -61,10 +50,7 @@ class JointHazardReader {
   }
 
  private:
-  void add(std::string_view line, const std::vector<std::string_view>& fields) {
-    if (fields.size() != columns_->size()) {
-      return lines_.reject_line(trimmed(line), "is not three numbers", "give both measures and the annual rate");
-    }
+  void add(std::string_view line, const std::vector<std::string>& fields) {
     std::array<double, 3> values{};
     for (std::size_t i = 0; i < values.size(); ++i) {
       const auto number = lines_.number(fields[(*columns_)[i]]);
@@ -73,11 +59,11 @@ class JointHazardReader {
     }
     const JointCell cell{.x = values[0], .y = values[1], .rate = values[2]};
     if (!is_sensible(cell)) {
-      return lines_.reject_line(trimmed(line), "is no cell: measures must be positive, and rates not negative",
+      return lines_.reject_line(line, "is no cell: measures must be positive, and rates not negative",
                                 "give the middle of the cell, and the rate of occurrence in it");
     }
     if (!cells_.insert({cell.x, cell.y}).second) {
-      return lines_.reject_line(trimmed(line), "stands twice", "give each cell one line, with the sum of its rates");
+      return lines_.reject_line(line, "stands twice", "give each cell one line, with the sum of its rates");
     }
     hazard_.cells.push_back(cell);
   }
@@ -93,6 +79,10 @@ class JointHazardReader {
 }  // namespace
 
 JointHazard joint_hazard(std::string_view text, const std::string& name, const std::vector<std::string>& measures) {
+  if (measures.size() != 2) {
+    throw base::InputError(
+        {name, "", "is the hazard over the two measures of a surface, which are not given", "give a surface"});
+  }
   return JointHazardReader(name, measures).read(text);
 }
 

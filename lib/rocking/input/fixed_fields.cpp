@@ -69,6 +69,12 @@ std::vector<std::string_view> take_fields(std::string_view& text, std::size_t li
   return fields;
 }
 
+bool is_line_of_numbers(std::string_view line) {
+  constexpr std::string_view of_numbers = "0123456789+-.eEdD, \t\r";
+  return line.find_first_of("0123456789") != std::string_view::npos &&
+         line.find_first_not_of(of_numbers) == std::string_view::npos;
+}
+
 std::string_view take_lines(std::string_view& text, std::size_t lines, LineProblems& problems) {
   const std::string_view whole = text;
   for (std::size_t i = 0; i < lines && !text.empty(); ++i) static_cast<void>(problems.next_line(text));

@@ -28,6 +28,9 @@ struct FieldFormat {
 [[nodiscard]] std::vector<std::string_view> take_fields(std::string_view& text, std::size_t lines, FieldFormat format,
                                                         LineProblems& problems);
 
+/// Whether a line has numbers, which may touch, and nothing else.
+[[nodiscard]] bool is_line_of_numbers(std::string_view line);
+
 /// Takes `lines` lines off the front of `text` as they stand.
 [[nodiscard]] std::string_view take_lines(std::string_view& text, std::size_t lines, LineProblems& problems);
 

@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <string>
 #include <utility>
 
 #include "rocking/base/number_text.hpp"
@@ -40,6 +42,7 @@ class CosmosReader final : public ChannelReader {
   [[nodiscard]] bool begins(std::string_view line) const override { return is_line_of_cosmos_header(line); }
 
   [[nodiscard]] std::optional<RecordChannel> block(std::string_view first, std::string_view& text) override {
+    skip_text(text, "integer-header");
     const auto whole = numbers_of(text, "integer-header");
     const auto real = numbers_of(text, "real-header");
     if (whole.size() < 54 || real.size() < 64) {
@@ -49,7 +52,7 @@ class CosmosReader final : public ChannelReader {
     }
     std::string_view channel_code;
     std::string_view line = problems_.next_line(text);
-    while (!text.empty() && (trimmed(line).starts_with('|') || !word_place(line, "pts"))) {
+    while (!text.empty() && !begins(next_of(text)) && (trimmed(line).starts_with('|') || !word_place(line, "pts"))) {
       if (channel_code.empty()) channel_code = channel_of(word_behind(line, "<SCNL>"));
       line = problems_.next_line(text);
     }
@@ -61,16 +64,34 @@ class CosmosReader final : public ChannelReader {
            (instead_.empty() ? std::string() : ", but " + instead_);
   }
 
-  /// The numbers below the next line that has `key`: ` 100 Real-header values follow on  20 lines, Format= (5F15.6)`.
+  static std::string_view next_of(std::string_view text) { return text.substr(0, text.find('\n')); }
+
+  /// Takes lines off up to one that has `key`, or that begins another component.
+  void skip_text(std::string_view& text, std::string_view key) {
+    while (!text.empty() && !word_place(next_of(text), key) && !begins(next_of(text))) {
+      static_cast<void>(problems_.next_line(text));
+    }
+  }
+
+  /// The numbers below the next line, which has `key`: ` 100 Real-header values follow on  20 lines, Format= (5F15.6)`. Empty
+  /// if it has not, or if there are not as many as it says.
   std::vector<std::string_view> numbers_of(std::string_view& text, std::string_view key) {
-    std::string_view line = problems_.next_line(text);
-    while (!text.empty() && !word_place(line, key)) line = problems_.next_line(text);
+    const std::string_view line = next_of(text);
     const auto format = field_format_in(line);
     const auto lines = number_after(line, "on");
-    const auto count = lines ? checked_count(*lines, problems_) : std::nullopt;
+    if (!word_place(line, key) || !format || !lines) return {};
+    static_cast<void>(problems_.next_line(text));
+    const auto count = checked_count(*lines, problems_);
     constexpr std::size_t most = 200;
-    if (!format || !count || *count > most) return {};
-    return take_fields(text, *count, *format, problems_);
+    if (!count || *count > most) return {};
+    std::string_view numbers = take_numbers(*count, 1, text);
+    LineProblems counted = problems_;
+    std::vector<std::string_view> fields = take_fields(numbers, *count, *format, counted);
+    const auto blank = std::ranges::count_if(fields, &std::string_view::empty);
+    const std::string_view begin = trimmed(line);
+    expect_said(begin.substr(0, begin.find(' ')),
+                {base::shortest(static_cast<double>(fields.size()) - static_cast<double>(blank))});
+    return fields;
   }
 
   /// `line`: `  7000  acceleration pts, approx   70 secs, units=cm/sec2(04),Format=(8F10.5)`.
@@ -91,13 +112,15 @@ class CosmosReader final : public ChannelReader {
     if (unit.kind != UnitKind::acceleration) {
       instead_ = written == "counts" ? "raw counts (V0), which need the sensor's calibration"
                                      : "one in the unit " + std::string(written);
-      static_cast<void>(take_lines(text, lines_of(*count, format->count), problems_));
+      static_cast<void>(take_numbers(*count, format->count, text));
       return std::nullopt;
     }
     const auto step = step_of(real);
     if (!step) return std::nullopt;
     EvenHeader header{.time_step = *step, .declared = *count, .unit = unit.acceleration, .field_width = format->width};
     header.peak = header_peak(real[63], header.unit, how_.gravity);
+    constexpr double approximately = 1.0;
+    expect_duration(number_after(line, "approx"), header, approximately);
     return channel(component_of(whole[53], std::move(channel_code)), header, format->count, text);
   }
 
@@ -121,8 +144,10 @@ class CosmosReader final : public ChannelReader {
     for (const auto& [number, name] : directions_of_cosmos) {
       if (direction == base::shortest(number)) return std::string(name);
     }
-    const bool is_azimuth = is_number_field(direction) && direction.size() <= 3 && direction != "0" &&
-                            !direction.starts_with('-') && direction.compare("360") <= 0;
+    int degrees = 0;
+    const char* const behind = direction.data() + direction.size();
+    const bool is_azimuth =
+        std::from_chars(direction.data(), behind, degrees).ptr == behind && degrees >= 1 && degrees <= 360;
     return is_azimuth || channel_code.empty() ? (is_azimuth ? std::string(direction) : std::string()) : channel_code;
   }
 

@@ -30,12 +30,15 @@ class CsmipReader final : public ChannelReader {
     component_.clear();
     peak_ = {};
     declared_ = {};
+    step_ = {};
     tenths_of_g_ = false;
     for (std::size_t i = 1; i < of_text && !text.empty(); ++i) read_line(problems_.next_line(text), is_volume_one);
     static_cast<void>(take_lines(text, of_numbers, problems_));
     const std::string_view below = text.substr(0, text.find('\n'));
     if (!word_place(below, "points") && is_volume_one && tenths_of_g_) return pairs(text);
-    return even(problems_.next_line(text), is_volume_one ? 9 : 10, text);
+    auto found = even(problems_.next_line(text), is_volume_one ? 9 : 10, text);
+    if (found) take_integrals(text);
+    return found;
   }
 
   [[nodiscard]] std::string instead() const override {
@@ -53,9 +56,11 @@ class CsmipReader final : public ChannelReader {
     }
     const auto peak = is_volume_one ? number_behind(line, "max") : number_behind(line, "peak acceleration");
     if (peak) peak_ = *peak;
-    if (is_volume_one && word_place(line, "no")) {
-      if (const auto count = number_behind(line, "of points")) declared_ = *count;
-    }
+    // The header of a corrected record also has the raw number of points.
+    if (const auto count = number_behind(line, "of points"); count && is_volume_one) declared_ = *count;
+    const bool is_count = !is_volume_one && word_place(line, "points of") && is_number_field(first_word(line));
+    if (is_count) declared_ = first_word(line);
+    if (const auto step = number_after(line, "equally-spaced intervals of")) step_ = *step;
     if (word_place(line, "units") && word_place(line, "g/10")) tenths_of_g_ = true;
   }
 
@@ -82,10 +87,31 @@ class CsmipReader final : public ChannelReader {
     return channel(component_, header, 5, text);
   }
 
+  static std::string_view first_word(std::string_view line) {
+    line = trimmed(line);
+    return line.substr(0, line.find(' '));
+  }
+
+  static FieldFormat format_in(std::string_view line, std::size_t width) {
+    return field_format_in(line).value_or(FieldFormat{.count = 8, .width = width});
+  }
+
+  /// Velocities and displacements: ` 7500 points of veloc data equally spaced at  .010 sec, in cm/sec.  (8f10.7)`.
+  void take_integrals(std::string_view& text) {
+    const auto are_next = [&text] {
+      const std::string_view line = text.substr(0, text.find('\n'));
+      return word_place(line, "points") && (word_place(line, "veloc") || word_place(line, "displ"));
+    };
+    while (!problems_.any() && are_next()) {
+      const std::string_view line = problems_.next_line(text);
+      const auto count = checked_count(first_word(line), problems_);
+      if (count) static_cast<void>(take_numbers(*count, format_in(line, 10).count, text));
+    }
+  }
+
   /// `line`: ` 7500 points of accel data equally spaced at  .010 sec, in cm/sec2. (8f10.6)`, or
   /// ` 13200 Accelerogram points at 200 pts/sec in units of g .      Format: (8f9.6)`.
   std::optional<RecordChannel> even(std::string_view line, std::size_t width, std::string_view& text) {
-    const std::string_view begin = trimmed(line);
     const bool speaks_of_accelerations =
         word_place(line, "accel") || word_place(line, "accelerogram") || word_place(line, "acceleration");
     const auto at = number_after(line, "at");
@@ -95,12 +121,14 @@ class CsmipReader final : public ChannelReader {
                             std::string(remedy_of_csmip));
       return std::nullopt;
     }
-    const auto count = checked_count(begin.substr(0, begin.find(' ')), problems_);
+    const auto count = checked_count(first_word(line), problems_);
     const bool is_rate = word_place(line, "pts") || word_place(line, "samples");
     const auto number = is_rate ? problems_.number(*at) : std::nullopt;
     const auto step = checked_time_step(number ? base::shortest(1.0 / *number) : *at, 1.0, std::nullopt, problems_);
     if (!count || !step) return std::nullopt;
-    const FieldFormat format = field_format_in(line).value_or(FieldFormat{.count = 8, .width = width});
+    if (!declared_.empty()) expect_said(declared_, {first_word(line)});
+    if (!step_.empty()) expect_said(step_, {base::shortest(*step)});
+    const FieldFormat format = format_in(line, width);
     EvenHeader header{.time_step = *step, .declared = *count, .unit = *unit, .field_width = format.width};
     header.peak = header_peak(peak_, header.unit, how_.gravity);
     return channel(component_, header, format.count, text);
@@ -118,6 +146,7 @@ class CsmipReader final : public ChannelReader {
   std::string component_;
   std::string_view peak_;
   std::string_view declared_;
+  std::string_view step_;
   bool tenths_of_g_ = false;
 };
 

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "rocking/base/number_text.hpp"
 #include "rocking/input/even_samples.hpp"
 
 namespace rocking {
@@ -31,6 +34,7 @@ class EsmReader {
       if (keys_.contains(key)) continue;
       problems_.reject_file("has no line " + std::string(key) + ": in its header", "give the original file");
     }
+    check_duration();
     if (problems_.any()) return std::nullopt;
     auto motion = read_even_samples(rest, header_, how_.gravity, problems_);
     if (motion) motion->component = stream_;
@@ -59,6 +63,8 @@ class EsmReader {
       read_step(value);
     } else if (key == "NDATA" && !value.empty()) {
       header_.declared = checked_count(value, problems_);
+    } else if (key == "DURATION_S" && is_number_field(value)) {
+      duration_ = problems_.number(value);
     } else if (key == "PGA_CM/S^2" && is_number_field(value)) {
       header_.peak = header_peak(value, RecordUnit::cm_s2, how_.gravity);
     } else if (key == "STREAM") {
@@ -68,6 +74,16 @@ class EsmReader {
     } else if (key == "DATA_TYPE" && !value.empty() && in_capitals(value) != "ACCELERATION") {
       problems_.reject_line(value, "is the kind of the data", "give a file whose DATA_TYPE is ACCELERATION");
     }
+  }
+
+  /// That of the header and that of its number of samples; either may be by one step longer.
+  void check_duration() {
+    if (!duration_ || !header_.declared) return;
+    const double of_samples = header_.time_step * static_cast<double>(*header_.declared);
+    if (std::abs(*duration_ - of_samples) <= 2.0 * header_.time_step) return;
+    problems_.reject_file("states a duration of " + base::shortest(*duration_) +
+                              " s, but its number of samples and its step give " + base::significant(of_samples, 6),
+                          "restore the header");
   }
 
   void read_step(std::string_view value) {
@@ -89,6 +105,7 @@ class EsmReader {
   const GroundMotionReading& how_;
   LineProblems problems_;
   EvenHeader header_;
+  std::optional<double> duration_;
   std::string stream_;  ///< channel of the sensor: `HNE`, `HNZ`
   std::vector<std::string_view> fields_;
   std::set<std::string> keys_;  ///< that were read

@@ -1,4 +1,5 @@
 #include <array>
+#include <span>
 
 #include "rocking/input/fixed_fields.hpp"
 #include "rocking/input/header_words.hpp"
@@ -37,10 +38,12 @@ class GeonetReader final : public ChannelReader {
     // `Raw readings in units of 1.00 mm/s/s  at intervals of 0.005 s`
     const auto factor = is_corrected ? std::nullopt : number_after(lines[10], "of");
     if (factor) header.factor = problems_.number(*factor).value_or(1.0);
+    compare(lines, numbers, is_corrected);
+    compare_duration(numbers, header);
     auto found = channel(component_in_line(lines[12]), header, 10, text);
     for (std::size_t i = 4; i < 6 && is_corrected; ++i) {
       const auto others = checked_count(numbers.at(3, i), problems_);
-      static_cast<void>(take_lines(text, lines_of(others.value_or(0), 10), problems_));
+      static_cast<void>(take_numbers(others.value_or(0), 10, text));
     }
     return found;
   }
@@ -51,6 +54,21 @@ class GeonetReader final : public ChannelReader {
     std::vector<std::string_view> fields;
     [[nodiscard]] std::string_view at(std::size_t line, std::size_t column) const { return fields[line * 10 + column]; }
   };
+
+  /// What the text of the header says, `Number of points  26385    Duration 131.92 s`, with its numbers. Of a corrected
+  /// component it may be about the raw readings.
+  void compare(std::span<const std::string_view> lines, const Numbers& numbers, bool is_corrected) {
+    const std::size_t own = is_corrected ? 3 : 0, other = is_corrected ? 0 : 3;
+    for (const std::string_view line : lines) {
+      expect_said(number_after(line, "number of points"), {numbers.at(3, own), numbers.at(3, other)});
+      expect_said(number_after(line, "at intervals of"), {numbers.at(6, 5), numbers.at(6, 4)});
+    }
+  }
+
+  void compare_duration(const Numbers& numbers, const EvenHeader& header) {
+    const std::string_view duration = numbers.at(6, 3);
+    if (duration.find_first_of("123456789") != std::string_view::npos) expect_duration(duration, header, 0.01);
+  }
 
   /// `Component S90E  Longitudinal Accelerometer Axis`.
   static std::string component_in_line(std::string_view line) {

@@ -1,13 +1,29 @@
 #include "rocking/input/record_channels.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
+#include "rocking/base/number_text.hpp"
 #include "rocking/input/fixed_fields.hpp"
 #include "rocking/input/record_component.hpp"
 
 namespace rocking {
 namespace {
+
+constexpr std::string_view restore = "restore the file, or correct the header of the component";
+
+std::size_t numbers_in(std::string_view text) {
+  std::vector<std::string_view> fields;
+  std::size_t count = 0;
+  while (!text.empty()) {
+    const std::size_t end = text.find('\n');
+    split_fields(text.substr(0, end), fields);
+    count += fields.size();
+    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+  }
+  return count;
+}
 
 class ChannelChoice {
  public:
@@ -105,10 +121,14 @@ std::optional<GroundMotion> read_chosen(const std::vector<RecordChannel>& channe
 std::optional<GroundMotion> ChannelReader::read(std::string_view text) {
   text = without_byte_order_mark(text);
   std::vector<RecordChannel> channels;
-  while (!text.empty() && !problems_.enough()) {
+  while (!text.empty() && !problems_.any()) {
     const std::string_view line = problems_.next_line(text);
-    if (!begins(line)) continue;
-    if (auto channel = block(line, text)) channels.push_back(*std::move(channel));
+    if (begins(line)) {
+      if (auto channel = block(line, text)) channels.push_back(*std::move(channel));
+    } else if (is_line_of_numbers(line)) {
+      problems_.reject_line(trimmed(line), "is a line of numbers outside of the components, as the headers count them",
+                            std::string(restore));
+    }
   }
   if (channels.empty() && !problems_.any()) problems_.reject_file(instead(), "give the file of accelerations");
   if (problems_.any()) return std::nullopt;
@@ -118,8 +138,55 @@ std::optional<GroundMotion> ChannelReader::read(std::string_view text) {
 RecordChannel ChannelReader::channel(std::string component, const EvenHeader& header, std::size_t per_line,
                                      std::string_view& text) {
   RecordChannel channel{.component = std::move(component), .header = header, .line = problems_.line()};
-  channel.samples = take_lines(text, lines_of(header.declared.value_or(0), per_line), problems_);
+  const std::size_t declared = header.declared.value_or(0);
+  channel.samples = take_numbers(declared, per_line, text);
+  const std::size_t numbers = numbers_in(parted_fields(channel.samples, header.field_width));
+  const std::size_t found = numbers / header.columns;
+  if (!problems_.any() && numbers % header.columns == 0 && std::max(found, declared) - std::min(found, declared) > 1) {
+    problems_.reject_file("contains " + std::to_string(found) + " samples of " +
+                              (channel.component.empty() ? "a component" : channel.component) +
+                              ", but its header declares " + std::to_string(declared),
+                          std::string(restore));
+  }
   return channel;
+}
+
+std::string_view ChannelReader::take_numbers(std::size_t count, std::size_t per_line, std::string_view& text) {
+  const std::string_view whole = text;
+  std::size_t lines = lines_of(count, per_line);
+  for (; lines > 0 && !text.empty() && !problems_.any(); --lines) {
+    const std::string_view line = problems_.next_line(text);
+    if (is_line_of_numbers(line)) continue;
+    problems_.reject_line(trimmed(line),
+                          "is no line of numbers, but the header declares " + std::to_string(count) + " numbers here",
+                          std::string(restore));
+  }
+  if (lines > 0 && !problems_.any()) {
+    problems_.reject_file("ends too early, but its header declares " + std::to_string(count) + " numbers here",
+                          std::string(restore));
+  }
+  return whole.substr(0, whole.size() - text.size());
+}
+
+void ChannelReader::expect_said(std::optional<std::string_view> said, std::initializer_list<std::string_view> given) {
+  if (!said) return;
+  const auto number = problems_.number(*said);
+  const auto is_equal = [&](std::string_view other) {
+    return is_number_field(other) && problems_.number(other) == number;
+  };
+  if (std::ranges::any_of(given, is_equal)) return;
+  problems_.reject_line(*said, "stands in the text of the header, but its numbers give " + std::string(*given.begin()),
+                        std::string(restore));
+}
+
+void ChannelReader::expect_duration(std::optional<std::string_view> said, const EvenHeader& header, double rounding) {
+  const auto duration = said ? problems_.number(*said) : std::nullopt;
+  if (!duration || !header.declared || header.has_times) return;
+  const double of_samples = header.time_step * static_cast<double>(*header.declared);
+  if (std::abs(*duration - of_samples) <= rounding + 2.0 * header.time_step) return;
+  problems_.reject_line(
+      *said, "is the duration in seconds by the header, but its samples last " + base::significant(of_samples, 6),
+      std::string(restore));
 }
 
 }  // namespace rocking

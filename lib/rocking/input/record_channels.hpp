@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -33,7 +34,7 @@ class ChannelReader {
   [[nodiscard]] std::optional<GroundMotion> read(std::string_view text);
 
  protected:
-  /// Whether a line is the first one of a block. Lines before it are left out.
+  /// Whether a line is the first one of a block. Lines of text before it are left out; numbers there are a fault.
   [[nodiscard]] virtual bool begins(std::string_view line) const = 0;
   /// Reads a block, whose first line was taken off `text`, and takes its lines off. Absent: a block of something else, or
   /// one with a fault, which is reported.
@@ -44,6 +45,12 @@ class ChannelReader {
   /// Takes the lines of the samples off `text`, `per_line` groups of `header.columns` numbers in each.
   [[nodiscard]] RecordChannel channel(std::string component, const EvenHeader& header, std::size_t per_line,
                                       std::string_view& text);
+  /// Takes the lines of so many numbers off `text`. Reports one that is no line of numbers.
+  std::string_view take_numbers(std::size_t count, std::size_t per_line, std::string_view& text);
+  /// Reports what the text of a header says, if it is none of what its numbers give. `said`: absent, if it says nothing.
+  void expect_said(std::optional<std::string_view> said, std::initializer_list<std::string_view> given);
+  /// Reports a duration [s] of the header that is not that of its samples, by more than `rounding`.
+  void expect_duration(std::optional<std::string_view> said, const EvenHeader& header, double rounding);
 
   const GroundMotionReading& how_;
   Problems& found_;

@@ -122,6 +122,54 @@ TEST(GeonetFile, IsRefusedWhereItsSamplesAreNotWhole) {
   EXPECT_EQ(problem_of(text).place, "r.txt, line 27");
 }
 
+/// `text` with its `number`-th line, counted from 1, `times` times.
+std::string with_line(const std::string& text, std::size_t number, std::size_t times) {
+  std::string changed;
+  std::size_t line = 1;
+  for (std::size_t begin = 0; begin < text.size(); ++line) {
+    const std::size_t end = text.find('\n', begin) + 1;
+    for (std::size_t i = 0; i < (line == number ? times : 1); ++i) changed += text.substr(begin, end - begin);
+    begin = end;
+  }
+  return changed;
+}
+
+/// In each component of a file a line of samples is repeated, and one is lost; whichever component is asked for.
+void expect_lines_are_counted(const std::string& text, const std::vector<std::size_t>& lines_of_samples,
+                              const std::vector<std::string>& components) {
+  for (const std::string& component : components) {
+    ASSERT_GT(read_record(text, reading(component)).samples.size(), 0U);
+    for (const std::size_t line : lines_of_samples) {
+      SCOPED_TRACE(component + ", line " + std::to_string(line));
+      EXPECT_THAT(problem_of(with_line(text, line, 2), reading(component)).reason,
+                  ::testing::AnyOf(HasSubstr("a line of numbers outside"), HasSubstr("but its header declares")));
+      EXPECT_THAT(problem_of(with_line(text, line, 0), reading(component)).reason,
+                  ::testing::AnyOf(HasSubstr("is no line of numbers, but the header declares"),
+                                   HasSubstr("but its header declares")));
+    }
+  }
+}
+
+TEST(GeonetFile, HasTheLinesOfSamplesThatEachHeaderCounts) {
+  const std::vector<std::string> forty = same("10.0", 40);
+  const std::string raw = geonet("N28W", "10.0", forty, false) + geonet("S62W", "10.0", forty, false);
+  expect_lines_are_counted(raw, {27, 28, 30, 57, 60}, {"N28W", "S62W"});
+  const std::string corrected = geonet("N28W", "10.0", forty, true) + geonet("S62W", "10.0", forty, true);
+  expect_lines_are_counted(corrected, {27, 30, 31, 38, 70}, {"N28W", "S62W"});
+}
+
+TEST(GeonetFile, SaysTheSameInTextAndNumbersOfItsHeader) {
+  const std::string text = geonet("N28W", "-12345.6", touching, false);
+  const auto reason_with = [&text](const std::string& there, const std::string& instead) {
+    std::string changed = text;
+    return problem_of(changed.replace(changed.rfind(there), there.size(), instead)).reason;
+  };
+  EXPECT_THAT(reason_with("  0.0050", " 77.0000"),
+              HasSubstr("stands in the text of the header, but its numbers give 77"));
+  EXPECT_THAT(reason_with("intervals of 0.005", "intervals of 0.01"), HasSubstr("but its numbers give 0.0050"));
+  EXPECT_THAT(reason_with("points  11", "points  12"), HasSubstr("but its numbers give 11"));
+}
+
 TEST(GeonetFile, GivesItsVerticalComponentToTheOtherRole) {
   const std::string text = geonet("N28W", "2.0", {"1.0", "2.0", "1.0"}) + geonet("S62W", "2.0", {"1.0", "2.0", "1.0"}) +
                            geonet("Up", "5.0", {"3.0", "5.0", "4.0"});
@@ -203,6 +251,28 @@ TEST(CosmosFile, LeavesOutVelocitiesAndRefusesCounts) {
   EXPECT_THAT(problem_of(cosmos({.unit = "counts(50)"}, nine)).reason, HasSubstr("raw counts (V0)"));
 }
 
+TEST(CosmosFile, HasTheLinesThatEachHeaderCounts) {
+  const std::string block = cosmos({}, nine);
+  const auto lines = static_cast<std::size_t>(std::ranges::count(block, '\n'));
+  const std::string two = block + cosmos({.direction = "90"}, nine);
+  expect_lines_are_counted(two, {lines - 2, lines - 1, 2 * lines - 1}, {"340", "90"});
+  // Without any line of its header the first component is not taken for the second one.
+  for (std::size_t line = 14; line <= lines - 3; ++line) {
+    SCOPED_TRACE(line);
+    const std::string changed = with_line(two, line, 0);
+    Problems problems;
+    const auto found = read_ground_motion(changed, reading("340"), problems);
+    const bool is_comment = line > 42 && line < lines - 3;
+    EXPECT_EQ(found.has_value(), is_comment);
+  }
+}
+
+TEST(CosmosFile, HasTheDurationOfItsHeader) {
+  std::string text = cosmos({}, nine);
+  EXPECT_THAT(problem_of(text.replace(text.find("approx 1 "), 9, "approx 9 ")).reason,
+              HasSubstr("but its samples last 0.09"));
+}
+
 // --- CSMIP
 
 std::string csmip(bool is_volume_one, const std::string& channel, const std::string& peak, const std::string& below) {
@@ -272,6 +342,19 @@ TEST(CsmipFile, OfVolumeOneHasARateOrPairs) {
       read_record(csmip(true, "L", ".250", "  0.000  1.000  0.010 -2.500  0.020  0.300\r\n"), reading());
   EXPECT_EQ(even_pairs.time_step, 0.01);
   EXPECT_THAT(even_pairs.warnings, IsEmpty());
+}
+
+TEST(CsmipFile, HasTheLinesThatEachHeaderCounts) {
+  // Three lines of text, header and numbers, then those of velocities and displacements, and the end.
+  const std::string two = volume_two("360 Deg") + volume_two("90 Deg");
+  expect_lines_are_counted(two, {47, 49, 51, 99}, {"360", "90"});
+  std::string text = volume_two("360 Deg");
+  EXPECT_THAT(problem_of(text.replace(text.find("  3 points of instr"), 3, "  4")).reason,
+              HasSubstr("stands in the text of the header, but its numbers give 3"));
+  text =
+      csmip(true, "L", ".250", "  3 POINTS OF ACCEL DATA EQUALLY SPACED AT .005 SEC.  (UNITS: G)\r\n .1 -.25 .03\r\n");
+  EXPECT_THAT(problem_of(text.replace(text.find("No. of Points =  3"), 18, "No. of Points =  4")).reason,
+              HasSubstr("but its numbers give 3"));
 }
 
 TEST(CsmipFile, IsRefusedWhereItIsNotWhole) {

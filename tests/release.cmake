@@ -1,10 +1,10 @@
 # What `tests/all --release` adds. CONTRIBUTING.md says which change needs it.
 
-# Tests report.html in a browser, with the npm packages pinned in tests/browser/package-lock.json.
-add_test(NAME Browser.ReadsThePageAsItsReaderDoes
-         COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/browser/run $<TARGET_FILE:rocking> ${CMAKE_CURRENT_BINARY_DIR}/browser)
-set_tests_properties(Browser.ReadsThePageAsItsReaderDoes PROPERTIES
-  SKIP_RETURN_CODE 77 TIMEOUT 900 LABELS browser COST 130)
+if(TARGET rocking_python)
+  add_test(NAME python/asking_more COMMAND ${CMAKE_COMMAND} -E env ROCKING_CALLS=10000
+    ${test_python} ${CMAKE_CURRENT_SOURCE_DIR}/python/test_asking.py)
+  set_tests_properties(python/asking_more PROPERTIES TIMEOUT 3600 LABELS python COST 1000)
+endif()
 
 # Each creates its own hosts or cluster and needs the superuser; skipped with a message where that is impossible.
 add_test(NAME Cluster.RanksOnTwoHostsGiveTheBytesOfOneProcess

@@ -18,10 +18,10 @@ import os
 from typing import Optional, Sequence, Union
 
 from . import documents
-from .asking import Path, Source, answer, numbers, paths, several, words
+from .asking import Source, answer, items, items_if_given, one, seed_text, several
 from .experiments import ExperimentLike
 from .running import Progress
-from .tables import Given, file as file_of, files as files_of
+from .tables import Given, Path, file as file_of, files as files_of
 
 '''
 
@@ -65,31 +65,28 @@ class Parameter:
         self.is_path = asked["is_path"]
         self.may_be_table = self.is_path and not asked["is_written"] and study["subject"] in ("experiment", "runs")
         kind = schema["items"].get("type", "string") if self.is_list else types[0]
-        self.type, self.default, self.value = self.described(SIMPLE[kind], asked["default"])
+        self.type, self.default, self.reading = self.described(SIMPLE[kind], asked["default"])
 
     def described(self, simple, default):
-        """Annotation, default and the value of the question."""
+        """Annotation, default and what reads the argument."""
         if self.may_be_table and self.is_list:
-            return "Union[None, Given, Sequence[Given]]", "None", f"files_of(\"{self.name}\", {self.name})"
+            return "Union[None, Given, Sequence[Given]]", "None", "files_of"
         if self.may_be_table:
-            return ("Given" if self.is_required else "Optional[Given]"), "None", f"file_of(\"{self.name}\", {self.name})"
+            return ("Given" if self.is_required else "Optional[Given]"), "None", "file_of"
         if self.is_list and simple == "str":
             single = "Path" if self.is_path else "str"
-            convert = "paths" if self.is_path else "words"
-            return f"Union[{single}, Sequence[{single}]]", "()", f"{convert}({self.name})"
+            return f"Union[{single}, Sequence[{single}]]", "()", "items"
         if self.is_list and default is None:
-            convert = f"None if {self.name} is None else [{simple}(each) for each in {self.name}]"
-            return f"Optional[Sequence[{simple}]]", "None", convert
+            return f"Optional[Sequence[{simple}]]", "None", "items_if_given"
         if self.is_list:
             values = tuple(default) if default else ()
-            return f"Union[{simple}, Sequence[{simple}]]", repr(values), f"numbers({simple}, {self.name})"
+            return f"Union[{simple}, Sequence[{simple}]]", repr(values), "items"
         if self.is_path:
-            annotation = "Path" if self.is_required else "Optional[Path]"
-            return annotation, "None", f"None if {self.name} is None else os.fspath({self.name})"
+            return ("Path" if self.is_required else "Optional[Path]"), "None", "one"
         if self.name == "seed":
-            return "Union[int, str]", default, f"str({self.name})"
+            return "Union[int, str]", default, "seed_text"
         optional = default is None
-        return (f"Optional[{simple}]" if optional else simple), repr(default), self.name
+        return (f"Optional[{simple}]" if optional else simple), repr(default), "one"
 
     def source(self):
         return f"{self.name}: {self.type}" + ("" if self.is_required else f" = {self.default}")
@@ -142,7 +139,7 @@ def function(study):
         optional_sources += ["threads: Optional[int] = None", "progress: Optional[Progress] = None"]
     if optional_sources:
         arguments += ["*", *optional_sources]
-    values = [f"\"{each.keyword}\": {each.value}" for each in parameters]
+    values = [f"\"{each.keyword}\": ({each.reading}, {each.name})" for each in parameters]
     call = [json.dumps(study["name"]), "{" + ", ".join(values) + "}"]
     if about:
         call.append(about)

@@ -7,32 +7,42 @@ import math
 import os
 import platform
 import warnings
-from typing import Any, Callable, Dict, List, Optional, Sequence, Union
+from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Tuple, Union
 
 from . import _core
+from .errors import InputError
 from .experiments import ExperimentLike, experiment
 from .results import Result
 from .running import Progress, now, open_run, processors, run
-from .tables import Given, Path, Text, file, told_by_row
+from .tables import Given, Text, file, told_by_row
 
 Source = Union[Result, ExperimentLike]
+#: How an argument is read, called with its keyword, and the argument.
+Asked = Tuple[Callable[[str, Any], Any], Any]
+NO_SOURCE = object()
 
 
-def words(given: Union[str, Sequence[str], None]) -> List[str]:
-    """One word, or several, as a list."""
-    return [given] if isinstance(given, str) else list(given or ())
+def one(keyword: str, given: Any) -> Any:
+    """A value as it is; what is wrong with it is refused by the library."""
+    return given
 
 
-def numbers(kind: Callable[[Any], Any], given: Any) -> List[Any]:
-    """One number, or several, as a list of this kind."""
+def items(keyword: str, given: Any) -> List[Any]:
+    """One value, or several, as a list."""
     if given is None:
         return []
-    return [kind(each) for each in given] if hasattr(given, "__iter__") else [kind(given)]
+    is_one = isinstance(given, (str, bytes, os.PathLike, Mapping)) or not hasattr(given, "__iter__")
+    return [given] if is_one else list(given)
 
 
-def paths(given: Union[Path, Sequence[Path], None]) -> List[str]:
-    """One path, or several, as a list."""
-    return [os.fspath(given)] if isinstance(given, (str, os.PathLike)) else [os.fspath(each) for each in given or ()]
+def items_if_given(keyword: str, given: Any) -> Optional[List[Any]]:
+    """Likewise, where nothing is not the same as none."""
+    return None if given is None else items(keyword, given)
+
+
+def seed_text(keyword: str, given: Any) -> Any:
+    """A seed as the library reads it."""
+    return str(given) if isinstance(given, int) else given
 
 
 def several(given: Union[Source, Sequence[Source]]) -> Sequence[Source]:
@@ -41,18 +51,34 @@ def several(given: Union[Source, Sequence[Source]]) -> Sequence[Source]:
 
 
 def _plain(value: Any, texts: Dict[str, str]) -> Any:
-    """A value that JSON can hold: a number that is not finite is named, and refused with its keyword."""
-    if isinstance(value, float) and not math.isfinite(value):
-        return str(value)
-    if isinstance(value, list):
-        return [_plain(each, texts) for each in value]
+    """A value that JSON can hold: what it cannot is named, and refused with its keyword."""
     if isinstance(value, Text):
         name = value.name
         while name in texts:
             name += "'"
         texts[name] = value.text
         return name
-    return value.item() if hasattr(value, "item") else value
+    if isinstance(value, os.PathLike):
+        return os.fspath(value)
+    if hasattr(value, "tolist"):
+        value = value.tolist()
+    if isinstance(value, (list, tuple)):
+        return [_plain(each, texts) for each in value]
+    if isinstance(value, float) and not math.isfinite(value):
+        return str(value)
+    if value is None or isinstance(value, (str, int, float)):
+        return value
+    return {"a": type(value).__name__}
+
+
+def refusing(place: str, make: Callable[[], Any]) -> Any:
+    """What a function makes of an argument; a wrong type or value is refused as all input is."""
+    try:
+        return make()
+    except InputError:
+        raise
+    except (TypeError, ValueError) as error:
+        raise InputError([(place, "", str(error), "", "")]) from None
 
 
 def _result(source: Source, threads: Optional[int], progress: Optional[Progress]) -> Result:
@@ -78,11 +104,19 @@ def _document(given: Optional[Given]) -> str:
         return earlier.read()
 
 
+def _question(question: Dict[str, Asked], texts: Dict[str, str]) -> str:
+    found = {}
+    for keyword, (reading, given) in question.items():
+        value = refusing(keyword, lambda: reading(keyword, given))
+        found[keyword] = _plain(value, texts)
+    return json.dumps(found)
+
+
 def answer(
     study: str,
-    question: Dict[str, Any],
+    question: Dict[str, Asked],
     *,
-    source: Optional[ExperimentLike] = None,
+    source: Any = NO_SOURCE,
     seed: Union[int, str, None] = None,
     realisations: Optional[int] = None,
     runs: Sequence[Source] = (),
@@ -91,11 +125,17 @@ def answer(
     progress: Optional[Progress] = None,
 ) -> str:
     """The text of the document that a study writes."""
-    results = [_result(each, threads, progress) for each in runs]
+    if not (threads is None or (type(threads) is int and 0 < threads < 2**16)):
+        raise InputError([("threads", repr(threads), "must be a whole number from 1", "", "")])
+    if not (progress is None or callable(progress)):
+        raise InputError([("progress", type(progress).__name__, "must be a function", "", "")])
+    results = [refusing("source", lambda: _result(each, threads, progress)) for each in runs]
     names = [_name_of(each, i, len(runs)) for i, each in enumerate(runs)]
-    about = None if source is None else experiment(source, seed=seed, realisations=realisations)
+    about = None
+    if source is not NO_SOURCE:
+        about = refusing("source", lambda: experiment(source, seed=seed, realisations=realisations))
     texts: Dict[str, str] = {}
-    asked = json.dumps({keyword: _plain(value, texts) for keyword, value in question.items()})
+    asked = _question(question, texts)
     with told_by_row(list(texts)):
         text, notices = _core.answer(
             study,
@@ -104,7 +144,7 @@ def answer(
             "." if about is None else about._files,
             [(name, each.experiment._core, each._core) for name, each in zip(names, results)],
             texts,
-            _document(resume),
+            refusing("resume", lambda: _document(resume)),
             threads or processors(),
             platform.platform(),
             now(),

@@ -54,6 +54,8 @@ def files(name: str, given: Union[None, Given, Sequence[Given]]) -> List[Union[N
     is_one = isinstance(given, (str, os.PathLike, Mapping)) or not isinstance(given, Sequence) or _is_pair(given)
     if given is None or is_one:
         return [] if given is None else [file(name, given)]  # type: ignore[arg-type]
+    if len(given) == 0:
+        raise InputError([(name, "", "is an empty list", "omit it, or give a file or a table", "")])
     return [file(f"{name}[{i}]", each) for i, each in enumerate(given)]
 
 

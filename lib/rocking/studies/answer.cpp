@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "rocking/base/error.hpp"
+#include "rocking/input/read_experiment.hpp"
 #include "rocking/rocking.hpp"
 #include "rocking/studies/studies.hpp"
 #include "rocking/text/json.hpp"
@@ -38,6 +39,60 @@ void read_question(const StructType& fields, const Json& question, void* asked) 
   if (!problems.empty()) throw base::InputError(std::move(problems));
 }
 
+/// The value of a keyword of which a question says nothing.
+Json usual_value(const Field& field, const void* usual) {
+  const Json value = field.json(usual);
+  return field.flag.kind == FlagKind::off ? Json(!value.get<bool>()) : value;
+}
+
+/// Refuses what a command line refuses by the names of its flags: one that is missing, that needs or excludes another one, or
+/// has another number of words.
+void check_keywords(const StructType& fields, const Json& question, const void* usual) {
+  std::vector<base::Problem> problems;
+  const auto is_given = [&](const Field& field) {
+    const auto said = question.find(keyword_of(field));
+    return said != question.end() && !said->is_null() && *said != usual_value(field, usual);
+  };
+  const auto other = [&fields](std::string_view flag) {
+    const auto& all = fields.fields();
+    return std::ranges::find_if(
+        all, [flag](const Field& each) { return each.flag.names.substr(0, each.flag.names.find(',')) == flag; });
+  };
+  for (const Field& field : fields.fields()) {
+    const std::string keyword = keyword_of(field);
+    const Flag& flag = field.flag;
+    if (keyword.empty()) continue;
+    if (!is_given(field)) {
+      if (flag.is_required) problems.push_back({keyword, "", "is missing", "give it"});
+      continue;
+    }
+    const Json& value = question[keyword];
+    if (!flag.needs.empty() && !is_given(*other(flag.needs))) {
+      const std::string needed = keyword_of(*other(flag.needs));
+      problems.push_back({keyword, brief(value), "needs " + needed, "omit it, or give both"});
+    }
+    if (!flag.excludes.empty() && is_given(*other(flag.excludes))) {
+      const std::string excluded = keyword_of(*other(flag.excludes));
+      problems.push_back({keyword, brief(value), "excludes " + excluded, "give one of them"});
+    }
+    if (flag.count > 0 && value.size() != static_cast<std::size_t>(flag.count)) {
+      problems.push_back({keyword, brief(value), "must be " + std::to_string(flag.count) + " numbers", ""});
+    }
+  }
+  if (!problems.empty()) throw base::InputError(std::move(problems));
+}
+
+/// Throws unless a study has as many runs as it is about.
+void check_runs(SubjectKind kind, const StudySubject& about) {
+  const std::size_t runs = about.runs.size();
+  const bool is_enough = kind == SubjectKind::two_runs ? runs == 2 : kind != SubjectKind::runs || runs > 0;
+  if (is_enough && about.run_names.size() == runs) return;
+  throw base::InputError(
+      {"source", std::to_string(runs) + (runs == 1 ? " run" : " runs"),
+       kind == SubjectKind::two_runs ? "must be two runs" : "must be at least one run, each with its name",
+       "give a finished run, or the folder of one"});
+}
+
 std::string_view name_of(SubjectKind kind) {
   switch (kind) {
     case SubjectKind::none: return "none";
@@ -68,8 +123,7 @@ Json keywords_of(const Study& study) {
                         {"is_path", field.flag.letter == "FILE" || field.flag.letter == "DIR"},
                         {"is_written", field.flag.kind == FlagKind::new_file},
                         {"schema", field.type->schema(field.rule)},
-                        {"default", field.flag.kind == FlagKind::off ? Json(!field.json(question.get()).get<bool>())
-                                                                     : field.json(question.get())}});
+                        {"default", usual_value(field, question.get())}});
   }
   return keywords;
 }
@@ -80,10 +134,16 @@ StudyAnswer answer(std::string_view study, std::string_view question, const Stud
                    const Execution& execution, const Provenance& provenance) {
   const Study& asked = study_named(study);
   const std::shared_ptr<void> wanted = asked.of_call();
-  read_question(*asked.question, parse_json(std::string(question)), wanted.get());
+  const Json said = parse_json(std::string(question));
+  read_question(*asked.question, said, wanted.get());
+  check_keywords(*asked.question, said, asked.of_call().get());
+  check_runs(asked.subject, about);
+  if (!about.earlier.empty() && asked.resume == nullptr) {
+    throw base::InputError({"resume", "", "is not possible: this study keeps nothing to go on from", "omit it"});
+  }
   Subject subject{.experiment = about.experiment, .folder = about.files, .files = files_of(about)};
   for (std::size_t i = 0; i < about.runs.size(); ++i) {
-    subject.runs.push_back({.folder = about.run_names.at(i), .stored = about.runs[i]});
+    subject.runs.push_back({.folder = about.run_names[i], .stored = about.runs[i]});
   }
   try {
     asked.check(subject, wanted.get());

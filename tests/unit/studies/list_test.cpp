@@ -71,6 +71,24 @@ TEST(Answer, RefusesKeywordsThatAreUnknownOrWrong) {
   EXPECT_THROW(static_cast<void>(answer("checks", "{}", {}, {})), std::invalid_argument);
 }
 
+TEST(Answer, RefusesWhatACommandLineRefusesByTheNamesOfItsFlags) {
+  EXPECT_THAT(fault("fragility", R"({"survived": 100})"), HasSubstr("survived = 100: needs hazard"));
+  EXPECT_THAT(fault("fragility", R"({"joint_hazard": "h.csv"})"), HasSubstr("joint_hazard = \"h.csv\": needs surface"));
+  EXPECT_THAT(fault("cost", R"({"sample": 3, "max_time": 1})"), HasSubstr("sample = 3: excludes max_time"));
+  EXPECT_THAT(fault("cost", R"({"sample": 3, "max_time": 60})"), Not(HasSubstr("excludes"))) << "the default";
+  EXPECT_THAT(fault("rare", R"({"peak_tilt": 0.5, "event": "tilt > 1"})"),
+              HasSubstr("peak_tilt = 0.5: excludes event"));
+  EXPECT_THAT(fault("motion", R"({"files": ["a"], "block": [1]})"), HasSubstr("block = [1]: must be 2 numbers"));
+  EXPECT_THAT(fault("infer", "{}"), HasSubstr("tests: is missing"));
+}
+
+TEST(Answer, IsAboutAsManyRunsAsItsStudy) {
+  EXPECT_THAT(fault("fragility", "{}"), HasSubstr("source = 0 runs: must be at least one run"));
+  EXPECT_THAT(fault("compare", "{}"), HasSubstr("source = 0 runs: must be two runs"));
+  const StudySubject about{.earlier = "{}"};
+  EXPECT_THROW(static_cast<void>(answer("check_normal", "{}", about, {})), base::InputError);
+}
+
 TEST(Answer, IsTheDocumentOfTheTypedCall) {
   SamplerQuestion question{.n = 200, .seed = 7};
   EXPECT_EQ(answer("check_normal", R"({"n": 200, "seed": "7"})", {}, {}).document,

@@ -167,15 +167,14 @@ const Study& cost_study() {
           "tolerance, the error, the number of response modes that change, and the time per period; for larger "
           "numbers of realisations, the width of the intervals and the time; and a recommended tolerance. `-o` saves "
           "the numbers in out/cost.json. Times are processor times of this machine.",
-      .python_notes =
-          "With ``sample``, ``max_time`` limits the measurement of speed. The last of the tolerances is the "
-          "reference; together with those of the experiment they are at least three. Times are processor "
-          "times of this machine. Raises InputError for a number out of range.",
+      .python_notes = "The last of the tolerances is the reference; together with those of the experiment they are at "
+                      "least three. Times are processor "
+                      "times of this machine. Raises InputError for a number out of range.",
       .python_example = R"(>>> import rocking
 >>> found = rocking.cost({"format": "rocking.experiment/1", "block": {"width_m": 1, "height_m": 4},
 ...     "excitation": {"kind": "harmonic", "amplitude": 4.0, "frequency_ratio": 10.0}, "restitution": 0.9,
 ...     "horizon": {"transient_periods": 20, "sampled_periods": 20}, "accuracy": {"tolerance": 1e-10}},
-...     sample=1, max_time=0.1, tolerances=[1e-6, 1e-14])
+...     max_time=0.2, tolerances=[1e-6, 1e-14])
 >>> found.result.tolerances.column("tolerance")
 array([1.e-06, 1.e-10, 1.e-14])
 >>> coarse, fine, reference = found.result.tolerances.column("departure.error.median")

@@ -220,3 +220,19 @@ TEST_F(NothingIsLost, ThroughARunThatIsLookedAtAllTheTime) {
 }
 
 }  // namespace
+// SQLite removes the log, and only then writes that there is none. Whoever read in between made it anew.
+TEST_F(NothingIsLost, AndNothingIsLeftBesideAStoreThatIsReadWhileItIsClosed) {
+  ask_for(4);
+  const std::string look =
+      "while kill -0 $child 2>status; do '" ROCKING_PROGRAM "' run --status out; done >status 2>&1";
+  for (int attempt = 0; attempt < 10; ++attempt) {
+    const auto watched = shell("rm -rf out; env LD_PRELOAD='" ROCKING_KILL_AT "' SLOW_LOCKS=20000 '" ROCKING_PROGRAM
+                               "' run question.json -q --no-page -o out & child=$!; (" +
+                               look + ") & (" + look + ") & wait $child; code=$?; wait; exit $code");
+    ASSERT_EQ(watched.exit_code, 0) << watched.errors;
+    for (const char* file : {"out/realisations.sqlite-wal", "out/realisations.sqlite-shm"}) {
+      EXPECT_FALSE(exists(file)) << file << ", attempt " << attempt;
+    }
+  }
+}
+

@@ -49,13 +49,18 @@ bool begin_write_ahead(Database& database) {
   return true;
 }
 
+// Releases the lock that exclusive ones have kept.
+void use_normal_locks(Database& database) {
+  database.execute("PRAGMA locking_mode = NORMAL");
+  sqlite::number_in(database, "SELECT count(*) FROM sqlite_master");
+}
+
 // Exclusive locks replace the shared memory while the remaining log is moved into the database.
 void begin_rollback(Database& database) {
   database.execute("PRAGMA locking_mode = EXCLUSIVE");
   database.execute("PRAGMA journal_mode = TRUNCATE");
-  database.execute("PRAGMA locking_mode = NORMAL");
+  use_normal_locks(database);
   database.execute("PRAGMA synchronous = FULL");
-  sqlite::number_in(database, "SELECT count(*) FROM sqlite_master");  // releases the lock
 }
 
 // A new name is on the disk only after its folder is flushed.
@@ -168,7 +173,11 @@ void Store::commit() {
 
 void Store::close_up() {
   commit();
+  // With exclusive locks from here on: otherwise SQLite removes the log before it writes that there is none, and whoever reads
+  // in between makes it anew, empty, and leaves it.
+  database_.execute("PRAGMA locking_mode = EXCLUSIVE");
   static_cast<void>(changed_journal_mode(database_, "DELETE"));
+  use_normal_locks(database_);
 }
 
 Row Store::sound_row(const Statement& statement) const {

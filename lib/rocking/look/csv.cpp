@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "rocking/base/number_text.hpp"
 #include "rocking/look/table.hpp"
@@ -14,6 +15,7 @@ std::string field(const std::string& text) {
 }
 
 std::string digits_of(const std::optional<double>& number, Form form) {
+  if (number && !std::isfinite(*number)) return "unbounded";
   const bool is_whole = form.kind == Form::Kind::fixed && form.digits == 0;
   return !number ? "" : is_whole ? in_form(*number, form) : base::shortest(*number);
 }

@@ -134,21 +134,26 @@ Eigen::Vector3d slope_of(SuiteQuantity quantity, const MixedProbitParameters& at
   return {0.0, -1.0 / b, t / (1.0 + t * t)};
 }
 
-/// The place, from `start` in steps that grow from `step`, where a function first exceeds 0; absent if it does not
-/// within `most` steps.
+/// The place, from `start` in steps that grow from `step`, where a function first exceeds 0; absent if it does not within a
+/// factor of 1e12. A likelihood that is so flat has no end there that its rounding and a double could tell from none.
 template <class Function>
 std::optional<double> first_crossing(Function&& function, double start, double step) {
-  constexpr int most = 40;
+  constexpr double farthest = 27.631021115928547;  // ln 1e12
+  // Where the likelihood vanishes, or is not found, the search needs no more than its sign: there is none where it is not known.
+  const auto bounded = [&function](double place) {
+    const double value = function(place);
+    return std::isnan(value) ? -1.0 : std::clamp(value, -1e3, 1e3);
+  };
   double inside = start;
-  double value_inside = function(start);
+  double value_inside = bounded(start);
   if (value_inside > 0.0) return start;
-  for (int i = 0; i < most; ++i, step *= 1.5) {
-    const double outside = inside + step;
-    const double value = function(outside);
+  for (; std::abs(inside - start) < farthest; step *= 1.5) {
+    const double outside = std::clamp(inside + step, start - farthest, start + farthest);
+    const double value = bounded(outside);
     if (value > 0.0) {
       std::uintmax_t calls = 60;
       const auto [low, high] = boost::math::tools::toms748_solve(
-          function, std::min(inside, outside), std::max(inside, outside), inside < outside ? value_inside : value,
+          bounded, std::min(inside, outside), std::max(inside, outside), inside < outside ? value_inside : value,
           inside < outside ? value : value_inside, boost::math::tools::eps_tolerance<double>(26), calls);
       return 0.5 * (low + high);
     }

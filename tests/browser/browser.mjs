@@ -55,6 +55,28 @@ export async function ink(png, part) {
   return found;
 }
 
+/// Mean lightness of a screenshot, from 0 (black) to 255.
+export async function lightnessOf(locator) {
+  const png = await locator.screenshot();
+  const page = await browser.newPage();
+  const mean = await page.evaluate(async (source) => {
+    const image = new Image();
+    image.src = source;
+    await image.decode();
+    const canvas = document.createElement('canvas');
+    canvas.width = image.width;
+    canvas.height = image.height;
+    const context = canvas.getContext('2d');
+    context.drawImage(image, 0, 0);
+    const bytes = context.getImageData(0, 0, image.width, image.height).data;
+    let sum = 0;
+    for (let i = 0; i < bytes.length; i += 4) sum += (bytes[i] + bytes[i + 1] + bytes[i + 2]) / 3;
+    return sum / (bytes.length / 4);
+  }, `data:image/png;base64,${png.toString('base64')}`);
+  await page.close();
+  return mean;
+}
+
 export const whole = [0, 1, 0, 1];
 export const within = [0.15, 0.95, 0.03, 0.75];
 

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 
-import { axe, desktop, open, within, assertDrawn, column, axisLabels } from './browser.mjs';
+import { axe, desktop, open, within, assertDrawn, lightnessOf, column, axisLabels } from './browser.mjs';
 
 describe('the page', () => {
   it('says nothing on the console, asks for nothing and runs no script of a title', async () => {
@@ -212,28 +212,6 @@ describe('the page', () => {
       await close();
     }
   });
-
-  /// Mean lightness of a screenshot, from 0 (black) to 255.
-  async function lightnessOf(locator) {
-    const png = await locator.screenshot();
-    const page = await browser.newPage();
-    const mean = await page.evaluate(async (source) => {
-      const image = new Image();
-      image.src = source;
-      await image.decode();
-      const canvas = document.createElement('canvas');
-      canvas.width = image.width;
-      canvas.height = image.height;
-      const context = canvas.getContext('2d');
-      context.drawImage(image, 0, 0);
-      const bytes = context.getImageData(0, 0, image.width, image.height).data;
-      let sum = 0;
-      for (let i = 0; i < bytes.length; i += 4) sum += (bytes[i] + bytes[i + 1] + bytes[i + 2]) / 3;
-      return sum / (bytes.length / 4);
-    }, `data:image/png;base64,${png.toString('base64')}`);
-    await page.close();
-    return mean;
-  }
 
   it('is dark where its reader wants it, charts included, but not on paper', async () => {
     const { page, close } = await open({ colorScheme: 'dark' });

@@ -1,6 +1,7 @@
 // Killed, stopped, or without disk or terminal at any moment: `rocking resume` gives the bytes of an undisturbed run.
 // ROCKING_KILLS=100 in the environment tests a hundred kills instead of a few.
 
+#include <chrono>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -31,11 +32,20 @@ class NothingIsLost : public rocking::support::ProgramTest {
     EXPECT_EQ(rocking("run question.json -q -o whole -j 2").exit_code, 0);
   }
 
-  /// An experiment that takes some time also without sanitizers.
+  /// An experiment that takes many times as long as a look at it, with sanitizers as without.
   void ask_for_more() {
-#if !ROCKING_CONTRACTS
-    ask_for(1200);
-#endif
+    const auto seconds = [this](const std::string& arguments) {
+      const auto start = std::chrono::steady_clock::now();
+      EXPECT_EQ(rocking(arguments).exit_code, 0);
+      return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    };
+    for (int realisations = 300;; realisations *= 2) {
+      ask_for(realisations);
+      const double of_run = seconds("run question.json -q -o timed -j 1"), of_look = seconds("run --status timed");
+      std::filesystem::remove_all(folder_ / "timed");
+      if (of_run > 20.0 * of_look) return;
+      ASSERT_LT(realisations, 100'000);
+    }
   }
 
   void expect_the_whole_of(const std::string& folder) const {
@@ -219,7 +229,6 @@ TEST_F(NothingIsLost, ThroughARunThatIsLookedAtAllTheTime) {
   expect_the_whole_of("out");
 }
 
-}  // namespace
 // SQLite removes the log, and only then writes that there is none. Whoever read in between made it anew.
 TEST_F(NothingIsLost, AndNothingIsLeftBesideAStoreThatIsReadWhileItIsClosed) {
   ask_for(4);
@@ -236,3 +245,4 @@ TEST_F(NothingIsLost, AndNothingIsLeftBesideAStoreThatIsReadWhileItIsClosed) {
   }
 }
 
+}  // namespace

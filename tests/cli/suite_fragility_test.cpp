@@ -209,7 +209,8 @@ TEST_F(SuiteFragility, SaysWhichMeasuresAreSufficient) {
     metadata += "r" + std::to_string(k) + ".at2," + std::to_string(5.5 + 0.4 * static_cast<double>(k)) + ",20\n";
   }
   write("metadata.csv", metadata);
-  for (const Json& measure : fragility("--metadata metadata.csv")["curves"][0]["measures"]) {
+  const Json answer = fragility("--metadata metadata.csv");
+  for (const Json& measure : answer["curves"][0]["measures"]) {
     EXPECT_TRUE(measure.contains("by_magnitude")) << measure.dump();
     EXPECT_FALSE(measure.contains("by_distance")) << "all distances are equal: " << measure.dump();
   }

@@ -55,7 +55,8 @@ TEST_F(Unresolved, IsToldInTheTableAndBoundsTheShares) {
               AllOf(HasSubstr("unresolved"), HasSubstr("some realisations ended without an answer")));
   const auto found = rocking(ask + "--json");
   EXPECT_EQ(objections("fragility", found.output), "");
-  for (const Json& curve : Json::parse(found.output)["curves"]) {
+  const Json answer = Json::parse(found.output);
+  for (const Json& curve : answer["curves"]) {
     EXPECT_EQ(curve["outcome"], "unresolved");
     EXPECT_FALSE(curve["levels"][0].contains("unresolved"));
     EXPECT_EQ(curve["levels"][1]["unresolved"], 2);

@@ -165,6 +165,24 @@ inline Offences unportable_functions(const std::string& source) {
                  R"(pow|hypot|cbrt|fmod|remainder)[fl]?\s*\()");
 }
 
+/// Loops over a part of what a call returns, `for (x : f()["key"])`: what the call returned may be gone by then. In C++23 it
+/// is not.
+inline Offences loops_over_parts(const std::string& source) {
+  const std::string code = without_comments(source);
+  const std::string loop = "for (";
+  Offences found;
+  for (std::size_t start = code.find(loop); start != std::string::npos; start = code.find(loop, start + 1)) {
+    std::size_t end = start + loop.size();
+    for (int depth = 1; depth > 0 && end < code.size(); ++end)
+      depth += code[end] == '(' ? 1 : code[end] == ')' ? -1 : 0;
+    const std::string head = code.substr(start, end - start);
+    const std::size_t colon = head.find(" : ");
+    if (colon == std::string::npos || head.find(';') != std::string::npos || head[colon + 3] == '{') continue;
+    if (!matches(head.substr(colon), R"(\)(\[|\.at\())").empty()) found.push_back(head);
+  }
+  return found;
+}
+
 /// A clone of the project is complete: no text may refer to a folder beside it.
 inline Offences neighbours(const std::string& text) { return matches(text, R"(\.\./shared\b)"); }
 

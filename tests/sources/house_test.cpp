@@ -170,6 +170,14 @@ TEST(TheHouse, LetsNoMachinesLibraryReachARealisationResult) {
   }
 }
 
+TEST(TheHouse, LoopsOverNoPartOfWhatACallReturns) {
+  for (const File& file : files_of_tree()) {
+    const std::string extension = file.path.extension().string();
+    if (extension != ".cpp" && extension != ".hpp") continue;
+    EXPECT_THAT(loops_over_parts(file.text), IsEmpty()) << file.path;
+  }
+}
+
 TEST(TheHouse, StandsAlone) {
   const std::vector<File> files = files_of_tree();
   EXPECT_GT(files.size(), 50U);
@@ -287,6 +295,13 @@ TEST(TheHouseRules, FindACallOfTheMachinesLibrary) {
   EXPECT_THAT(
       unportable_functions("/// sin(phi)\nbase::sin_cos(x); std::sqrt(x); geometry.tan(x); log_event(x); asinine(x)"),
       IsEmpty());
+}
+
+TEST(TheHouseRules, FindALoopOverAPartOfATemporary) {
+  const std::string loop = "for (const Json& x : ";
+  EXPECT_THAT(loops_over_parts(loop + "parse(a)[\"b\"]) {\n"), SizeIs(1));
+  EXPECT_THAT(loops_over_parts(loop + "f(c).at(0)) g();\n"), SizeIs(1));
+  EXPECT_THAT(loops_over_parts(loop + "all[f(x)]) {\n" + loop + "f(all[0])) {\n"), IsEmpty());
 }
 
 TEST(TheHouseRules, FindAReferenceToANeighbour) {

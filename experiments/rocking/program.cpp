@@ -176,6 +176,20 @@ ExitCode carry_out(const Action& action) {
   }
 }
 
+/// A flag that was taken for the value of the flag before it, `-o --json`; empty: none was.
+std::string flag_taken_for_value(const CLI::App& app, const std::vector<std::string>& words) {
+  for (const CLI::App* command : app.get_subcommands()) {
+    for (std::size_t i = 1; i < words.size(); ++i) {
+      const bool may_be_flag = words[i].size() > 2 && words[i].starts_with("--");
+      const CLI::Option* before = may_be_flag ? command->get_option_no_throw(words[i - 1]) : nullptr;
+      if (before == nullptr || std::ranges::find(before->results(), words[i]) == before->results().end()) continue;
+      return fmt::format("{0} {1}: needs a value before {1}; if that is the value, write --{2}={1}", words[i - 1],
+                         words[i], before->get_lnames().empty() ? "flag" : before->get_lnames().front());
+    }
+  }
+  return "";
+}
+
 }  // namespace
 
 ExitCode carry_out_command_line(int argc, const char* const* argv, const ProcessPool& pool) {
@@ -198,6 +212,7 @@ ExitCode carry_out_command_line(int argc, const char* const* argv, const Process
     return fail(ExitCode::usage,
                 fmt::format("{}\nTry `{} --help`.", explanation.value_or(error.what()), called_command(app, words)));
   }
+  if (const std::string fault = flag_taken_for_value(app, words); !fault.empty()) return fail(ExitCode::usage, fault);
   return carry_out(action);
 }
 

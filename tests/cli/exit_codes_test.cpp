@@ -32,6 +32,16 @@ TEST_F(ExitCode, Is64ForAMistypedFlagAndNamesTheNearest) {
   EXPECT_FALSE(exists("out"));
 }
 
+TEST_F(ExitCode, Is64ForAFlagInPlaceOfAValue) {
+  const auto outcome = rocking("run quick.json -o --json");
+  EXPECT_EQ(outcome.exit_code, 64);
+  EXPECT_THAT(outcome.errors,
+              HasSubstr("-o --json: needs a value before --json; if that is the value, write --output=--json"));
+  EXPECT_FALSE(exists("--json"));
+  EXPECT_EQ(rocking("run quick.json --output=--odd --json").exit_code, 0);
+  EXPECT_TRUE(exists("--odd/report.json"));
+}
+
 TEST_F(ExitCode, Is64ForACommandLineThatCannotBeFollowed) {
   for (const char* arguments :
        {"", "run", "run quick.json", "run quick.json -o out -j 0", "run quick.json -o out -j two",

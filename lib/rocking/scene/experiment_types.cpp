@@ -94,7 +94,9 @@ Json QuantityPairType::json(const void* value) const {
 void QuantityPairType::read(const Json& json, const ReadingPlace& place, void* value) const {
   auto& pair = *static_cast<std::array<Quantity, 2>*>(value);
   if (!json.is_array() || json.size() != 2) {
-    return place.reject(json, "must be a list of two numbers: [left, right]", "give a list such as [0.3, 0.2]");
+    return place.reject(json, "must be a list of two numbers: [left, right]",
+                        place.pointer.ends_with("/rate_ratio") ? "give one ratio for each edge, or a number for both"
+                                                               : "give one number for each edge");
   }
   Json canonical = Json::array();
   for (std::size_t i = 0; i < 2; ++i) {

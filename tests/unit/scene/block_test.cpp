@@ -135,7 +135,7 @@ TEST(SceneBlock, ThatNoBodyCanBeIsRefusedWithTheReason) {
 TEST(SceneBlock, HasOneFormAndAllItsNumbers) {
   EXPECT_THAT(refusal_of(R"({"edges_m": [0.3, 0.2]})"), HasSubstr("/block/centre_height_m: is missing"));
   EXPECT_THAT(refusal_of(R"({"edges_m": [0.3], "centre_height_m": 1, "radius_of_gyration_m": 1})"),
-              HasSubstr("must be a list of two numbers: [left, right]"));
+              HasSubstr("must be a list of two numbers: [left, right]; give one number for each edge"));
   EXPECT_THAT(refusal_of(R"({"width_m": 1, "edges_m": [0.3, 0.2], "centre_height_m": 1, "radius_of_gyration_m": 1})"),
               HasSubstr("/block/width_m = 1: is for a block with an outline"));
   EXPECT_THAT(refusal_of(R"({"width_m": 1, "height_m": 2, "base_m": [0, 1]})"), HasSubstr("is for a block of parts"));

@@ -9,6 +9,7 @@
 #include "rocking/base/number_text.hpp"
 #include "rocking/input/even_times.hpp"
 #include "rocking/input/fixed_fields.hpp"
+#include "rocking/input/missing_samples.hpp"
 #include "rocking/scene/ground_motion_reading.hpp"
 #include "rocking/scene/rules.hpp"
 
@@ -17,14 +18,6 @@ namespace {
 
 std::string samples_in_words(std::size_t count) {
   return std::to_string(count) + (count == 1 ? " sample" : " samples");
-}
-
-/// Fortran writes an exponent after d, too.
-std::string with_exponent_e(std::string_view field) {
-  std::string spelled(field);
-  std::ranges::replace_if(
-      spelled, [](char c) { return c == 'd' || c == 'D'; }, 'e');
-  return spelled;
 }
 
 /// Every `stride`-th number of a text from the number `first` on, as long as they do not fall.
@@ -135,23 +128,19 @@ class EvenSamplesReader {
   /// Whether a field is text behind the declared number of samples.
   [[nodiscard]] bool ends_data(std::string_view field) const {
     const bool is_complete = header_.declared && motion_.samples.size() >= *header_.declared;
-    return is_complete && !field.empty() && !is_number_field(field) && !is_number_field(with_exponent_e(field));
-  }
-
-  [[nodiscard]] std::optional<double> number(std::string_view field) {
-    if (field.find_first_of("dD") == std::string_view::npos) return problems_.number(field);
-    const std::string spelled = with_exponent_e(field);
-    return problems_.number(is_number_field(spelled) ? std::string_view(spelled) : field);
+    return is_complete && !field.empty() && !is_number_field(field);
   }
 
   /// The sample whose acceleration is a field of the present line.
   [[nodiscard]] bool add(std::size_t place) {
     const std::string_view field = fields_[place];
-    const auto value = number(field);
+    const auto value = problems_.number(field);
     const auto time = value ? time_of(place) : std::nullopt;
     if (!time) return false;
     const double scaled = *value * header_.factor;
-    if (const auto refusal = refuse_acceleration(scaled, in_m_s2(header_.unit, gravity_))) {
+    missing_.add(*value, problems_.line());
+    const bool is_mark = MissingSamples::is_mark_alone(*value);  // all are counted before one is reported
+    if (const auto refusal = refuse_acceleration(scaled, in_m_s2(header_.unit, gravity_)); refusal && !is_mark) {
       problems_.reject_line(field, refusal->reason, "check the number and the unit of the file");
       return false;
     }
@@ -237,8 +226,10 @@ class EvenSamplesReader {
       }
       if (difference == 1) motion_.warnings.push_back(counts + "; all that it contains are used");
     }
-    const auto refusal = refuse_samples(motion_.samples);
-    if (refusal) problems_.reject_file(refusal->reason, refusal->remedy);
+    missing_.check(problems_);
+    auto refusal = refuse_samples(motion_.samples);
+    if (!refusal) refusal = refuse_long_steps(motion_.samples);
+    if (refusal && !problems_.any()) problems_.reject_file(refusal->reason, refusal->remedy);
   }
 
   const EvenHeader& header_;
@@ -248,7 +239,8 @@ class EvenSamplesReader {
   std::vector<std::string_view> fields_;
   std::vector<double> times_;  ///< of a file that has them
   PrintedDigits digits_;       ///< likewise
-  bool is_ended_ = false;      ///< by text
+  MissingSamples missing_;
+  bool is_ended_ = false;  ///< by text
 };
 
 }  // namespace

@@ -128,6 +128,26 @@ Evenness evenness_of(std::span<const double> times, const PrintedDigits& digits)
   return found;
 }
 
+std::optional<Refusal> refuse_long_steps(const std::vector<dynamics::GroundMotionSample>& samples) {
+  constexpr std::size_t most_corners = 10;  // of a pulse that is given by the corners of a polyline
+  constexpr double longest_step = 0.5;
+  constexpr double longest_duration = 3600.0;
+  if (samples.size() <= most_corners) return std::nullopt;
+  const double duration = samples.back().time - samples.front().time;
+  const double step = duration / static_cast<double>(samples.size() - 1);
+  if (step < longest_step && duration <= longest_duration) return std::nullopt;
+  const bool may_be_number = std::abs(step - 1.0) < 1e-9;
+  return Refusal{
+      "has a mean time step of " + base::significant(step, 4) + " s and lasts " + base::significant(duration, 4) +
+          " s, which no record of an earthquake does",
+      (may_be_number
+           ? std::string(R"(if its first column counts the samples, give "columns": ["other", "horizontal"] and )"
+                         R"("time_step_s")")
+           : "if its times are in ms, so that the step is " + base::significant(step / 1000.0, 4) +
+                 " s, say so above them: # time [ms]; else correct the time step") +
+          "; if they are in seconds, give samples less than 0.5 s apart"};
+}
+
 std::string uneven_in_words(const Evenness& times, const std::string& remedy) {
   std::string text = "has uneven times: steps from " + base::significant(times.shortest_step, 3) + " to " +
                      base::significant(times.longest_step, 3) + " s; the largest deviation from even steps of " +

@@ -1,9 +1,14 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
+
+#include "rocking/base/number_rule.hpp"
+#include "rocking/dynamics/excitation/shape.hpp"
 
 namespace rocking {
 
@@ -31,12 +36,22 @@ struct Evenness {
   double shortest_step = 0.0;      ///< between neighbours [s]
   double longest_step = 0.0;       ///< likewise
 
+  /// Of times in a unit of which a second holds so many.
+  [[nodiscard]] Evenness in_seconds(double per_second) const {
+    return {is_progression, step / per_second, largest_deviation / per_second, shortest_step / per_second,
+            longest_step / per_second};
+  }
+
   /// Whether the deviation is small enough to change nothing: a thousandth of a step.
   [[nodiscard]] bool is_even() const { return largest_deviation <= 1e-3 * step; }
 };
 
 /// Of at least two times. A printed time may be rounded or cut off at its last digit.
 [[nodiscard]] Evenness evenness_of(std::span<const double> times, const PrintedDigits& digits);
+
+/// Of samples whose times are likely not in seconds: more than ten with a mean step of half a second and more, or of more than
+/// an hour together. The remedy has the readings that would make sense.
+[[nodiscard]] std::optional<Refusal> refuse_long_steps(const std::vector<dynamics::GroundMotionSample>& samples);
 
 /// What a user should know of times that are not even; `remedy`: what would make them even, before the step of times that are
 /// only rounded; empty: nothing.

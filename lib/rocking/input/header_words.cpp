@@ -5,6 +5,7 @@
 #include <cctype>
 #include <cstddef>
 #include <optional>
+#include <string>
 
 #include "rocking/input/line_problems.hpp"
 
@@ -50,6 +51,26 @@ bool goes_on_as_formula(std::string_view text) {
   if (std::isdigit(static_cast<unsigned char>(text.front())) != 0) return true;
   if (std::string_view("*/^%+").find(text.front()) != std::string_view::npos) return true;
   return begins_with_word(text, "x") || begins_with_word(text, "times") || begins_with_word(text, "per");
+}
+
+/// Whether a text is a number with its unit, `0.6g`; a power of ten before a unit belongs to that.
+bool is_value(std::string_view text) {
+  text = without_blanks_before(text);
+  return !text.empty() && (std::isdigit(static_cast<unsigned char>(text.front())) != 0 || text.front() == '.') &&
+         !text.starts_with("10^") && !text.starts_with("10**") && !text.starts_with("1e") && !text.starts_with("1E");
+}
+
+/// `10^-2`, `x10^-2` or `milli`, which a unit may follow.
+bool is_power(std::string_view word) {
+  if (begins_with_word(word, "milli") || begins_with_word(word, "centi")) return true;
+  if (word.starts_with('x')) word.remove_prefix(1);
+  return word.starts_with("10^") || word.starts_with("10**");
+}
+
+/// Whether a word that follows a unit begins a factor: `x`, `*1000`, `/`.
+bool begins_factor(std::string_view word) {
+  return word == "x" || word == "times" || word.starts_with('*') || (word.starts_with('/') && word.size() > 1) ||
+         word.starts_with("\u00D7");
 }
 
 /// The unit at the beginning of `text`: the longest one of its first words.
@@ -108,14 +129,47 @@ std::vector<StatedUnit> units_stated(std::string_view line) {
   return stated;
 }
 
+std::vector<std::string_view> in_brackets(std::string_view line) {
+  std::vector<std::string_view> found;
+  for (std::size_t open = line.find_first_of("([{"); open != std::string_view::npos;
+       open = line.find_first_of("([{", open + 1)) {
+    const std::size_t close = line.find_first_of(")]}", open);
+    if (close == std::string_view::npos) break;
+    found.push_back(line.substr(open + 1, close - open - 1));
+  }
+  return found;
+}
+
 std::vector<StatedUnit> units_among_words(std::string_view line) {
   std::vector<StatedUnit> found;
+  const auto take = [&found](std::string_view text) {
+    const WrittenUnit unit = unit_written(text);
+    const bool is_with_second =
+        unit.kind == UnitKind::acceleration || unit.kind == UnitKind::velocity || unit.kind == UnitKind::scaled;
+    if (is_with_second && !is_value(text)) found.push_back({text, unit});
+    return is_with_second;
+  };
+  std::string rest(line);
+  for (const std::string_view text : in_brackets(line)) {
+    if (take(text)) std::fill_n(rest.begin() + (text.data() - line.data()), text.size(), ' ');
+  }
   std::vector<std::string_view> words;
-  split_fields(line, words);
+  split_fields(rest, words);
   for (std::size_t i = 0; i < words.size(); ++i) {
-    const WrittenUnit unit = unit_written(words[i]);
-    const bool is_with_second = unit.kind == UnitKind::acceleration || unit.kind == UnitKind::velocity;
-    if (is_with_second && (i == 0 || !is_number_field(words[i - 1]))) found.push_back({words[i], unit});
+    if (i > 0 && is_number_field(words[i - 1])) continue;
+    const auto place = static_cast<std::size_t>(words[i].data() - rest.data());
+    std::size_t first = place, last = place + words[i].size();
+    if (i > 0 && is_power(words[i - 1])) first = static_cast<std::size_t>(words[i - 1].data() - rest.data());
+    const bool goes_on = i + 1 < words.size() && begins_factor(words[i + 1]);
+    if (goes_on) last = static_cast<std::size_t>(words.back().data() - rest.data()) + words.back().size();
+    const std::string_view alone = line.substr(place, words[i].size());
+    if ((goes_on || first < place) && unit_written(alone).kind == UnitKind::acceleration) {
+      const WrittenUnit unit = unit_written(line.substr(first, last - first));
+      found.push_back({line.substr(first, last - first),
+                       unit.kind == UnitKind::acceleration ? unit : WrittenUnit{.kind = UnitKind::scaled}});
+    } else {
+      static_cast<void>(take(alone));
+    }
   }
   return found;
 }

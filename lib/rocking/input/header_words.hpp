@@ -29,8 +29,12 @@ struct StatedUnit {
 /// Of unknown kind where it is no unit, or goes on as a formula does (`G X 100`).
 [[nodiscard]] std::vector<StatedUnit> units_stated(std::string_view line);
 
-/// The units of acceleration and velocity among the words of a line: `ACCELERATION (CM/S/S)`. A word behind a number is
-/// the unit of that number and is left out. Units of length are left out too: `IN` is also a word.
+/// The units of acceleration and velocity among the words of a line and between its brackets: `ACCELERATION (CM/S/S)`,
+/// `a [10^-2 m/s2]`, `g*1000`. A word behind a number is the unit of that number and is left out. Units of length are left
+/// out too: `IN` is also a word.
 [[nodiscard]] std::vector<StatedUnit> units_among_words(std::string_view line);
+
+/// What stands between the brackets of a line: `a [g] (filtered)` has two.
+[[nodiscard]] std::vector<std::string_view> in_brackets(std::string_view line);
 
 }  // namespace rocking

@@ -87,7 +87,23 @@ void split_fields(std::string_view line, std::vector<std::string_view>& fields) 
   }
 }
 
+namespace {
+
+/// Of a number as spreadsheets and Fortran write it, `"0.01"` and `1.2D-02`, the number.
+std::string_view as_number(std::string_view field, std::string& spelled) {
+  if (field.size() > 2 && field.front() == '"' && field.back() == '"') field = field.substr(1, field.size() - 2);
+  const std::size_t exponent = field.find_first_of("dD");
+  if (exponent == std::string_view::npos || exponent == 0 || exponent + 1 == field.size()) return field;
+  spelled = field;
+  spelled[exponent] = 'e';
+  return spelled;
+}
+
+}  // namespace
+
 bool is_number_field(std::string_view field) {
+  std::string spelled;
+  field = as_number(field, spelled);
   if (field.starts_with('+')) field.remove_prefix(1);
   double value = 0.0;
   const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
@@ -130,6 +146,12 @@ void LineProblems::reject_line(std::string_view found, std::string reason, std::
                         std::move(remedy)});
 }
 
+void LineProblems::reject_line_at(std::size_t line, std::string_view found, std::string reason, std::string remedy) {
+  const std::size_t present = std::exchange(line_, line);
+  reject_line(found, std::move(reason), std::move(remedy));
+  line_ = present;
+}
+
 void LineProblems::reject_file(std::string reason, std::string remedy) {
   ++count_;
   problems_->push_back({name_, "", std::move(reason), std::move(remedy)});
@@ -144,15 +166,15 @@ void LineProblems::reject_instead(std::string reason, std::string remedy) {
 bool LineProblems::reject_decimal_comma(std::string_view text) {
   const auto found = line_with_decimal_comma(text);
   if (!found) return false;
-  const std::size_t present = std::exchange(line_, line_ + found->number);
-  reject_line(found->text, "has a decimal comma, or whole numbers between commas, which cannot be told from it",
-              "write decimal points; between columns of whole numbers write blanks");
-  line_ = present;
+  reject_line_at(line_ + found->number, found->text,
+                 "has a decimal comma, or whole numbers between commas, which cannot be told from it",
+                 "write decimal points; between columns of whole numbers write blanks");
   return true;
 }
 
 std::optional<double> LineProblems::number(std::string_view field) {
-  std::string_view digits = field;
+  std::string spelled;
+  std::string_view digits = as_number(field, spelled);
   if (digits.starts_with('+') && !digits.starts_with("+-")) digits.remove_prefix(1);
   double value = 0.0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);

@@ -22,6 +22,8 @@ class LineProblems {
 
   /// Reports `found`, which stands in the present line, or the file as a whole.
   void reject_line(std::string_view found, std::string reason, std::string remedy);
+  /// Likewise in a line that was read before.
+  void reject_line_at(std::size_t line, std::string_view found, std::string reason, std::string remedy);
   void reject_file(std::string reason, std::string remedy);
   /// Takes back what was reported, in favour of one problem of the file as a whole.
   void reject_instead(std::string reason, std::string remedy);
@@ -51,7 +53,7 @@ class LineProblems {
 /// The fields of a line, between blanks or one comma or semicolon. Between two commas stands an empty field.
 void split_fields(std::string_view line, std::vector<std::string_view>& fields);
 
-/// Whether a field is a number and nothing else.
+/// Whether a field is a number and nothing else; between quotation marks or with Fortran's exponent `1.2D-02`, too.
 [[nodiscard]] bool is_number_field(std::string_view field);
 
 struct TextLine {

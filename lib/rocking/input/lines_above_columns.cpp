@@ -2,34 +2,65 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <span>
 
 #include "rocking/input/header_words.hpp"
+#include "rocking/input/record_component.hpp"
 #include "rocking/input/record_unit.hpp"
 #include "rocking/text/json.hpp"
 
 namespace rocking {
 namespace {
 
-/// With blanks in place of what joins a name and its unit: `acc_(cm/s2)`, `acc[g]`.
-std::string apart(std::string_view line) {
+std::string blanked(std::string_view line, std::string_view characters) {
   std::string text(line);
   std::ranges::replace_if(
-      text, [](char c) { return std::string_view("()[]{}_:=\"'").find(c) != std::string_view::npos; }, ' ');
+      text, [characters](char c) { return characters.find(c) != std::string_view::npos; }, ' ');
   return text;
 }
 
-/// The only unit of acceleration among the words of a line; absent if there is none, or several. `g` alone counts where
-/// `with_g`: in a remark it is also a constant.
-std::optional<RecordUnit> only_unit_in(std::string_view line, bool with_g) {
-  std::optional<RecordUnit> only;
-  const std::string text = apart(line);
-  for (const StatedUnit& found : units_among_words(text)) {
-    if (found.unit.kind != UnitKind::acceleration || (!with_g && found.text.size() == 1)) continue;
-    if (only && *only != found.unit.acceleration) return std::nullopt;
-    only = found.unit.acceleration;
-  }
-  return only;
+/// With blanks in place of what joins a name and its unit: `acc_(cm/s2)`, `acc[g]`.
+std::string apart(std::string_view line) { return blanked(line, "()[]{}_:=\"'"); }
+
+bool has_any_word(std::string_view head, std::span<const std::string_view> words) {
+  const std::string text = apart(head);
+  return std::ranges::any_of(words, [&text](std::string_view word) { return word_place(text, word).has_value(); });
+}
+
+/// Whether `g` at this place of a remark is the unit of what is spoken of: between brackets, or behind `in` or `of`.
+bool is_stated_letter(std::string_view line, std::size_t place) {
+  const std::size_t before = place == 0 ? std::string_view::npos : line.find_last_not_of(" \t", place - 1);
+  if (before == std::string_view::npos) return false;
+  if (std::string_view("([{").find(line[before]) != std::string_view::npos) return true;
+  const std::string_view words = line.substr(0, before + 1);
+  return words.ends_with(" in") || words.ends_with(" of") || words == "in" || words == "of";
+}
+
+/// Whether what ends at `place` is the label of a number: `PGA [g] = 0.4`.
+bool labels_number(std::string_view line, std::size_t place) {
+  const std::size_t behind = std::min(line.find_first_not_of(")]} \t:=", place), line.size());
+  const std::size_t end = std::min(line.find_first_of(" \t\r,;", behind), line.size());
+  return is_number_field(line.substr(behind, end - behind));
+}
+
+/// Whether a line states a factor other than 1.
+bool states_factor(std::string_view line) {
+  constexpr std::array<std::string_view, 5> words{"factor", "multiplier", "scale", "multiplied by", "divided by"};
+  return std::ranges::any_of(words, [line](std::string_view word) {
+    const auto number = number_after(line, word);
+    double factor = 1.0;
+    if (number) std::from_chars(number->data(), number->data() + number->size(), factor);
+    return factor != 1.0;
+  });
+}
+
+/// Whether a text is likely a unit, known or not.
+bool speaks_of_unit(std::string_view text) {
+  constexpr std::array<std::string_view, 6> words{"count", "counts", "volt", "volts", "mv", "v"};
+  constexpr std::array<std::string_view, 5> squares{"/s", "s2", "^2", "**", "\u00B2"};
+  return std::ranges::any_of(squares, [text](auto part) { return text.find(part) != std::string_view::npos; }) ||
+         has_any_word(text, words);
 }
 
 /// What a line says that the numbers are instead of accelerations: `velocity (cm/s)`; empty: nothing.
@@ -46,24 +77,71 @@ std::string_view motion_instead(std::string_view line) {
   return word_place(text, "displacement") || word_place(text, "disp") ? "displacement" : "";
 }
 
-/// The heads of columns, between the separators of the line.
+/// The heads of columns, between the separators of the line, or between blanks, where brackets belong to what stands before
+/// them.
 std::vector<std::string_view> heads_of(std::string_view line) {
   std::vector<std::string_view> heads;
-  if (line.find_first_of(",;\t") == std::string_view::npos) {
-    split_fields(line, heads);
-    return heads;
+  if (line.find_first_of(",;\t") != std::string_view::npos) {
+    for (;;) {
+      const std::size_t end = line.find_first_of(",;\t");
+      heads.push_back(line.substr(0, end));
+      if (end == std::string_view::npos) return heads;
+      line.remove_prefix(end + 1);
+    }
   }
-  for (;;) {
-    const std::size_t end = line.find_first_of(",;\t");
-    heads.push_back(line.substr(0, end));
-    if (end == std::string_view::npos) return heads;
-    line.remove_prefix(end + 1);
+  std::string joined(line);
+  for (const std::string_view text : in_brackets(line)) {
+    std::fill_n(joined.begin() + (text.data() - line.data()), text.size(), '_');
   }
+  std::vector<std::string_view> words;
+  split_fields(joined, words);
+  for (const std::string_view word : words) {
+    const std::string_view here = line.substr(static_cast<std::size_t>(word.data() - joined.data()), word.size());
+    const bool is_bracket = std::string_view("([{").find(here.front()) != std::string_view::npos;
+    if (is_bracket && !heads.empty()) {
+      const char* first = heads.back().data();
+      heads.back() = {first, static_cast<std::size_t>(here.data() + here.size() - first)};
+    } else {
+      heads.push_back(here);
+    }
+  }
+  return heads;
 }
 
-bool has_any_word(std::string_view head, std::span<const std::string_view> words) {
-  const std::string text = apart(head);
-  return std::ranges::any_of(words, [&text](std::string_view word) { return word_place(text, word).has_value(); });
+/// What the heads of columns say that these are instead of a motion against time; empty: nothing.
+std::string_view spectrum_in(const std::vector<std::string_view>& heads) {
+  constexpr std::array<std::string_view, 4> of_first{"frequency", "freq", "hz", "period"};
+  constexpr std::array<std::string_view, 8> of_second{"sa", "psa", "sv", "psv", "sd", "spectral", "spectrum", "fas"};
+  if (heads.size() < 2) return {};
+  if (has_any_word(heads[0], std::span(of_first).first(3))) return "a spectrum over frequencies";
+  return has_any_word(heads[0], of_first) || has_any_word(heads[1], of_second) ? "a response spectrum" : "";
+}
+
+/// How many units of a time a second holds: 1000 for `ms`. The word is no unit of a number, nor the magnitude Ms; in a remark
+/// it stands between brackets, or behind `time` or `in`.
+std::optional<double> per_second_in(std::string_view line, bool is_head) {
+  constexpr std::array<std::string_view, 6> of_ms{"ms",          "msec",         "msecs",
+                                                  "millisecond", "milliseconds", "millisekunden"};
+  constexpr std::array<std::string_view, 3> of_us{"us", "usec", "microseconds"};
+  constexpr std::array<std::string_view, 4> before{"time", "t", "zeit", "in"};
+  const std::string text = apart(line);
+  std::vector<std::string_view> words;
+  split_fields(text, words);
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::string_view here = words[i];
+    const auto place = static_cast<std::size_t>(here.data() - text.data());
+    const bool is_bracketed = place > 0 && std::string_view("([{").find(line[place - 1]) != std::string_view::npos;
+    const bool is_behind = i > 0 && std::ranges::any_of(before, [word = words[i - 1]](std::string_view known) {
+                             return word.size() == known.size() && begins_with_word(word, known);
+                           });
+    if (here == "Ms" || (i > 0 && is_number_field(words[i - 1])) || !(is_head || is_bracketed || is_behind)) continue;
+    const auto is_word = [here](std::string_view word) {
+      return here.size() == word.size() && begins_with_word(here, word);
+    };
+    if (std::ranges::any_of(of_ms, is_word)) return 1e3;
+    if (std::ranges::any_of(of_us, is_word)) return 1e6;
+  }
+  return std::nullopt;
 }
 
 /// What the head of a column calls it; absent if that is not clear.
@@ -77,45 +155,126 @@ std::optional<RecordColumn> called(std::string_view head) {
   return std::nullopt;
 }
 
+constexpr std::size_t most_remarks = 10'000;  // characters
+
 }  // namespace
 
-void LinesAboveColumns::add(std::string_view line, std::string_view text) {
-  if (text.find_first_not_of(" \t\r") != std::string_view::npos) {
-    heads_ = text;
-    other_motion_ = motion_instead(text);
-    stated_ = only_unit_in(text, true);
-  } else if (const auto unit = only_unit_in(line.substr(std::min(line.find('#'), line.size())), false)) {
-    remarked_ = unit;
+void LinesAboveColumns::add_units(std::string_view line, bool is_head, Statement& statement) {
+  const std::string text = blanked(line, "_:\"'");
+  std::vector<StatedUnit> found = units_among_words(text);
+  std::erase_if(found, [&](const StatedUnit& unit) {
+    const auto place = static_cast<std::size_t>(unit.text.data() - text.data());
+    const bool is_letter = unit.unit.kind == UnitKind::acceleration && trimmed(unit.text).size() == 1;
+    return !is_head && (labels_number(text, place + unit.text.size()) || (is_letter && !is_stated_letter(text, place)));
+  });
+  for (const StatedUnit& unit : units_stated(text)) found.push_back(unit);
+  for (const StatedUnit& unit : found) {
+    if (unit.unit.kind == UnitKind::scaled) statement.unclear = trimmed(unit.text);
+    if (unit.unit.kind != UnitKind::acceleration) continue;
+    const RecordUnit one = unit.unit.acceleration;
+    if (std::ranges::find(statement.units, one) == statement.units.end()) statement.units.push_back(one);
+    if (states_factor(text)) statement.unclear = trimmed(line);
+  }
+}
+
+void LinesAboveColumns::take_text(std::string_view words) {
+  if (are_heads_text_) add_units(heads_, false, of_remarks_);
+  if (are_heads_text_ && remarks_.size() < most_remarks) remarks_ += heads_ + '\n';
+  heads_ = words;
+  are_heads_text_ = true;
+  other_motion_ = motion_instead(words);
+}
+
+void LinesAboveColumns::read(std::string_view text) {
+  std::vector<std::string_view> fields;
+  bool is_above = true;
+  while (!text.empty()) {
+    const std::size_t end = text.find('\n');
+    const std::string_view line = text.substr(0, end);
+    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+    const std::size_t hash = std::min(line.find('#'), line.size());
+    if (!is_above && hash == line.size()) continue;
+    const std::string_view words = line.substr(0, hash);
+    const std::string_view remark = trimmed(line.substr(std::min(hash + 1, line.size())));
+    if (is_above) split_fields(words, fields);
+    is_above = is_above && (fields.empty() || !is_number_field(fields.front()));
+    if (is_above && !fields.empty()) take_text(words);
+    if (is_above && fields.empty() && !are_heads_text_ && !remark.empty()) heads_ = remark;
+    if (is_above && component_.empty()) component_ = component_word_in(line);
+    if (remark.empty()) continue;
+    add_units(remark, false, of_remarks_);
+    if (remarks_.size() < most_remarks) remarks_ += std::string(remark) + '\n';
+  }
+  if (are_heads_text_) add_units(heads_, true, of_heads_);
+}
+
+std::optional<RecordUnit> LinesAboveColumns::stated_unit() const {
+  const Statement& stated = statement();
+  if (stated.units.size() != 1 || !stated.unclear.empty()) return std::nullopt;
+  return stated.units.front();
+}
+
+void LinesAboveColumns::take_head(std::string_view head, RecordColumn column, LineProblems& problems) {
+  const auto name = called(head);
+  if (name && *name != column && column != RecordColumn::other) {
+    problems.reject_file("has the head " + brief(Json(std::string(trimmed(head)))) +
+                             " above the column that is taken for \"" + std::string(name_of(column)) + '"',
+                         "put the names in \"columns\" in the order of the file");
+  }
+  if (column == RecordColumn::time) times_per_second_ = per_second_in(head, true).value_or(times_per_second_);
+  if (column != RecordColumn::horizontal && column != RecordColumn::vertical) return;
+  std::vector<std::string_view> texts = in_brackets(head);
+  const bool is_word = trimmed(head).find_first_of(" \t") == std::string_view::npos;
+  if (texts.empty() && is_word) texts.push_back(head);
+  for (const std::string_view text : texts) {
+    const WrittenUnit unit = unit_written(text);
+    if (!of_heads_.is_empty()) return;
+    if (unit.kind == UnitKind::acceleration) of_heads_.units.push_back(unit.acceleration);
+    const bool is_unclear = unit.kind == UnitKind::scaled || (unit.kind == UnitKind::unknown && speaks_of_unit(text));
+    if (is_unclear) of_heads_.unclear = trimmed(text);
+  }
+}
+
+void LinesAboveColumns::check_unit(std::optional<RecordUnit> asked, LineProblems& problems) const {
+  const Statement& stated = statement();
+  const std::string where = of_heads_.is_empty() ? " in a comment" : " above its numbers";
+  if (!stated.unclear.empty()) {
+    if (asked) return;
+    return problems.reject_file(
+        "states the unit " + brief(Json(stated.unclear)) + where + ", which is not known",
+        "give \"units\", one of " + record_units_in_words() + "; multiply the numbers by their factor first");
+  }
+  std::string list;
+  for (const RecordUnit unit : stated.units) list += (list.empty() ? "" : " and ") + std::string(name_of(unit));
+  const bool is_asked = asked && std::ranges::find(stated.units, *asked) != stated.units.end();
+  if (asked && !stated.units.empty() && !is_asked) {
+    problems.reject_file(
+        "states the unit " + list + where + ", but \"units\" is \"" + std::string(name_of(*asked)) + '"',
+        "omit \"units\", or correct the file");
+  } else if (!asked && stated.units.size() > 1) {
+    problems.reject_file("names several units" + where + ": " + list, "give \"units\", that of its numbers");
   }
 }
 
 void LinesAboveColumns::check(const std::vector<RecordColumn>& columns, std::optional<RecordUnit> asked,
-                              LineProblems& problems) const {
-  if (stated_ && asked && *asked != *stated_) {
-    problems.reject_file("states the unit " + std::string(name_of(*stated_)) +
-                             " above its numbers, but \"units\" is \"" + std::string(name_of(*asked)) + '"',
-                         "omit \"units\", or correct the file");
-  }
+                              LineProblems& problems) {
   if (!other_motion_.empty()) {
     problems.reject_file(
         "says above its numbers that they are a " + std::string(other_motion_) + ": " + brief(Json(heads_)),
         "give the file of accelerations");
   }
-  if (!stated_ && !asked && remarked_ && *remarked_ != RecordUnit::m_s2) {
-    problems.reject_file("has a comment that names the unit " + std::string(name_of(*remarked_)) +
-                             ", and comments are not read: without \"units\" its accelerations would be in m/s2",
-                         "give \"units\": \"" + std::string(name_of(*remarked_)) + "\", or that in which they are");
-  }
+  times_per_second_ = per_second_in(remarks_, false).value_or(1.0);
   const std::vector<std::string_view> heads = heads_of(heads_);
-  if (heads.size() != columns.size()) return;
-  for (std::size_t i = 0; i < heads.size(); ++i) {
-    const auto name = called(heads[i]);
-    if (!name || *name == columns[i] || columns[i] == RecordColumn::other) continue;
-    problems.reject_file("has the head " + brief(Json(std::string(heads[i]))) + " above column " +
-                             std::to_string(i + 1) + ", which \"columns\" calls \"" + std::string(name_of(columns[i])) +
-                             '"',
-                         "put the names in the order of the file");
+  const bool are_heads = heads.size() == columns.size();
+  const std::string_view spectrum = are_heads ? spectrum_in(heads) : std::string_view();
+  if (!spectrum.empty()) {
+    problems.reject_file("says above its numbers that they are " + std::string(spectrum) + ": " + brief(Json(heads_)),
+                         "give accelerations against time");
   }
+  if (are_heads) {
+    for (std::size_t i = 0; i < heads.size(); ++i) take_head(heads[i], columns[i], problems);
+  }
+  check_unit(asked, problems);
 }
 
 }  // namespace rocking

@@ -10,25 +10,44 @@
 
 namespace rocking {
 
-/// What stands above the numbers of a file of columns: lines of text and comments. They do not decide what a column is,
-/// but must not contradict what was taken for it.
+/// What stands beside the numbers of a file of columns: lines of text above them, and comments anywhere. They do not decide
+/// what a column is, but must not contradict what was taken for it; the units that they state are read.
 class LinesAboveColumns {
  public:
-  /// `line`: as it stands in the file; `text`: the same without its comment.
-  void add(std::string_view line, std::string_view text);
+  /// `text`: the whole file.
+  void read(std::string_view text);
 
-  /// The unit of accelerations that the last line of text states: absent if it states none, or several.
-  [[nodiscard]] std::optional<RecordUnit> stated_unit() const { return stated_; }
+  /// Takes the names above the columns into account, which are `columns`. Reports names that are not those, what is no
+  /// motion, a unit other than that which was asked for, and one that is not known or not clear.
+  void check(const std::vector<RecordColumn>& columns, std::optional<RecordUnit> asked, LineProblems& problems);
 
-  /// Reports a unit above the numbers other than that which was asked for or is assumed, a line that speaks of velocities or
-  /// displacements in place of accelerations, and a name above a column that is not what `columns` calls it.
-  void check(const std::vector<RecordColumn>& columns, std::optional<RecordUnit> asked, LineProblems& problems) const;
+  /// The unit of accelerations that the last line of text states, or else the others and comments. After check().
+  [[nodiscard]] std::optional<RecordUnit> stated_unit() const;
+  /// How many units of its times a second holds: 1000 where these are in ms. After check().
+  [[nodiscard]] double times_per_second() const { return times_per_second_; }
+  /// The component that a line names, by the code of its sensor or beside the word `component`; empty: none.
+  [[nodiscard]] const std::string& component() const { return component_; }
 
  private:
-  std::string heads_;                   ///< the last line of text
-  std::optional<RecordUnit> stated_;    ///< there
-  std::string_view other_motion_;       ///< there: `velocity` or `displacement` in place of accelerations
-  std::optional<RecordUnit> remarked_;  ///< in a comment
+  /// The units that lines state.
+  struct Statement {
+    std::vector<RecordUnit> units;  ///< different ones
+    std::string unclear;            ///< a unit that is not known, or has a factor
+    [[nodiscard]] bool is_empty() const { return units.empty() && unclear.empty(); }
+  };
+  void take_text(std::string_view words);
+  static void add_units(std::string_view line, bool is_head, Statement& statement);
+  void take_head(std::string_view head, RecordColumn column, LineProblems& problems);
+  void check_unit(std::optional<RecordUnit> asked, LineProblems& problems) const;
+  [[nodiscard]] const Statement& statement() const { return of_heads_.is_empty() ? of_remarks_ : of_heads_; }
+
+  std::string heads_;              ///< the last line of text, or the last comment above the numbers
+  bool are_heads_text_ = false;    ///< a line of text, no comment
+  std::string remarks_;            ///< all other lines and comments
+  std::string_view other_motion_;  ///< in a line of text: `velocity` or `displacement` in place of accelerations
+  Statement of_heads_, of_remarks_;
+  std::string component_;
+  double times_per_second_ = 1.0;
 };
 
 }  // namespace rocking

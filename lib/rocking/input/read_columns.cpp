@@ -1,6 +1,7 @@
 #include "rocking/input/record_formats.hpp"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,6 +11,7 @@
 #include "rocking/input/even_times.hpp"
 #include "rocking/input/line_problems.hpp"
 #include "rocking/input/lines_above_columns.hpp"
+#include "rocking/input/missing_samples.hpp"
 #include "rocking/input/record_unit.hpp"
 #include "rocking/scene/ground_motion_reading.hpp"
 #include "rocking/scene/rules.hpp"
@@ -19,6 +21,8 @@ namespace {
 
 constexpr const char* name_the_columns =
     R"(say what they are: "columns": ["time", "horizontal"], also "vertical", and "other" for one that is not used)";
+
+constexpr std::size_t most_columns = 5;  // of a file with a line for each sample that does not name them
 
 std::string columns_in_words(std::size_t count) {
   return std::to_string(count) + (count == 1 ? " column" : " columns");
@@ -32,6 +36,7 @@ class ColumnsReader {
   std::optional<GroundMotion> read(std::string_view text) {
     text = without_byte_order_mark(text);
     if (problems_.reject_decimal_comma(text)) return std::nullopt;
+    above_.read(text);
     while (!text.empty() && goes_on()) read_line(problems_.next_line(text));
     if (!problems_.any()) check_whole();
     if (problems_.any() && problems_.line() > 0 && !holds_numbers_ && columns_seen_) {
@@ -41,6 +46,7 @@ class ColumnsReader {
     motion_.has_vertical = std::ranges::find(columns_, RecordColumn::vertical) != columns_.end();
     for (const RecordColumn column : columns_) motion_.columns.push_back(name_of(column));
     motion_.unit = name_of(unit_);
+    motion_.component = above_.component();
     motion_.unit_is_assumed = !how_.unit && !above_.stated_unit();
     if (motion_.unit_is_assumed) motion_.warnings.push_back(unit_assumed(unit_));
     return std::move(motion_);
@@ -52,17 +58,16 @@ class ColumnsReader {
   }
 
   void read_line(std::string_view line) {
-    const std::string_view whole = line;
     line = line.substr(0, line.find('#'));
     split_fields(line, fields_);
     const bool is_above = motion_.samples.empty() && (fields_.empty() || !is_number_field(fields_.front()));
-    if (is_above) above_.add(whole, line);
     if (fields_.empty()) return;
     columns_seen_ = true;
     holds_numbers_ = holds_numbers_ || std::ranges::any_of(fields_, is_number_field);
     if (is_above) return read_header(line);
-    if (motion_.samples.empty()) take_what_stands_above();
-    if (has_columns(line)) read_sample();
+    if (!has_columns(line)) return;
+    if (motion_.samples.empty() && !is_checked_) take_what_stands_above();
+    if (!are_unknown_) read_sample();
   }
 
   /// A line of text above the numbers.
@@ -74,7 +79,10 @@ class ColumnsReader {
   }
 
   void take_what_stands_above() {
+    is_checked_ = true;
+    const bool was_fine = !problems_.any();
     above_.check(columns_, how_.unit, problems_);
+    are_unknown_ = was_fine && problems_.any();
     if (const auto stated = above_.stated_unit(); stated && !how_.unit) unit_ = *stated;
   }
 
@@ -86,7 +94,7 @@ class ColumnsReader {
       const auto value = problems_.number(fields_[i]);
       if (!value) return;
       switch (columns_[i]) {
-        case RecordColumn::time: sample.time = *value; break;
+        case RecordColumn::time: sample.time = *value / above_.times_per_second(); break;
         case RecordColumn::horizontal: sample.horizontal = *value; break;
         case RecordColumn::vertical: sample.vertical = *value; break;
         case RecordColumn::other: break;
@@ -95,12 +103,13 @@ class ColumnsReader {
     if (!is_time(sample.time)) return;
     for (const auto& [column, value] : {std::pair{RecordColumn::horizontal, &sample.horizontal},
                                         std::pair{RecordColumn::vertical, &sample.vertical}}) {
+      if (place_of(column)) missing_[column == RecordColumn::vertical ? 1 : 0].add(*value, problems_.line());
       if (!is_acceleration(*value, column)) return;
       *value = over_gravity(*value, unit_, how_.gravity);
     }
     if (const auto place = place_of(RecordColumn::time)) {
       digits_.add(fields_[*place]);
-      times_.push_back(sample.time);
+      times_.push_back(sample.time * above_.times_per_second());
     }
     motion_.samples.push_back(sample);
   }
@@ -127,6 +136,11 @@ class ColumnsReader {
     } else if (count == 1) {
       problems_.reject_line(line, found,
                             "give time and horizontal acceleration; for values at even spacing set \"time_step_s\"");
+    } else if (count >= most_columns) {
+      are_unknown_ = true;
+      problems_.reject_line(line, found + ", which are likely accelerations that run on from line to line",
+                            "put a line NPTS= 4000, DT= .01 SEC above them, with their number and time step, and give "
+                            "\"units\"");
     } else {
       are_unknown_ = true;
       problems_.reject_line(
@@ -155,6 +169,7 @@ class ColumnsReader {
   }
 
   [[nodiscard]] bool is_acceleration(double value, RecordColumn column) {
+    if (MissingSamples::is_mark_alone(value)) return true;
     const auto refusal = refuse_acceleration(value, in_m_s2(unit_, how_.gravity));
     if (refusal) problems_.reject_line(fields_[place_of(column).value_or(0)], refusal->reason, refusal->remedy);
     return !refusal;
@@ -164,14 +179,22 @@ class ColumnsReader {
     if (const auto refusal = refuse_samples(motion_.samples)) {
       return problems_.reject_file(refusal->reason, refusal->remedy);
     }
+    for (const MissingSamples& missing : missing_) missing.check(problems_);
+    if (problems_.any()) return;
     motion_.time_step = how_.time_step;
-    if (how_.time_step) return;
-    const Evenness evenness = evenness_of(times_, digits_);
+    const auto too_long = refuse_long_steps(motion_.samples);
+    if (how_.time_step) {
+      if (too_long) problems_.reject_file(too_long->reason, "check \"time_step_s\": 10 ms is 0.01");
+      return;
+    }
+    Evenness evenness = evenness_of(times_, digits_);
+    if (above_.times_per_second() != 1.0) evenness = evenness.in_seconds(above_.times_per_second());
     if (how_.columns.empty() && !evenness.is_progression) {
       return problems_.reject_file(
           "has two columns, of which the first does not rise in even steps: it may be no time",
           std::string(name_the_columns) + "; for two components at even spacing set \"time_step_s\", too");
     }
+    if (too_long) return problems_.reject_file(too_long->reason, too_long->remedy);
     if (evenness.is_even()) {
       motion_.time_step = evenness.step;
     } else {
@@ -186,10 +209,12 @@ class ColumnsReader {
   LinesAboveColumns above_;
   std::vector<RecordColumn> columns_;  ///< empty until they are known
   std::vector<std::string_view> fields_;
-  std::vector<double> times_;  ///< of the column of times
-  PrintedDigits digits_;       ///< likewise
+  std::vector<double> times_;              ///< of the column of times
+  PrintedDigits digits_;                   ///< likewise
+  std::array<MissingSamples, 2> missing_;  ///< of the horizontal and the vertical column
+  bool is_checked_ = false;                ///< what stands above the numbers
   bool has_header_ = false;
-  bool are_unknown_ = false;    ///< the columns: one problem says so
+  bool are_unknown_ = false;    ///< the columns, or what stands above them: one problem says so
   bool columns_seen_ = false;   ///< in any line
   bool holds_numbers_ = false;  ///< some field of some line is a number
 };

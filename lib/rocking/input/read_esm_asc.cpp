@@ -37,7 +37,9 @@ class EsmReader {
     check_duration();
     if (problems_.any()) return std::nullopt;
     auto motion = read_even_samples(rest, header_, how_.gravity, problems_);
-    if (motion) motion->component = stream_;
+    if (!motion) return motion;
+    motion->component = stream_;
+    if (!event_.empty() && !station_.empty()) motion->origin = event_ + ", " + station_;
     return motion;
   }
 
@@ -69,6 +71,10 @@ class EsmReader {
       header_.peak = header_peak(value, RecordUnit::cm_s2, how_.gravity);
     } else if (key == "STREAM") {
       stream_ = value;
+    } else if (key == "EVENT_ID") {
+      event_ = value;
+    } else if (key == "STATION_CODE") {
+      station_ = value;
     } else if (key == "UNITS") {
       read_unit(value);
     } else if (key == "DATA_TYPE" && !value.empty() && in_capitals(value) != "ACCELERATION") {
@@ -106,6 +112,7 @@ class EsmReader {
   LineProblems problems_;
   EvenHeader header_;
   std::optional<double> duration_;
+  std::string event_, station_;
   std::string stream_;  ///< channel of the sensor: `HNE`, `HNZ`
   std::vector<std::string_view> fields_;
   std::set<std::string> keys_;  ///< that were read

@@ -42,7 +42,12 @@ class KnetReader {
     if (duration_) header_.declared = static_cast<std::size_t>(std::llround(*duration_ / header_.time_step));
     expect_asked_unit(header_.unit, how_.unit, problems_);
     auto motion = read_even_samples(text, header_, how_.gravity, problems_);
-    if (motion) motion->component = component_;
+    if (!motion) return motion;
+    motion->component = component_;
+    motion->is_of_borehole = is_of_borehole_;
+    if (is_of_borehole_) motion->warnings.push_back("is of a sensor in a borehole, not at the surface");
+    if (!time_.empty() && !station_.empty())
+      motion->origin = station_ + (is_of_borehole_ ? " borehole, " : ", ") + time_;
     return motion;
   }
 
@@ -66,6 +71,11 @@ class KnetReader {
       header_.peak = header_peak(*peak, RecordUnit::cm_s2, how_.gravity);
     } else if (const auto direction = behind_knet_key(line, "Dir.")) {
       component_ = knet_direction(*direction);
+      is_of_borehole_ = *direction == "1" || *direction == "2" || *direction == "3";
+    } else if (const auto time = behind_knet_key(line, "Origin Time")) {
+      time_ = *time;
+    } else if (const auto station = behind_knet_key(line, "Station Code")) {
+      station_ = *station;
     }
   }
 
@@ -85,7 +95,8 @@ class KnetReader {
   LineProblems problems_;
   // The accelerations of these files have an offset of the sensor; the peak of the header is that without it.
   EvenHeader header_{.unit = RecordUnit::cm_s2, .has_offset = true};
-  std::string component_;
+  std::string component_, time_, station_;
+  bool is_of_borehole_ = false;
   std::optional<double> duration_;
   bool has_scale_ = false;
 };

@@ -110,6 +110,7 @@ class PeerHeader {
   }
 
   [[nodiscard]] const std::string& component() const { return component_; }
+  [[nodiscard]] const std::string& origin() const { return origin_; }
   [[nodiscard]] bool states_unit() const { return stated_.has_value(); }
 
  private:
@@ -118,7 +119,12 @@ class PeerHeader {
       problems_.reject_line(line, "says that the file contains a " + std::string(other), file_of_accelerations);
       return;
     }
-    if (component_.empty()) component_ = component_in(line);
+    if (component_.empty()) {
+      component_ = component_in(line);
+      // RIO DELL, RIO DELL OVERPASS FF, 270: earthquake and station stand before the component.
+      const std::size_t comma = line.rfind(',', std::min(line.find('('), line.size()));
+      if (!component_.empty() && comma != std::string_view::npos) origin_ = trimmed(line.substr(0, comma));
+    }
     const std::vector<StatedUnit> stated = units_stated(line);
     for (const StatedUnit& found : stated) take(found, stated_);
     if (!stated.empty() || !speaks_of_acceleration(line)) return;
@@ -128,6 +134,7 @@ class PeerHeader {
   void take(const StatedUnit& found, std::optional<RecordUnit>& known) {
     switch (found.unit.kind) {
       case UnitKind::time: return;
+      case UnitKind::scaled:
       case UnitKind::unknown:
         return problems_.reject_line(found.text, "is not a known unit of acceleration",
                                      "correct the header; known: " + record_units_in_words());
@@ -177,7 +184,7 @@ class PeerHeader {
   LineProblems& problems_;
   std::optional<RecordUnit> stated_;     ///< after the word "units"
   std::optional<RecordUnit> mentioned_;  ///< in a line that speaks of accelerations
-  std::string component_;
+  std::string component_, origin_;
   bool has_counts_ = false;  ///< NPTS or DT stands in a line above
 };
 
@@ -193,6 +200,7 @@ std::optional<GroundMotion> read_peer_at2(std::string_view text, const GroundMot
   if (!header) return std::nullopt;
   auto motion = read_even_samples(text, *header, how.gravity, problems);
   if (motion) motion->component = reader.component();
+  if (motion) motion->origin = reader.origin();
   if (motion && !reader.states_unit() && !how.unit) {
     motion->unit_is_assumed = true;
     motion->warnings.push_back(unit_assumed(RecordUnit::g));

@@ -31,11 +31,22 @@ std::string upper_case(std::string_view text) {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-bool is_vertical(std::string_view word) { return is_among(vertical_words, word) || is_among(vertical_letters, word); }
+/// The orientation of a SEED code: `Z` of `HNZ`; absent: it is none. Band and instrument are those of strong and broad motion.
+std::optional<char> seed_orientation(std::string_view word) {
+  const bool is_code = word.size() == 3 && std::string_view("BEHLMS").find(word[0]) != std::string_view::npos &&
+                       std::string_view("HNLG").find(word[1]) != std::string_view::npos &&
+                       std::string_view("ZNE123RT").find(word[2]) != std::string_view::npos;
+  return is_code ? std::optional(word[2]) : std::nullopt;
+}
+
+bool is_vertical(std::string_view word) {
+  return is_among(vertical_words, word) || is_among(vertical_letters, word) || seed_orientation(word) == 'Z';
+}
 
 /// An azimuth in degrees, `N26W`, or a word.
 bool is_horizontal(std::string_view word) {
   if (is_among(horizontal_words, word)) return true;
+  if (const auto orientation = seed_orientation(word)) return *orientation != 'Z' && *orientation != '3';
   const bool is_bearing =
       word.size() > 2 && (word.front() == 'N' || word.front() == 'S') && (word.back() == 'E' || word.back() == 'W');
   if (is_bearing) word = word.substr(1, word.size() - 2);
@@ -106,17 +117,22 @@ std::string_view vertical_word_in(std::string_view name) {
   return {};
 }
 
-/// The fourth part of a name with points, `IV.NRC..HNZ.D...`, if it is the channel of a vertical sensor.
-std::string_view vertical_channel_in(std::string_view name) {
-  name = name.substr(name.rfind('/') + 1);
-  for (int part = 0; part < 3; ++part) {
-    const std::size_t point = name.find('.');
-    if (point == std::string_view::npos) return {};
-    name.remove_prefix(point + 1);
+/// The words of the last part of a path, in capital letters.
+std::vector<std::string> words_of_name(std::string_view path) {
+  std::string name(path.substr(path.rfind('/') + 1));
+  std::ranges::replace(name, '-', '.');
+  return words_in(name);
+}
+
+/// The only SEED code among words; empty: none or several.
+std::string seed_code_among(const std::vector<std::string>& words) {
+  std::string only;
+  for (const std::string& word : words) {
+    if (!seed_orientation(word) || word == only) continue;
+    if (!only.empty()) return {};
+    only = word;
   }
-  const std::string_view channel = name.substr(0, name.find('.'));
-  const bool is_channel = channel.size() == 3 && std::string_view("HNLG").find(channel[1]) != std::string_view::npos;
-  return is_channel && channel[2] == 'Z' && channel.size() < name.size() ? channel : std::string_view{};
+  return only;
 }
 
 }  // namespace
@@ -128,6 +144,13 @@ std::string component_in(std::string_view line) {
   const std::string_view field = line.substr(comma + 1);
   const std::string last = upper_case(trimmed(field.substr(0, field.find('('))));
   return is_vertical(last) || is_horizontal(last) ? last : std::string();
+}
+
+std::string component_word_in(std::string_view line) {
+  if (std::string word = beside_component(line); !word.empty()) return word;
+  // Codes are in capital letters, which words such as `she` are not.
+  const std::string code = seed_code_among(words_in(line));
+  return line.find(code) == std::string_view::npos ? std::string() : code;
 }
 
 bool is_vertical_component(std::string_view component) {
@@ -146,9 +169,28 @@ std::optional<std::string> why_vertical(const GroundMotion& motion) {
   const std::string_view word = vertical_word_in(name);
   const bool does_header_decide = is_among(vertical_letters, word) && !component.empty();
   if (!word.empty() && !does_header_decide) return "by its name (" + std::string(word) + ')';
-  const std::string_view channel = vertical_channel_in(name);
-  if (!channel.empty()) return "by its name (" + std::string(channel) + ')';
+  const std::string channel = seed_code_among(words_of_name(name));
+  if (seed_orientation(channel) == 'Z') return "by its name (" + channel + ')';
   return std::nullopt;
+}
+
+std::optional<std::string> why_horizontal(const GroundMotion& motion) {
+  if (!motion.component.empty()) {
+    if (!is_horizontal(upper_case(motion.component))) return std::nullopt;
+    return "by its header (" + motion.component + ')';
+  }
+  const std::vector<std::string> words = words_of_name(motion.name);
+  constexpr std::array<std::string_view, 6> endings{"EW", "NS", "EW1", "EW2", "NS1", "NS2"};
+  const auto found = std::ranges::find_if(words, [&](const std::string& word) { return is_among(endings, word); });
+  const std::string word = found == words.end() ? seed_code_among(words) : *found;
+  if (word.empty() || is_vertical(word)) return std::nullopt;
+  return "by its name (" + word + ')';
+}
+
+bool is_of_borehole(const GroundMotion& motion) {
+  constexpr std::array<std::string_view, 3> endings{"NS1", "EW1", "UD1"};
+  return motion.is_of_borehole || std::ranges::any_of(words_of_name(motion.name),
+                                                      [&](const std::string& word) { return is_among(endings, word); });
 }
 
 }  // namespace rocking

@@ -15,7 +15,18 @@
 /// Formats of files with recorded accelerations (lib/docs/ground-motions.md).
 namespace rocking {
 
-enum class RecordFormat : std::uint8_t { columns, peer_at2, esm_asc, knet, smc, geonet, cosmos, csmip, afad };
+enum class RecordFormat : std::uint8_t {
+  columns,
+  peer_at2,
+  esm_asc,
+  knet,
+  smc,
+  geonet,
+  cosmos,
+  csmip,
+  afad,
+  timeseries
+};
 
 /// A line of numbers for each sample.
 [[nodiscard]] std::optional<GroundMotion> read_columns(std::string_view text, const GroundMotionReading& how,
@@ -63,6 +74,11 @@ enum class RecordFormat : std::uint8_t { columns, peer_at2, esm_asc, knet, smc, 
                                                     Problems& problems);
 [[nodiscard]] bool is_line_of_afad_header(std::string_view line);
 
+/// SLIST and TSPAIR of ObsPy and of the web services of data centers: one line of header for a segment.
+[[nodiscard]] std::optional<GroundMotion> read_timeseries(std::string_view text, const GroundMotionReading& how,
+                                                          Problems& problems);
+[[nodiscard]] bool is_line_of_timeseries_header(std::string_view line);
+
 /// How a format is read: as read_ground_motion.
 struct RecordReader {
   RecordFormat format;
@@ -81,7 +97,8 @@ inline constexpr std::array record_readers{
     RecordReader{RecordFormat::geonet, "geonet", is_line_of_geonet_header, read_geonet},
     RecordReader{RecordFormat::cosmos, "cosmos", is_line_of_cosmos_header, read_cosmos},
     RecordReader{RecordFormat::csmip, "csmip", is_line_of_csmip_header, read_csmip},
-    RecordReader{RecordFormat::afad, "afad", is_line_of_afad_header, read_afad}};
+    RecordReader{RecordFormat::afad, "afad", is_line_of_afad_header, read_afad},
+    RecordReader{RecordFormat::timeseries, "timeseries", is_line_of_timeseries_header, read_timeseries}};
 static_assert(std::ranges::is_sorted(record_readers, {}, &RecordReader::format) &&
                   record_readers.back().format == static_cast<RecordFormat>(record_readers.size() - 1),
               "the order of RecordFormat");

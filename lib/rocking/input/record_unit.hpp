@@ -42,8 +42,8 @@ namespace rocking {
   return 0.0254;
 }
 
-/// What a unit in a header measures.
-enum class UnitKind : std::uint8_t { acceleration, velocity, displacement, time, unknown };
+/// What a unit in a header measures. `scaled`: an acceleration with a factor that makes none of the known units of it.
+enum class UnitKind : std::uint8_t { acceleration, scaled, velocity, displacement, time, unknown };
 
 struct WrittenUnit {
   UnitKind kind = UnitKind::unknown;
@@ -53,7 +53,9 @@ struct WrittenUnit {
 /// Most characters of a unit in a header.
 inline constexpr std::size_t longest_unit = 60;
 
-/// A unit as headers write it: `cm/s^2`, `CM/SEC/SEC`, `GALS`, `(g)`, `in/sec**2`, `% g`, `cm/s`. Unknown if longer than longest_unit.
+/// A unit as headers write it: `cm/s^2`, `CM/SEC/SEC`, `GALS`, `(g)`, `in/sec**2`, `% g`, `cm/s`; with a factor before it,
+/// `10^-2 m/s2`, `0.001 g`, `milli-g`. Behind it, `g*1000`, a factor is of the unit or of the numbers: that is `scaled`.
+/// Unknown if longer than longest_unit.
 [[nodiscard]] WrittenUnit unit_written(std::string_view text);
 
 }  // namespace rocking

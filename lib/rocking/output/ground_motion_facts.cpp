@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "rocking/fields/container_types.hpp"
+#include "rocking/scene/restitution.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking {
@@ -120,6 +121,17 @@ constexpr std::size_t most_kinds = 5;
 
 std::string last_part(const std::string& path) { return path.substr(path.rfind('/') + 1); }
 
+/// `time step: 0.005 to 0.02 s; duration: 20 to 60 s`; the step of uneven times is the mean.
+std::string times_in_words(const std::vector<UsedGroundMotion>& motions) {
+  NumberRange steps, durations;
+  for (const UsedGroundMotion& used : motions) {
+    const double mean = used.facts.duration_s / static_cast<double>(std::max<std::uint64_t>(used.facts.samples, 2) - 1);
+    steps.add(used.facts.time_step_s.value_or(mean));
+    durations.add(used.facts.duration_s);
+  }
+  return "time step: " + steps.text() + " s; duration: " + durations.text() + " s";
+}
+
 }  // namespace
 
 std::vector<std::string> ground_motion_lines(const std::vector<UsedGroundMotion>& motions) {
@@ -142,6 +154,7 @@ std::vector<std::string> ground_motion_lines(const std::vector<UsedGroundMotion>
     lines.push_back("ground motion: " + std::to_string(kinds.size() - most_kinds) +
                     " more ways of reading: report.json");
   }
+  lines.push_back(times_in_words(motions));
   const auto least = std::ranges::min_element(motions, {}, &UsedGroundMotion::least_scale);
   const auto largest = std::ranges::max_element(motions, {}, &UsedGroundMotion::largest_scale);
   const std::string low = significant(least->least_scale, 3), high = significant(largest->largest_scale, 3);

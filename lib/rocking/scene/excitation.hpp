@@ -38,6 +38,8 @@ struct GroundMotion {
   bool unit_is_assumed = false;                        ///< neither the file nor the experiment states it
   std::vector<std::string_view> columns = {};          ///< of a file of numbers: what each was taken for
   std::string component = {};                          ///< that the header names: `180`, `UP`; empty: none
+  bool is_of_borehole = false;                         ///< by its header
+  std::string origin = {};                             ///< earthquake and station, as the header names both; empty: not
   std::vector<std::string> components = {};            ///< among which it was chosen; empty: the file holds one
   std::optional<Peak> header_peak = std::nullopt;      ///< absent: the header states none
   std::string vertical_file = {};                      ///< from which the vertical component was read; empty: none
@@ -159,9 +161,10 @@ struct Recorded {
   double frequency_ratio = 1.0;                         ///< frequency of the strobe over p [-]
   /// Of the spectral acceleration by which a file gives the scale [s]: one, or the ends of a range. Empty: none.
   std::vector<double> measure_periods{};
-  std::optional<double> level{};        ///< of intensity, of a record that is selected for one
-  std::optional<double> magnitude{};    ///< of the earthquake
-  std::optional<double> distance_km{};  ///< from the station to the rupture
+  std::optional<double> level{};          ///< of intensity, of a record that is selected for one
+  std::optional<double> return_period{};  ///< likewise in place of the level [years]
+  std::optional<double> magnitude{};      ///< of the earthquake
+  std::optional<double> distance_km{};    ///< from the station to the rupture
 
   friend bool operator==(const Recorded&, const Recorded&) = default;
 

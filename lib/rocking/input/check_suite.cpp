@@ -132,10 +132,25 @@ void refuse_repeated(const std::vector<std::shared_ptr<const GroundMotion>>& mot
   }
 }
 
+/// Sensors in boreholes beside others at the surface, where the motion is another one.
+void refuse_boreholes(const std::vector<std::shared_ptr<const GroundMotion>>& motions, Problems& problems) {
+  const auto is_at_surface = [](const auto& motion) { return !is_of_borehole(*motion); };
+  const auto surface = std::ranges::find_if(motions, is_at_surface);
+  if (surface == motions.end()) return;
+  std::size_t found = 0;
+  for (const auto& motion : motions) {
+    if (!is_of_borehole(*motion) || ++found > most_reported) continue;
+    problems.push_back({suite_pointer, brief(Json(motion->name)),
+                        "is of a sensor in a borehole, but " + brief(Json((*surface)->name)) + " of one at the surface",
+                        "leave one kind out: of KiK-net .NS2 and .EW2 are at the surface"});
+  }
+}
+
 }  // namespace
 
 void check_suite(const std::vector<std::shared_ptr<const GroundMotion>>& motions, Problems& problems) {
   refuse_vertical(motions, problems);
+  refuse_boreholes(motions, problems);
   refuse_repeated(motions, problems);
 }
 

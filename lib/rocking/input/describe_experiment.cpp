@@ -1,5 +1,8 @@
 #include "rocking/input/read_experiment.hpp"
 
+#include <algorithm>
+#include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -33,6 +36,7 @@ class DescribedRecords final : public RecordFields {
                                        {"vertical_sha256", digest_schema()},
                                        {"factor", positive_schema()},
                                        {"level", positive_schema()},
+                                       {"return_period_years", positive_schema()},
                                        {"magnitude", {{"type", "number"}, {"minimum", 0}, {"maximum", 10}}},
                                        {"distance_km", positive_schema()}},
                                       Json::array({"file"}));
@@ -76,6 +80,19 @@ std::string experiment_schema_text() {
   schema["properties"].update(keys["properties"]);
   for (const Json& key : keys["required"]) schema["required"].push_back(key);
   return schema.dump(2) + '\n';
+}
+
+std::optional<std::string> place_of_key(std::string_view key) {
+  std::vector<KeyRow> rows;
+  static_cast<void>(describe(rows));
+  for (const KeyRow& row : rows) {
+    const std::size_t point = row.key.rfind('.');
+    if (point == std::string::npos || std::string_view(row.key).substr(point + 1) != key) continue;
+    std::string place = '/' + row.key.substr(0, point);
+    std::ranges::replace(place, '.', '/');
+    return place;
+  }
+  return std::nullopt;
 }
 
 std::string experiment_table() {

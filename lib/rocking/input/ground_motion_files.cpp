@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -45,6 +46,30 @@ void check_digest(FieldVisitor& in, std::string_view key, const std::string& dig
                   "restore the intended file, or omit \"" + std::string(key) + "\" to accept the present one"});
 }
 
+void warn_of_vertical(const GroundMotion& vertical, GroundMotion& motion) {
+  const auto is_equal = [](const dynamics::GroundMotionSample& sample) { return sample.horizontal == sample.vertical; };
+  if (const auto why = why_horizontal(vertical)) {
+    motion.warnings.push_back(vertical.name + " is a horizontal component " + *why +
+                              ", and is used as the vertical one");
+  } else if (std::ranges::all_of(motion.samples, is_equal)) {
+    motion.warnings.push_back("has the same samples as its vertical component, " + vertical.name);
+  }
+}
+
+/// That a motion ends in motion, in a sentence; absent: its last velocity is below a tenth of the largest.
+std::optional<std::string> velocity_at_end(const std::vector<dynamics::GroundMotionSample>& samples, double gravity) {
+  constexpr double tolerable = 0.1;
+  constexpr std::size_t most_corners = 20;  // of a pulse that is given by the corners of a polyline
+  if (samples.size() <= most_corners) return std::nullopt;
+  const double peak = peak_velocity(samples, gravity), last = std::abs(final_velocity(samples, gravity));
+  if (!(last > tolerable * peak)) return std::nullopt;
+  return "ends with a velocity of " + base::significant(last, 3) + " m/s, " +
+         std::to_string(std::lround(100.0 * last / peak)) +
+         " % of its PGV: its acceleration has an offset, or it is cut in mid-motion; correct its baseline, since PGV, "
+         "PGD "
+         "and long periods are not those of the earthquake";
+}
+
 }  // namespace
 
 const GroundMotionFiles::File& GroundMotionFiles::file(const std::string& name) {
@@ -74,8 +99,10 @@ GroundMotionFiles::Reading GroundMotionFiles::read(const GroundMotionReading& ho
   if (!how.vertical_name.empty()) {
     const auto vertical = component(how.vertical_name, Role::vertical, how, reading.problems);
     if (!motion || !vertical || !add_vertical(*vertical, *motion, reading.problems)) return reading;
+    warn_of_vertical(*vertical, *motion);
   }
   if (!motion) return reading;
+  if (const auto why = velocity_at_end(motion->samples, how.gravity)) motion->warnings.push_back(*why);
   samples_ += motion->samples.size();
   if (samples_ > most_samples_held) {
     reading.problems.push_back({how.name, "",
@@ -158,6 +185,12 @@ Quantity FiledRecords::scale_for(FieldVisitor& in, const Strength& strength,
                          : files_->spectral_acceleration(motion, strength.periods,
                                                          key == "sa_absolute_g" ? OscillatorAcceleration::absolute
                                                                                 : OscillatorAcceleration::pseudo);
+  const auto in_motion = key == "pgv_m_s" ? velocity_at_end(motion->samples, gravity) : std::nullopt;
+  if (in_motion) {
+    in.reject(key, {"needs the PGV of " + motion->name + ", which " + *in_motion,
+                    "correct the baseline of the record, or sweep pga_g or sa_g"});
+    return 1.0;
+  }
   Quantity scale = divided(strength.value, own);
   if (rules::scale.allows(reach_of(scale).largest)) return scale;
   in.reject(key, {"needs a scale above 1e6, since that of " + motion->name + " is " + base::significant(own, 3) +

@@ -5,8 +5,10 @@
 #include <utility>
 #include <vector>
 
+#include "rocking/input/other_files.hpp"
 #include "rocking/input/quantities_in_text.hpp"
 #include "rocking/input/read_question.hpp"
+#include "rocking/input/repeated_records.hpp"
 #include "rocking/input/suite.hpp"
 #include "rocking/input/sweep.hpp"
 #include "rocking/scene/check_condition.hpp"
@@ -34,6 +36,15 @@ void name_flags(const Overrides& overrides, Problems& problems) {
   for (base::Problem& problem : problems) {
     if (overrides.seed && problem.place == "/seed") problem.place = "--seed";
     if (overrides.realisations && problem.place == "/realisations") problem.place = "--realisations";
+  }
+}
+
+// Tells where a key stands that was written at another place.
+void name_places(Problems& problems) {
+  for (base::Problem& problem : problems) {
+    if (problem.reason != "is not a key of this format") continue;
+    const auto place = place_of_key(last_key(problem.place));
+    if (place) problem.remedy = "it stands under " + *place;
   }
 }
 
@@ -81,9 +92,10 @@ class ExperimentBuilder {
     }
     const bool is_readable = !is_hopeless && !is_bad_suite && document_.is_object();
     if (is_readable && problems_.size() < most_problems) build_conditions();
-    if (has_suite() && problems_.empty()) check_suite(motions_of_suite(), problems_);
+    if (has_suite() && problems_.empty()) check_records();
     name_flags(overrides, problems_);
     name_readable_records();
+    name_places(problems_);
     if (has_former_keys) name_former_keys(problems_);
     if (problems_.size() > most_problems) problems_.resize(most_problems);
     if (!problems_.empty()) throw base::InputError(std::move(problems_));
@@ -114,6 +126,21 @@ class ExperimentBuilder {
       if (std::ranges::find(motions, motion) == motions.end()) motions.push_back(std::move(motion));
     }
     return motions;
+  }
+
+  /// Reports records that cannot stand beside the others, and warns of those that are likely another one once more.
+  void check_records() {
+    const auto motions = motions_of_suite();
+    check_suite(motions, problems_);
+    if (!problems_.empty()) return;
+    for (const auto& [record, why] : repeated_records(motions)) {
+      auto warned = std::make_shared<GroundMotion>(*motions[record]);
+      warned->warnings.push_back(why);
+      for (Condition& condition : conditions_) {
+        auto& motion = std::get<Recorded>(condition.scene.excitation).ground_motion;
+        if (motion == motions[record]) motion = warned;
+      }
+    }
   }
 
   void read_axes(const Json& canonical, const Overrides& overrides, Problems& found) {
@@ -326,6 +353,10 @@ Surroundings seen_from(const std::filesystem::path& folder) {
 
 Experiment experiment_in(std::string_view text, const Overrides& overrides, const Surroundings& surroundings) {
   Problems problems;
+  if (auto refusal = refuse_binary_file(text)) {
+    throw base::InputError(
+        {"the file", "", std::move(refusal->reason), "give an experiment in JSON, as text in UTF-8"});
+  }
   Json document = parse_json(text, problems);
   return ExperimentBuilder(std::move(document), surroundings, std::move(problems)).build(overrides);
 }

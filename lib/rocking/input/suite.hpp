@@ -75,7 +75,7 @@ inline constexpr double same_series_tolerance = 2e-3;
 
 /// Reports the records of a suite that are vertical components (record_component.hpp), and those that are a former one
 /// once more: in another format, under another name, in other units. A factor between two series is that of two units,
-/// and counts only where one of the two units was assumed. `motions`: of the records, without null.
+/// and counts only where one of the two units was assumed; also records of boreholes beside others. `motions`: of the records, without null.
 void check_suite(const std::vector<std::shared_ptr<const GroundMotion>>& motions, Problems& problems);
 
 }  // namespace rocking

@@ -168,6 +168,14 @@ double peak_velocity(const std::vector<dynamics::GroundMotionSample>& samples, d
   return peak * gravity;
 }
 
+double final_velocity(const std::vector<dynamics::GroundMotionSample>& samples, double gravity) {
+  double velocity = 0.0;  // over g, in s
+  for (std::size_t i = 0; i + 1 < samples.size(); ++i) {
+    velocity += 0.5 * (samples[i + 1].time - samples[i].time) * (samples[i].horizontal + samples[i + 1].horizontal);
+  }
+  return velocity * gravity;
+}
+
 OscillatorPeaks oscillator_peaks(const std::vector<dynamics::GroundMotionSample>& samples, double period_s,
                                  double damping) {
   const Oscillator of(period_s, damping);

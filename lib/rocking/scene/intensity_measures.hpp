@@ -16,6 +16,9 @@ namespace rocking {
 /// the acceleration passes 0, and all of them count. `gravity` [m/s^2]: that over which the accelerations are given.
 [[nodiscard]] double peak_velocity(const std::vector<dynamics::GroundMotionSample>& samples, double gravity);
 
+/// Horizontal velocity at the last sample [m/s], likewise.
+[[nodiscard]] double final_velocity(const std::vector<dynamics::GroundMotionSample>& samples, double gravity);
+
 /// Largest absolute values of a linear oscillator on a moving base, over g where they have the unit of an acceleration.
 struct OscillatorPeaks {
   double displacement = 0.0;  ///< relative to the base, over g [s^2]

@@ -71,9 +71,9 @@ class AgainstTheProgram(ProgramTest):
         self.assertEqual(len(ours.curves), 2)
         self.assertEqual([curve.annual_rate.data for curve in ours.curves], [c["annual_rate"] for c in theirs["curves"]])
         self.assertEqual(ours.curves[1].event.peak_tilt, 0.5)
-        same = rocking.fragility(self.out, event=["overturning", "tilt > 0.5"], hazard=hazard)
+        same = rocking.fragility(self.out, event=["overturning", "tilt > 0.5 psi"], hazard=hazard)
         self.assertEqual(same.data, ours.data)
-        self.assertEqual(rocking.fragility(self.out, event="tilt > 0.5").data["curves"][0]["event"], {"peak_tilt": 0.5})
+        self.assertEqual(rocking.fragility(self.out, event="tilt > 0.5 psi").data["curves"][0]["event"], {"peak_tilt": 0.5})
         still = rocking.fragility(self.out, hazard=[hazard, hazard], years=[1, 50], survived=100)
         rate = still.curves[0].annual_rate
         self.assertEqual([each.years for each in rate.in_years], [1, 50])

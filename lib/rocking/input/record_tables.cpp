@@ -136,17 +136,26 @@ std::vector<SelectedRecord> level_table(std::string_view text, const std::string
   LineProblems problems(name, found);
   RecordTable table(without_byte_order_mark(text), problems);
   const std::string remedy = "begin it with: level,file,factor";
-  for (const std::string_view column : {"level", "file", "factor"}) table.require(column, remedy);
+  constexpr std::array<std::string_view, 4> of_periods{"return_period_years", "return_period", "return period", "rp"};
+  const std::vector<std::string> names = table.names();
+  const auto period = std::ranges::find_first_of(of_periods, names);
+  const bool has_periods = period != of_periods.end() && std::ranges::find(names, "level") == names.end();
+  const std::string_view level = has_periods ? *period : "level";
+  for (const std::string_view column : {level, std::string_view("file"), std::string_view("factor")}) {
+    table.require(column, remedy);
+  }
   for (const std::string& column : table.names()) {
-    constexpr std::array<std::string_view, 5> known{"level", "file", "factor", "component", ""};
+    const std::array<std::string_view, 5> known{level, "file", "factor", "component", ""};
     if (std::ranges::find(known, column) != known.end()) continue;
     problems.reject_file("has the column \"" + column + "\", which is not known", remedy + ", perhaps with component");
   }
   std::vector<SelectedRecord> records;
   if (problems.any()) return records;
   while (table.next()) {
-    SelectedRecord record{
-        .file = table.value("file"), .factor = table.number("factor"), .level = table.number("level")};
+    SelectedRecord record{.file = table.value("file"),
+                          .factor = table.number("factor"),
+                          .level = table.number(level),
+                          .is_return_period = has_periods};
     if (!table.value("component").empty()) record.component = table.value("component");
     if (!problems.any() && (record.file.empty() || !record.factor || !record.level)) {
       problems.reject_line(table.line(), "is a line without a level, a file or a factor",

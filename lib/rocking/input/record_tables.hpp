@@ -16,6 +16,7 @@ struct SelectedRecord {
   std::optional<std::string> component = {};         ///< of a file that holds several
   std::optional<double> factor = std::nullopt;       ///< on its accelerations
   std::optional<double> level = std::nullopt;        ///< of intensity
+  bool is_return_period = false;                     ///< of the level, which is in years
   std::optional<double> magnitude = std::nullopt;    ///< of its earthquake
   std::optional<double> distance_km = std::nullopt;  ///< from its station to the rupture
 };
@@ -28,7 +29,8 @@ struct SelectedRecord {
 [[nodiscard]] std::vector<SelectedRecord> search_results(std::string_view text, const std::string& name,
                                                          Problems& found);
 
-/// Lines `level,file,factor`, perhaps with `component`, below a line with these names in any order.
+/// Lines `level,file,factor`, or with `return_period_years` in place of `level`, perhaps with `component`, below a line with
+/// these names in any order.
 [[nodiscard]] std::vector<SelectedRecord> level_table(std::string_view text, const std::string& name, Problems& found);
 
 }  // namespace rocking

@@ -19,8 +19,9 @@
 namespace rocking {
 namespace {
 
-constexpr std::array<std::string_view, 9> keys_of_a_record{
-    "file", "sha256", "component", "vertical_file", "vertical_sha256", "factor", "level", "magnitude", "distance_km"};
+constexpr std::array<std::string_view, 10> keys_of_a_record{
+    "file",   "sha256", "component",           "vertical_file", "vertical_sha256",
+    "factor", "level",  "return_period_years", "magnitude",     "distance_km"};
 constexpr const char* left_out_key = "left_out";
 constexpr std::size_t most_records = 10'000;
 constexpr std::size_t most_problems_of_a_table = 20;
@@ -130,7 +131,7 @@ class SuiteReader {
       Json record{{"file", each.file.starts_with('/') ? each.file : folder + each.file}};
       if (each.component) record["component"] = *each.component;
       if (each.factor) record["factor"] = *each.factor;
-      if (each.level) record["level"] = *each.level;
+      if (each.level) record[each.is_return_period ? "return_period_years" : "level"] = *each.level;
       if (each.magnitude) record["magnitude"] = *each.magnitude;
       if (each.distance_km) record["distance_km"] = *each.distance_km;
       if (base::is_utf8(each.file)) {
@@ -158,7 +159,7 @@ class SuiteReader {
   /// Whether no record before it has the bytes of this file: under two names it would count twice.
   [[nodiscard]] bool is_new(const std::string& name, const Json& record, const std::string& place) {
     std::string of_file;
-    for (const char* key : {"component", "level"}) {
+    for (const char* key : {"component", "level", "return_period_years"}) {
       if (record.contains(key)) of_file += record[key].dump();
     }
     const auto [known, added] = names_.emplace(files_.digest(name) + of_file, name);
@@ -295,6 +296,7 @@ Json name_of_record(const Json& record) {
     name += ", " + record.at("component").get<std::string>();
   }
   if (record.contains("level")) name += ", level " + record.at("level").dump();
+  if (record.contains("return_period_years")) name += ", level " + record.at("return_period_years").dump();
   return name;
 }
 

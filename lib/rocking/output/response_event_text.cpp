@@ -3,11 +3,17 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <utility>
 
+#include "rocking/base/error.hpp"
 #include "rocking/base/number_text.hpp"
 #include "rocking/fields/container_types.hpp"
 #include "rocking/fields/written_types.hpp"
 #include "rocking/input/line_problems.hpp"
+#include "rocking/scene/check_condition.hpp"
 
 namespace rocking {
 namespace {
@@ -24,29 +30,42 @@ struct Described {
 /// By EventName.
 constexpr std::array described{
     Described{"overturning", "", {"overturns", "overturn", "overturned"}, "", "", "overturning"},
-    Described{"tilt", "", {"tilts", "tilt", "tilted"}, " beyond ", " psi", "a peak tilt above "},
+    Described{"tilt", "psi", {"tilts", "tilt", "tilted"}, " beyond ", " psi", "a peak tilt above "},
     Described{"slip", "m", {"slides", "slide", "slid"}, " more than ", " m", "sliding more than "},
     Described{"displacement", "m", {"ends", "end", "ended"}, " more than ", " m away", "a displacement above "},
 };
 
 const Described& description_of(const ResponseEvent& event) { return described[static_cast<std::size_t>(event.name)]; }
 
-/// The threshold with its unit.
+/// By TiltUnit.
+constexpr std::array<std::string_view, 3> tilt_units{"psi", "rad", "deg"};
+constexpr std::string_view all_tilts = "write `tilt > 0.5 psi` (1 psi is balance), `tilt > 0.1 rad` or `tilt > 5 deg`";
+
+std::string_view name_of(TiltUnit unit) { return tilt_units[static_cast<std::size_t>(unit)]; }
+
+/// As it was asked for.
+std::string tilt_in_words(const AskedTilt& tilt) {
+  return base::significant(tilt.value, 6) + ' ' + std::string(name_of(tilt.unit));
+}
+
+/// The threshold with its unit; psi goes without saying.
 std::string threshold_in_words(const ResponseEvent& event) {
-  const std::string_view unit = description_of(event).unit;
-  return base::significant(event.threshold, 6) + (unit.empty() ? "" : ' ' + std::string(unit));
+  if (event.asked) return tilt_in_words(*event.asked);
+  const bool is_tilt = event.name == EventName::tilt;
+  return base::significant(event.threshold, 6) + (is_tilt ? "" : ' ' + std::string(description_of(event).unit));
 }
 
 std::string with_verb(const ResponseEvent& event, std::size_t form) {
   const Described& words = description_of(event);
   const std::string verb(words.verbs[form]);
   if (event.is_overturning()) return verb;
+  if (event.asked) return verb + std::string(words.beyond) + tilt_in_words(*event.asked);
   return verb + std::string(words.beyond) + base::significant(event.threshold, 6) + std::string(words.after);
 }
 
 std::string example_of(const Described& words) {
   if (words.beyond.empty()) return std::string(words.name);
-  return std::string(words.name) + (words.unit.empty() ? " > 0.5" : " > 0.05 " + std::string(words.unit));
+  return std::string(words.name) + (words.unit == "m" ? " > 0.05 m" : " > 0.5 psi");
 }
 
 std::string all_examples() {
@@ -57,6 +76,17 @@ std::string all_examples() {
 
 bool is_threshold(double number) { return number >= 0.0 && number <= 1e9; }
 
+std::variant<ResponseEvent, NoEvent> with_tilt(double threshold, std::string_view unit) {
+  const auto* const found = std::ranges::find(tilt_units, unit);
+  if (unit.empty()) return NoEvent{"lacks its unit", std::string(all_tilts)};
+  if (found == tilt_units.end()) return NoEvent{"has no known unit of a tilt", std::string(all_tilts)};
+  if (unit == "psi" && threshold > 1.0)
+    return NoEvent{"lies beyond balance, which is at 1 psi", std::string(all_tilts)};
+  if (unit == "psi") return ResponseEvent{EventName::tilt, threshold};
+  return ResponseEvent{EventName::tilt, threshold,
+                       AskedTilt{.value = threshold, .unit = static_cast<TiltUnit>(found - tilt_units.begin())}};
+}
+
 /// Reads what follows `>`.
 std::variant<ResponseEvent, NoEvent> with_threshold(EventName name, std::string_view text) {
   const Described& words = described[static_cast<std::size_t>(name)];
@@ -66,11 +96,9 @@ std::variant<ResponseEvent, NoEvent> with_threshold(EventName name, std::string_
   if (error != std::errc()) return NoEvent{"lacks a number after >", remedy};
   if (!is_threshold(threshold)) return NoEvent{"must exceed a number of at least 0, at most 1e9", remedy};
   const std::string_view unit = trimmed(text.substr(static_cast<std::size_t>(end - text.data())));
+  if (name == EventName::tilt) return with_tilt(threshold, unit);
   if (unit == words.unit) return ResponseEvent{name, threshold};
-  if (unit.empty()) return NoEvent{"lacks its unit, m", remedy};
-  return NoEvent{
-      words.unit.empty() ? "has no unit: the tilt is counted in psi, at which the block is in balance" : "must be in m",
-      remedy};
+  return NoEvent{unit.empty() ? "lacks its unit, m" : "must be in m", remedy};
 }
 
 class EventTextType final : public ValueType {
@@ -116,8 +144,36 @@ class ThresholdType final : public ValueType {
 std::string event_text(const ResponseEvent& event) {
   const Described& words = description_of(event);
   if (event.is_overturning()) return std::string(words.name);
-  return std::string(words.name) + " > " + base::shortest(event.threshold) +
-         (words.unit.empty() ? "" : ' ' + std::string(words.unit));
+  const double threshold = event.asked ? event.asked->value : event.threshold;
+  return std::string(words.name) + " > " + base::shortest(threshold) + ' ' +
+         std::string(event.asked ? name_of(event.asked->unit) : words.unit);
+}
+
+ResponseEvent in_units_of_balance(const ResponseEvent& event, const std::vector<Condition>& conditions) {
+  if (!event.asked) return event;
+  const auto refuse = [&event](std::string reason, std::string remedy) {
+    throw base::InputError({"events", event_text(event), std::move(reason), std::move(remedy)});
+  };
+  constexpr double degree = std::numbers::pi / 180.0;
+  const double unit = event.asked->unit == TiltUnit::deg ? degree : 1.0;
+  std::optional<double> psi;
+  for (const Condition& condition : conditions) {
+    const dynamics::Geometry block = dynamics::geometry_of(mean_block(condition.scene));
+    for (const dynamics::Edge& edge : block.edges) {
+      if (!psi) psi = edge.shape_angle;
+      if (is_drawn(condition.scene.block) || edge.shape_angle != *psi) {
+        refuse("is not one share of balance: the blocks of the run, or their sides, have several angles psi",
+               "ask for it in psi, or make a run for each block");
+      }
+    }
+  }
+  const double share = event.asked->value * unit / psi.value();
+  if (share > 1.0) {
+    refuse("lies beyond balance, which this block has at " + base::significant(*psi / degree, 4) +
+               " deg = " + base::significant(*psi, 4) + " rad",
+           "ask for less, or for overturning");
+  }
+  return {EventName::tilt, share, event.asked};
 }
 
 std::variant<ResponseEvent, NoEvent> read_event(std::string_view text) {
@@ -128,7 +184,7 @@ std::variant<ResponseEvent, NoEvent> read_event(std::string_view text) {
   const auto event = static_cast<EventName>(found - described.begin());
   const bool has_threshold = sign != std::string_view::npos;
   if (event == EventName::overturning) {
-    if (has_threshold) return NoEvent{"has no threshold", "write `overturning`, or `tilt > 0.5`"};
+    if (has_threshold) return NoEvent{"has no threshold", "write `overturning`, or `tilt > 0.5 psi`"};
     return ResponseEvent{};
   }
   if (!has_threshold) return NoEvent{"lacks its threshold", "write `" + example_of(*found) + '`'};

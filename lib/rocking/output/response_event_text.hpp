@@ -3,14 +3,16 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "rocking/fields/value_type.hpp"
 #include "rocking/realisation/measures.hpp"
+#include "rocking/scene/experiment.hpp"
 
 /// Events as people write and read them.
 namespace rocking {
 
-/// `overturning`, `tilt > 0.5`, `slip > 0.05 m`, `displacement > 0.05 m`, as read_event() takes it.
+/// `overturning`, `tilt > 0.5 psi`, `slip > 0.05 m`, `displacement > 0.05 m`, as read_event() takes it.
 [[nodiscard]] std::string event_text(const ResponseEvent& event);
 
 /// What is wrong with a text, and what would do.
@@ -19,6 +21,10 @@ struct NoEvent {
   std::string remedy;
 };
 [[nodiscard]] std::variant<ResponseEvent, NoEvent> read_event(std::string_view text);
+
+/// A tilt in degrees or radians as a share of psi, which all blocks of the conditions must have in common; other events as
+/// they are. Throws base::InputError where they have not, or where it lies beyond balance.
+[[nodiscard]] ResponseEvent in_units_of_balance(const ResponseEvent& event, const std::vector<Condition>& conditions);
 
 /// In questions: the same text.
 [[nodiscard]] const ValueType& event_text_type();

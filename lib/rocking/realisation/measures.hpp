@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 #include "rocking/dynamics/block.hpp"
@@ -100,11 +101,23 @@ enum class EventName : std::uint8_t {
   displacement,  ///< abs(X) at the end [m]
 };
 
+/// Unit of a tilt: psi of the side of the block, at which it is in balance, radians or degrees.
+enum class TiltUnit : std::uint8_t { psi, rad, deg };
+
+/// A tilt as it was asked for.
+struct AskedTilt {
+  double value = 0.0;
+  TiltUnit unit = TiltUnit::psi;
+};
+
 /// What a probability is about. An overturned block has every event: it is lost, and no slip of it is known after its fall.
 struct ResponseEvent {
   EventName name = EventName::overturning;
-  double threshold = 0.0;  ///< >= 0; not used by overturning
-  friend bool operator==(const ResponseEvent&, const ResponseEvent&) = default;
+  double threshold = 0.0;                         ///< >= 0; of a tilt over psi; not used by overturning
+  std::optional<AskedTilt> asked = std::nullopt;  ///< in another unit, of which `threshold` must be made
+  friend bool operator==(const ResponseEvent& a, const ResponseEvent& b) {
+    return a.name == b.name && a.threshold == b.threshold;
+  }
 
   [[nodiscard]] bool is_overturning() const { return name == EventName::overturning; }
   /// Whether it is about sliding, which needs friction.

@@ -221,6 +221,7 @@ double keys_of_selection(FieldVisitor& in, Recorded& recorded) {
   std::optional<double> factor;
   number({"factor", "of a record as a table selects it, which scale multiplies"}, factor, rules::selected_number);
   number({"level", "of intensity, of a record that is selected for one"}, recorded.level, rules::selected_number);
+  number({"return_period_years", "of the level, in its place [years]"}, recorded.return_period, rules::selected_number);
   number({"magnitude", "of the earthquake of the record"}, recorded.magnitude, rules::magnitude);
   number({"distance_km", "from the station to the rupture [km]"}, recorded.distance_km, rules::selected_number);
   return factor.value_or(1.0);

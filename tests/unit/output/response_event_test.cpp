@@ -1,11 +1,16 @@
 // Events as people write them.
 
+#include <cmath>
 #include <string>
 #include <variant>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "rocking/base/error.hpp"
+#include "rocking/input/read_experiment.hpp"
 #include "rocking/output/response_event_text.hpp"
+#include "support/experiment_text.hpp"
 
 namespace rocking {
 namespace {
@@ -19,7 +24,7 @@ ResponseEvent event_in(std::string_view text) {
 
 TEST(ResponseEvent, IsReadWithAndWithoutBlanks) {
   EXPECT_EQ(event_in("overturning"), ResponseEvent{});
-  for (const char* text : {"tilt > 0.5", "tilt>0.5", " tilt >5e-1 "}) {
+  for (const char* text : {"tilt > 0.5 psi", "tilt>0.5psi", " tilt >5e-1 psi "}) {
     EXPECT_EQ(event_in(text), (ResponseEvent{EventName::tilt, 0.5})) << text;
   }
   for (const char* text : {"slip > 0.05 m", "slip>0.05m"}) {
@@ -29,33 +34,60 @@ TEST(ResponseEvent, IsReadWithAndWithoutBlanks) {
 }
 
 TEST(ResponseEvent, IsWrittenAsItIsRead) {
-  for (const char* text : {"overturning", "tilt > 0.5", "slip > 0.05 m", "displacement > 0.05 m"}) {
+  for (const char* text :
+       {"overturning", "tilt > 0.5 psi", "tilt > 5 deg", "tilt > 0.1 rad", "slip > 0.05 m", "displacement > 0.05 m"}) {
     EXPECT_EQ(event_text(event_in(text)), text);
   }
 }
 
 TEST(ResponseEvent, IsRefusedWithAReasonAndARemedy) {
-  for (const auto& [text, reason] :
-       {std::pair{"", "is no event"},
-        {"sliding > 1 m", "is no event"},
-        {"Slip > 1 m", "is no event"},
-        {"overturning > 1", "has no threshold"},
-        {"slip", "lacks its threshold"},
-        {"slip 0.05 m", "is no event"},
-        {"slip > ", "lacks a number after >"},
-        {"slip > m", "lacks a number after >"},
-        {"slip > nan m", "must exceed a number of at least 0, at most 1e9"},
-        {"slip >= 0.05 m", "lacks a number after >"},
-        {"slip > -0.05 m", "must exceed a number of at least 0, at most 1e9"},
-        {"slip > 0.05", "lacks its unit, m"},
-        {"slip > 5 cm", "must be in m"},
-        {"slip > 0.05 0.06 m", "must be in m"},
-        {"tilt > 0.5 rad", "has no unit: the tilt is counted in psi, at which the block is in balance"}}) {
+  for (const auto& [text, reason] : {std::pair{"", "is no event"},
+                                     {"sliding > 1 m", "is no event"},
+                                     {"Slip > 1 m", "is no event"},
+                                     {"overturning > 1", "has no threshold"},
+                                     {"slip", "lacks its threshold"},
+                                     {"slip 0.05 m", "is no event"},
+                                     {"slip > ", "lacks a number after >"},
+                                     {"slip > m", "lacks a number after >"},
+                                     {"slip > nan m", "must exceed a number of at least 0, at most 1e9"},
+                                     {"slip >= 0.05 m", "lacks a number after >"},
+                                     {"slip > -0.05 m", "must exceed a number of at least 0, at most 1e9"},
+                                     {"slip > 0.05", "lacks its unit, m"},
+                                     {"slip > 5 cm", "must be in m"},
+                                     {"slip > 0.05 0.06 m", "must be in m"},
+                                     {"tilt > 5", "lacks its unit"},
+                                     {"tilt > 5 psi", "lies beyond balance, which is at 1 psi"},
+                                     {"tilt > 5 m", "has no known unit of a tilt"}}) {
     const auto found = read_event(text);
     ASSERT_TRUE(std::holds_alternative<NoEvent>(found)) << text;
     EXPECT_EQ(std::get<NoEvent>(found).reason, reason) << text;
     EXPECT_FALSE(std::get<NoEvent>(found).remedy.empty()) << text;
   }
+}
+
+// psi of a block of 1 m by 4 m is 14.04 degrees.
+TEST(ResponseEvent, OfATiltInDegreesIsAShareOfTheBalanceOfTheBlock) {
+  Json document = support::least_experiment();
+  const auto psi = std::atan(0.25);
+  const auto in_psi = [&document](std::string_view text) {
+    return in_units_of_balance(event_in(text), experiment_in(document.dump()).conditions);
+  };
+  EXPECT_DOUBLE_EQ(in_psi("tilt > 5 deg").threshold, 5.0 * std::acos(-1.0) / 180.0 / psi);
+  EXPECT_DOUBLE_EQ(in_psi("tilt > 0.1 rad").threshold, 0.1 / psi);
+  EXPECT_EQ(in_psi("tilt > 0.5 psi").threshold, 0.5);
+  EXPECT_EQ(does(in_psi("tilt > 5 deg")), "tilts beyond 5 deg");
+  const auto complaint = [&in_psi](std::string_view text) -> std::string {
+    try {
+      static_cast<void>(in_psi(text));
+    } catch (const base::InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_THAT(complaint("tilt > 50 deg"), ::testing::HasSubstr("beyond balance, which this block has at 14.04 deg"));
+  document["sweep"] = Json::parse(R"([{"parameter": "/block/width_m", "values": [1, 2]}])");
+  EXPECT_THAT(complaint("tilt > 5 deg"), ::testing::HasSubstr("have several angles psi"));
+  EXPECT_EQ(complaint("tilt > 0.5 psi"), "");
 }
 
 TEST(ResponseEvent, IsSaidInTheWordsOfItsOwnKind) {

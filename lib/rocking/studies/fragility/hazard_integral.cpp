@@ -117,6 +117,15 @@ std::vector<HazardPiece> pieces_between(const HazardCurve& hazard, double from, 
   return pieces;
 }
 
+std::optional<double> intensity_at(const HazardCurve& hazard, double rate) {
+  for (const HazardPiece& piece :
+       pieces_between(hazard, hazard.points.front().intensity, hazard.points.back().intensity)) {
+    if (!(rate <= piece.rate_low && rate >= piece.rate_high && piece.exponent > 0.0)) continue;
+    return std::exp(std::min(piece.high, piece.low + std::log(piece.rate_low / rate) / piece.exponent));
+  }
+  return std::nullopt;
+}
+
 std::vector<HazardPiece> pieces_within(const std::vector<HazardPiece>& pieces, double low, double high) {
   std::vector<HazardPiece> within;
   for (HazardPiece piece : pieces) {

@@ -23,6 +23,9 @@ struct HazardPiece {
 [[nodiscard]] std::vector<HazardPiece> pieces_between(const HazardCurve& hazard, double from,
                                                       std::optional<double> to = std::nullopt);
 
+/// The intensity that is exceeded at this rate [1/year], within the points of a curve; absent: none of them is.
+[[nodiscard]] std::optional<double> intensity_at(const HazardCurve& hazard, double rate);
+
 /// The parts of pieces between two values of y = ln x.
 [[nodiscard]] std::vector<HazardPiece> pieces_within(const std::vector<HazardPiece>& pieces, double low, double high);
 

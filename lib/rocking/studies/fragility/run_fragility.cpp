@@ -18,8 +18,9 @@ namespace rocking {
 namespace {
 
 /// Without repetition, the first one first.
-std::vector<ResponseEvent> events_of(const FragilityQuestion& question) {
-  std::vector<ResponseEvent> asked = question.events;
+std::vector<ResponseEvent> events_of(const FragilityQuestion& question, const Experiment& experiment) {
+  std::vector<ResponseEvent> asked;
+  for (const ResponseEvent& event : question.events) asked.push_back(in_units_of_balance(event, experiment.conditions));
   if (asked.empty()) asked.emplace_back();
   for (const double tilt : question.peak_tilts) asked.push_back({EventName::tilt, tilt});
   std::vector<ResponseEvent> events;
@@ -179,6 +180,37 @@ void add_curve(const StripeGroup& group, const ResponseEvent& event, const Fragi
   }
 }
 
+/// Levels of a table as intensities of the hazard curve: those that it exceeds once in the return periods which the table
+/// states. Throws where the curve does not reach them.
+std::vector<StripeGroup> with_levels_of(const HazardCurve& hazard, const Experiment& experiment,
+                                        std::vector<StripeGroup> groups) {
+  const bool are_periods = has_return_periods(experiment);
+  const double last = hazard.points.back().intensity;
+  for (StripeGroup& group : groups) {
+    for (Stripe& stripe : group.stripes) {
+      const auto of_period = intensity_at(hazard, 1.0 / stripe.intensity);
+      if (are_periods && of_period) {
+        stripe.intensity = *of_period;
+      } else if (are_periods || stripe.intensity > last) {
+        throw base::InputError(
+            {.place = hazard.name,
+             .value = "",
+             .reason = "does not reach the level " + base::shortest(stripe.intensity) + " of the run" +
+                       (are_periods ? ", a return period in years" : ": it ends at " + base::shortest(last)),
+             .remedy =
+                 are_periods ? "give a hazard curve that reaches its rate"
+                 : of_period
+                     ? "levels are intensities; for return periods call the column return_period_years: once in " +
+                           base::shortest(stripe.intensity) + " years " + hazard.intensity + " exceeds " +
+                           base::significant(*of_period, 3)
+                     : "give the levels in " + hazard.intensity + ", or a curve that reaches them",
+             .where = {}});
+      }
+    }
+  }
+  return groups;
+}
+
 }  // namespace
 
 std::vector<double> measure_periods(const Experiment& experiment) {
@@ -200,10 +232,13 @@ void check_hazard(const HazardCurve& hazard, const Experiment& experiment) {
   check_one_period(hazard, experiment);
 }
 
-RunFragility run_fragility(const Experiment& experiment, const std::vector<StripeGroup>& groups,
+RunFragility run_fragility(const Experiment& experiment, const std::vector<StripeGroup>& all_groups,
                            const FragilityQuestion& question, const RunOptions& options) {
   if (question.hazard) check_hazard(*question.hazard, experiment);
-  const std::vector<ResponseEvent> events = events_of(question);
+  const bool has_levels = question.hazard && intensity_of(experiment) == level_pointer;
+  const std::vector<StripeGroup> groups =
+      has_levels ? with_levels_of(*question.hazard, experiment, all_groups) : all_groups;
+  const std::vector<ResponseEvent> events = events_of(question, experiment);
   check_friction(events, experiment);
   RunFragility run{.experiment = experiment};
   Progress progress(groups, events.size(), options);

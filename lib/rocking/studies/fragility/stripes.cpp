@@ -100,7 +100,8 @@ struct Place {
 /// Of a record that a table selects for a level.
 std::optional<double> level_of(const Scene& scene) {
   const auto* recorded = std::get_if<Recorded>(&scene.excitation);
-  return recorded == nullptr ? std::nullopt : recorded->level;
+  if (recorded == nullptr) return std::nullopt;
+  return recorded->level ? recorded->level : recorded->return_period;
 }
 
 Place place_of(const Condition& condition, std::string_view intensity) {
@@ -121,13 +122,10 @@ Place place_of(const Condition& condition, std::string_view intensity) {
   return place;
 }
 
-/// By records, in the order in which they come, and those of a record by growing intensity.
+/// By the names of the records, so that the random numbers of a bootstrap do not depend on the order of a list of files, and
+/// those of a record by growing intensity.
 void sort(std::vector<Stripe>& stripes) {
-  std::map<std::string, std::size_t> numbers;
-  for (const Stripe& stripe : stripes) numbers.try_emplace(stripe.record, numbers.size());
-  std::stable_sort(stripes.begin(), stripes.end(), [&numbers](const Stripe& a, const Stripe& b) {
-    return std::tuple(numbers.at(a.record), a.intensity) < std::tuple(numbers.at(b.record), b.intensity);
-  });
+  std::ranges::stable_sort(stripes, {}, [](const Stripe& each) { return std::tie(each.record, each.intensity); });
 }
 
 /// Spectral accelerations over g of ground motions at scale 1; each is computed once.
@@ -262,6 +260,13 @@ std::string_view intensity_of(const Experiment& experiment) {
     if (found != all_intensity_pointers.end()) return *found;
   }
   return {};
+}
+
+bool has_return_periods(const Experiment& experiment) {
+  return std::ranges::any_of(experiment.conditions, [](const Condition& condition) {
+    const auto* recorded = std::get_if<Recorded>(&condition.scene.excitation);
+    return recorded != nullptr && recorded->return_period;
+  });
 }
 
 std::vector<StripeGroup> stripes_of(const Experiment& experiment, const Store& store) {

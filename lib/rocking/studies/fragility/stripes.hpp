@@ -92,6 +92,8 @@ struct StripeGroup {
 
 /// The one of them that an experiment sweeps, or the level of its records; empty where it has none.
 [[nodiscard]] std::string_view intensity_of(const Experiment& experiment);
+/// Whether the levels of a table are return periods [years].
+[[nodiscard]] bool has_return_periods(const Experiment& experiment);
 
 /// Groups by the grid of the other entries of the sweep. An intensity of 0 has no logarithm and is left out. Throws
 /// InputError where the run is not finished.

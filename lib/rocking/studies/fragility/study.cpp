@@ -22,7 +22,7 @@
 namespace rocking {
 namespace {
 
-const Rule tilt_rule{.least = 1e-9, .most = 1e9};
+const Rule tilt_rule{.least = 1e-9, .most = 1.0};  // of balance
 
 }  // namespace
 
@@ -32,8 +32,8 @@ const StructType& fields_of(const FragilityQuestion*) {
       "FragilityQuestion",
       asked(field<&Type::events>(
                 "events",
-                "What the probability is of: overturning (default), tilt > X (the peak of "
-                "abs(theta)/psi), slip > X m (the largest), displacement > X m (the slip at the end); an "
+                "What the probability is of: overturning (default), tilt > X psi, deg or rad "
+                "(the peak; 1 psi is balance), slip > X m (the largest), displacement > X m (the slip at the end); an "
                 "overturned block has every event; several between commas",
                 the_only<ListType<std::vector<ResponseEvent>, 0, event_text_type>>()),
             {.names = "--event", .letter = "EVENT,EVENT", .kind = FlagKind::commas}),
@@ -321,8 +321,11 @@ std::string as_read(const Subject& subject, const RunsQuestion& question) {
     const std::string of_run = ground_motion_text(run.stored.experiment);
     if (text.find(of_run) == std::string::npos) text += of_run;
     if (question.question.hazard && intensity_of(run.stored.experiment) == level_pointer) {
-      text += "levels: those of the table are taken to be in " + question.question.hazard->intensity +
-              ", as the hazard curve is\n";
+      text += has_return_periods(run.stored.experiment)
+                  ? "levels: the return periods of the table, at which the hazard curve gives " +
+                        question.question.hazard->intensity + '\n'
+                  : "levels: those of the table are taken to be in " + question.question.hazard->intensity +
+                        ", as the hazard curve is\n";
     }
   }
   return text;

@@ -39,12 +39,12 @@ const StructType& fields_of(const RareRequest*) {
             {.names = "--relative-error", .letter = "E"}),
       asked(field<&Type::question, &RareQuestion::event>(
                 "event",
-                "What the probability is of: overturning, tilt > X (the largest abs(Theta); 1 is the unstable "
+                "What the probability is of: overturning, tilt > X psi, deg or rad (the largest; 1 psi is the unstable "
                 "equilibrium); where all numbers are drawn once also slip > X m (the largest), displacement > X m (the "
                 "slip at the end); an overturned block has every event",
                 event_text_type()),
             {.names = "--event", .letter = "EVENT"}),
-      asked(field<&Type::question, &RareQuestion::event>("peak_tilt", "The same as --event 'tilt > A'",
+      asked(field<&Type::question, &RareQuestion::event>("peak_tilt", "The same as --event 'tilt > A psi'",
                                                          threshold_type(EventName::tilt),
                                                          Rule{.least = 0.0, .most = 100.0}),
             {.names = "--peak-tilt", .letter = "A", .excludes = "--event"}),
@@ -66,6 +66,7 @@ namespace {
 
 void check(const Subject& subject, RareRequest& request) {
   request.elapsed_seconds = [] { return 0.0; };
+  request.question.event = in_units_of_balance(request.question.event, subject.experiment.conditions);
   check_request(subject.experiment, request);
 }
 

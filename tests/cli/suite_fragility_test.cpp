@@ -54,9 +54,9 @@ TEST_F(SuiteFragility, HasAPooledLawAndACurveForEachRecord) {
 
 // Names that JSON writes with escapes, one of which is another name once a backslash is taken away.
 TEST_F(SuiteFragility, KeepsTheNamesOfRecords) {
-  const std::vector<std::string> names{"records/a\"b.at2", "records/a\tb.at2", "records/atb.at2", "records/a\\tb.at2",
-                                       "records/a\x01"
-                                       "b.at2"};
+  std::vector<std::string> names{"records/a\"b.at2", "records/a\tb.at2", "records/atb.at2", "records/a\\tb.at2",
+                                 "records/a\x01"
+                                 "b.at2"};
   Json named = experiment();
   named["excitation"]["suite"] = names;
   for (std::size_t k = 0; k < records; ++k) write(names[k], sine(k));
@@ -64,6 +64,7 @@ TEST_F(SuiteFragility, KeepsTheNamesOfRecords) {
   run();
   const Json curve = fragility("--per-record")["curves"][0];
   ASSERT_EQ(curve["records"].size(), names.size());
+  std::ranges::sort(names);
   for (std::size_t k = 0; k < records; ++k) EXPECT_EQ(curve["records"][k]["name"], names[k]);
 }
 

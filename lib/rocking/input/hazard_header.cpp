@@ -91,7 +91,10 @@ std::optional<HazardMeasure> hazard_measure(std::string_view word) {
   }
   if (const auto period = usgs_period(text)) return HazardMeasure{.name = "sa_g[" + base::shortest(*period) + ']'};
   auto [name, content] = in_parts(text);
-  if (name == "sa") name = "sa_g";
+  if (name == "sa" || name == "psa") name = "sa_g";
+  for (const std::string_view unit : {"sec", "s"}) {
+    if (content && content->ends_with(unit)) content->resize(content->size() - unit.size());
+  }
   const bool has_periods = is_intensity(name) && name.find("sa_") != std::string::npos;
   const std::optional<std::string> periods = content && has_periods ? periods_of(*content) : std::nullopt;
   if (!periods) return std::nullopt;

@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <string_view>
 #include <utility>
 
@@ -13,18 +14,42 @@
 namespace rocking {
 namespace {
 
-/// The unit of the numbers in a file, by the end of the name of the measure.
-struct IntensityUnit {
+/// A unit in which the numbers of a file may be instead, by the end of the name of the measure.
+struct OtherUnit {
   std::string_view ending;
   double divisor;  ///< of HazardMeasure
-  double largest;  ///< that the weaker half of a hazard curve may reach
-  double factor;   ///< between it and the smaller unit that larger numbers are likely in
-  std::string_view likely;
+  double factor;   ///< of the number in the other unit
+  std::string_view name;
 };
-constexpr std::array<IntensityUnit, 4> intensity_units{{{"_g", 1.0, 10.0, 981.0, "cm/s2"},
-                                                        {"_m_s", 1.0, 5.0, 100.0, "cm/s"},
-                                                        {"_m_s", 100.0, 500.0, 10.0, "mm/s"},
-                                                        {"_m_s2", 1.0, 100.0, 100.0, "cm/s2"}}};
+constexpr std::array<OtherUnit, 7> other_units{{{"_g", 1.0, 9.80665, "m/s2"},
+                                                {"_g", 1.0, 980.665, "cm/s2"},
+                                                {"_g", 1.0, 1000.0, "mg"},
+                                                {"_m_s", 1.0, 100.0, "cm/s"},
+                                                {"_m_s", 1.0, 1000.0, "mm/s"},
+                                                {"_m_s", 100.0, 10.0, "mm/s"},
+                                                {"_m_s2", 1.0, 100.0, "cm/s2"}}};
+
+/// The rate [1/year] at which no place on earth exceeds an intensity, `size` times 1 g of peak acceleration or 1 m/s of
+/// velocity, which come together. Ten times the rates of the strongest hazards in use (2 g at 2e-4, 5 g at 3e-6); from there
+/// to what a straight line in logarithms is drawn to, somewhat more.
+double largest_credible_rate(double size) {
+  constexpr double at_two = 2e-3;
+  constexpr double exponent = 4.58;  // ln(2e-3/3e-5)/ln(5/2)
+  constexpr double end_of_lines = 12.0;
+  constexpr double of_lines = 2e-5;
+  constexpr double largest_in_any_unit = 1e4;  // beyond it stands no intensity but the end of a line without one
+  if (size > largest_in_any_unit) return std::numeric_limits<double>::infinity();
+  const double rate = at_two * std::pow(0.5 * size, -exponent);
+  return size <= end_of_lines ? std::max(rate, of_lines) : rate;
+}
+
+/// Of an intensity of 1: the peak acceleration over 1 g, or the peak velocity over 1 m/s, that comes with it. Spectral
+/// accelerations reach three times the peak.
+double size_of(std::string_view key) {
+  const double of_kind = key.starts_with("sa_") || key.starts_with("avgsa_") ? 1.0 / 3.0 : 1.0;
+  return key.ends_with("_m_s2") ? of_kind / 9.80665 : of_kind;
+}
+
 /// A hazard curve in cm/s does not end here [cm/s].
 constexpr double least_last_velocity = 10.0;
 constexpr std::size_t most_problems_of_a_curve = 20;
@@ -135,21 +160,30 @@ void HazardPoints::check_whole() {
   check_unit();
 }
 
-/// Refuses intensities whose weaker half no earthquake reaches, and velocities in cm/s of which none is felt.
+/// Refuses intensities that would occur more often than anywhere on earth, and velocities in cm/s of which none is felt.
 void HazardPoints::check_unit() {
   const std::string key = curve_.intensity.substr(0, curve_.intensity.find('['));
   const std::string place =
       curve_.name + (curve_.header_line == 0 ? "" : ", line " + std::to_string(curve_.header_line));
-  const auto unit = std::ranges::find_if(intensity_units, [&](const IntensityUnit& each) {
-    return key.ends_with(each.ending) && each.divisor == measure_.divisor;
-  });
-  const double middle = curve_.points[(size() - 1) / 2].intensity * measure_.divisor;
-  if (unit != intensity_units.end() && middle > unit->largest) {
-    const std::string factor = base::shortest(unit->factor);
+  const auto incredible = [&](double factor) {
+    return std::ranges::find_if(curve_.points, [&](const HazardPoint& point) {
+      return point.rate > largest_credible_rate(point.intensity * size_of(key) / factor);
+    });
+  };
+  const OtherUnit* likely = nullptr;
+  for (const OtherUnit& unit : other_units) {
+    if (!key.ends_with(unit.ending) || unit.divisor != measure_.divisor) continue;
+    if (likely == nullptr || incredible(likely->factor) != curve_.points.end()) likely = &unit;
+  }
+  const auto found = incredible(1.0);
+  if (likely != nullptr && found != curve_.points.end()) {
+    const double written = found->intensity * measure_.divisor;
     return reject(place, curve_.intensity,
-                  "does not fit the intensities, most of which are at least " + base::significant(middle, 6) +
-                      ": they are likely in " + std::string(unit->likely),
-                  "divide them by " + factor + ", so that this is " + base::significant(middle / unit->factor, 3));
+                  "does not fit the intensities: " + base::significant(written, 6) + " would be exceeded " +
+                      base::significant(found->rate, 3) +
+                      " times a year, which no place on earth has; they are likely in " + std::string(likely->name),
+                  "divide them by " + base::shortest(likely->factor) + ", so that this is " +
+                      base::significant(written / likely->factor, 3));
   }
   const double last = curve_.points.back().intensity * measure_.divisor;
   if (measure_.divisor != 1.0 && last < least_last_velocity) {

@@ -39,7 +39,7 @@ struct HazardMeasure {
 };
 
 /// Reads the name of a measure: the key of a sweep or its pointer, with periods in brackets; `PGA`, `PGV` (in cm/s) and
-/// `SA(0.5)` as OpenQuake writes them; `SA0P5` as the USGS does; `pgv_cm_s`. Absent: it is none of these.
+/// `SA(0.5)` as OpenQuake writes them, `PSA(0.5)`, `SA(0.5s)`; `SA0P5` as the USGS does; `pgv_cm_s`. Absent: it is none of these.
 [[nodiscard]] std::optional<HazardMeasure> hazard_measure(std::string_view word);
 
 /// What a column says of how often intensities are exceeded.

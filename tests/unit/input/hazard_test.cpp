@@ -141,9 +141,14 @@ TEST(Hazard, IsRefusedInAnotherUnitThanThatOfItsName) {
     return text;
   };
   EXPECT_THAT(complaint(from("pga_g", 49.0, 2.0)),
-              AllOf(HasSubstr("line 1 = pga_g"), HasSubstr("likely in cm/s2"), HasSubstr("divide them by 981")));
+              AllOf(HasSubstr("line 1 = pga_g"), HasSubstr("likely in cm/s2"), HasSubstr("divide them by 980.665")));
   EXPECT_THAT(complaint(from("SA(1.0)", 4.9, 2.0)), HasSubstr("likely in cm/s2"));
-  EXPECT_THAT(complaint(from("sa_g[1]", 10.1, 1.01)), HasSubstr("likely in cm/s2"));
+  EXPECT_THAT(complaint(from("sa_g[1]", 10.1, 1.01)), HasSubstr("likely in m/s2"));
+  EXPECT_THAT(complaint("pga_g, rate\n0.49,3e-2\n1.96,2.5e-3\n4.9,2.5e-4\n14.7,7e-6\n"),
+              AllOf(HasSubstr("1.96 would be exceeded 0.0025 times a year"), HasSubstr("likely in m/s2")));
+  EXPECT_THAT(complaint("pgv_m_s, rate\n0.5,5\n2,0.8\n40,5e-4\n"), HasSubstr("likely in cm/s"));
+  EXPECT_EQ(complaint("pga_g, rate\n0.05,2\n1,5e-3\n2,4e-4\n3,7e-5\n5,5e-6\n"), "") << "the strongest in use";
+  EXPECT_EQ(complaint("pga_g, rate\n0.1,1e-2\n10,1e-5\n"), "") << "a straight line";
   EXPECT_THAT(complaint(from("pgv_m_s", 2.0, 2.0)), HasSubstr("likely in cm/s"));
   EXPECT_THAT(complaint(from("PGV", 0.05, 2.0)), AllOf(HasSubstr("likely in m/s"), HasSubstr("pgv_m_s")));
   EXPECT_THAT(complaint(from("PGV", 100.0, 3.0)), HasSubstr("likely in mm/s"));

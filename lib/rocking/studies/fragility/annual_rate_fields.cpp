@@ -79,6 +79,14 @@ const StructType& fields_of(const AnnualRate*) {
                                         rule::share),
       field<&Rate::within_hazard>("within_hazard", "the rest of `value`, without that share [1/year]",
                                   rule::not_negative),
+      field<&Rate::hazard_ends>("hazard_ends",
+                                "intensity from which on the rate of the hazard curve is 0; absent: nowhere",
+                                Rule{.above = 0.0}, WithoutValue::omitted),
+      field<&Rate::frequent_hazard>(
+          "frequent_hazard",
+          "rate of the first point of the hazard curve where it is above one a year, which needs "
+          "a look [1/year]",
+          Rule{.above = 0.0}, WithoutValue::omitted),
       field<&Rate::by_level>("by_level", "disaggregation by intensity"),
       field<&Rate::in_years>("in_years", "probabilities of the event, with `--years`", {}, WithoutValue::omitted),
   };

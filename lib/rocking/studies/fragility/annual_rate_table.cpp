@@ -193,9 +193,23 @@ std::string extrapolated_hazard_in_words(const AnnualRate& rate) {
          (rate.extrapolated_hazard > 0.0 ? "; without it: " + rate_text(rate.within_hazard) + " per year" : "");
 }
 
+std::string frequency_in_words(const AnnualRate& rate) {
+  std::string text;
+  if (rate.frequent_hazard) {
+    text = "the hazard curve states " + significant(*rate.frequent_hazard, 3) +
+           " exceedances a year at its first intensity: check the kind and the unit of its columns";
+  }
+  if (rate.value > most_frequent_event) {
+    text += (text.empty() ? "" : "; ") + std::string("the event would happen ") + rate_text(rate.value) +
+            " times a year, as of no object that stands today: check the block, the units and the hazard curve";
+  }
+  return text;
+}
+
 std::string annual_rate_warnings(const AnnualRate& rate) {
   const bool is_extrapolated = rate.extrapolated_hazard > most_extrapolated_hazard;
-  return beginning_text(rate) +
+  const std::string frequency = frequency_in_words(rate);
+  return beginning_text(rate) + (frequency.empty() ? "" : "warning: " + frequency + '\n') +
          (is_extrapolated ? "warning: " + extrapolated_hazard_in_words(rate) + "; continue the hazard curve\n" : "");
 }
 

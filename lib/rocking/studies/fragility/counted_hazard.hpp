@@ -74,6 +74,10 @@ AnnualRate disaggregated(const CountedHazard& counted, const Probability& probab
     if (is_below) found.below_levels += range.rate;
     found.by_level.push_back(range);
   }
+  const auto& points = counted.hazard.points;
+  const auto zero = std::ranges::find(points, 0.0, &HazardPoint::rate);
+  if (zero != points.end()) found.hazard_ends = zero->intensity;
+  if (points.front().rate > most_frequent_hazard) found.frequent_hazard = points.front().rate;
   if (const double beyond = rate_of(probability, counted.beyond()); beyond > 0.0) {
     found.extrapolated_hazard = std::min(1.0, beyond / found.value);
     found.within_hazard = rate_of(probability, counted.within());

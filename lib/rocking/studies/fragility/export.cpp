@@ -179,7 +179,8 @@ std::string continuous_nrml(const ExportedFunction& function, const MeasureElsew
     least = std::min(least, measure.factor * std::exp(centre - reach * dispersion));
     most = std::max(most, measure.factor * std::exp(centre + reach * dispersion));
   }
-  if (function.least_uplift) least = measure.factor * *function.least_uplift;
+  // Engines before 3.13 raise intensities to minIML before they compare them with noDamageLimit, which must lie above it.
+  if (function.least_uplift) least = 0.5 * measure.factor * *function.least_uplift;
   return "    <fragilityFunction id=\"" + function.id +
          "\" format=\"continuous\" shape=\"logncdf\">\n      <imls imt=\"" + measure.nrml + '"' + limit + " minIML=\"" +
          shortest(least) + "\" maxIML=\"" + shortest(std::max(most, 2.0 * least)) + "\"/>\n" + params;

@@ -104,7 +104,14 @@ std::string rate_sentence(const CurveSubject& subject, const AnnualRate& rate) {
     return block_of(subject) + ' ' + does(subject.event) + " about once in " + years_in_words(1.0 / rate.value) +
            " years: " + rate_with_interval(rate, subject.confidence);
   }
-  const std::string none = block_of(subject) + " did not " + to_do(subject.event) + " at these levels: ";
+  const auto at = [&subject](double intensity) { return at_intensity(subject, significant(intensity, 3)); };
+  std::string none = block_of(subject) + " did not " + to_do(subject.event) + " at these levels: ";
+  if (rate.hazard_ends) {
+    const bool is_below = subject.least_uplift && *rate.hazard_ends <= *subject.least_uplift;
+    none = block_of(subject) + " does not " + to_do(subject.event) + " by this hazard curve, whose rate is 0 from " +
+           at(*rate.hazard_ends) + " on" +
+           (is_below ? ", below the least that lifts the block, " + at(*subject.least_uplift) : "") + ": ";
+  }
   if (!rate.interval || !(rate.interval->high > 0.0)) return none + rate_with_interval(rate, subject.confidence);
   return none + "mean annual rate at most " + rate_text(rate.interval->high) + " (" + level_text(subject.confidence) +
          " %), once in " + years_in_words(1.0 / rate.interval->high) + " years";

@@ -59,10 +59,13 @@ struct AnnualRate {
   double probability_at_first = 0.0;  ///< at the lowest intensity of the hazard curve, below which nothing is counted
   /// Below this intensity rare estimates give the probabilities, on a probit scale linear in ln x; absent: nowhere.
   std::optional<double> rare_below;
-  std::optional<RareUse> rare_use;         ///< absent: there are no rare estimates
-  double extrapolated_hazard = 0.0;        ///< share of `value` from beyond the last point of the hazard curve
-  double within_hazard = 0.0;              ///< the rest of `value` [1/year]
-  std::vector<RateInYears> in_years = {};  ///< in the order in which they are asked for
+  std::optional<RareUse> rare_use;   ///< absent: there are no rare estimates
+  double extrapolated_hazard = 0.0;  ///< share of `value` from beyond the last point of the hazard curve
+  double within_hazard = 0.0;        ///< the rest of `value` [1/year]
+  std::optional<double> hazard_ends =
+      {};  ///< intensity from which on the rate of the hazard curve is 0; absent: nowhere
+  std::optional<double> frequent_hazard = {};  ///< rate of its first point, where that is above one a year [1/year]
+  std::vector<RateInYears> in_years = {};      ///< in the order in which they are asked for
 };
 
 /// A rate of a suite by one way of taking the probabilities from its outcomes.
@@ -84,6 +87,9 @@ struct RateOfRecord {
 
 /// Shares of the rate, and differences of its estimates, that are not reported without a warning.
 inline constexpr double most_extrapolated_hazard = 0.05;
+/// Likewise a rate of exceedance of the hazard curve, and one of the event [1/year].
+inline constexpr double most_frequent_hazard = 1.0;
+inline constexpr double most_frequent_event = 0.5;
 inline constexpr double most_undecided_share = 0.05;
 inline constexpr double most_disagreement = 0.15;
 

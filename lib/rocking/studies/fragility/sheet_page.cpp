@@ -183,12 +183,29 @@ std::string paragraph(bool is_warning, const std::string& beginning, const std::
   return facts.empty() ? "" : fmt::format("<p{}>{}{}.</p>\n", is_warning ? " class=\"warning\"" : "", beginning, facts);
 }
 
+/// What was found when the ground motions were read.
+std::string reading_warnings(const Report& run) {
+  std::string text;
+  std::size_t count = 0;
+  constexpr std::size_t most_named = 5;
+  for (const UsedGroundMotion& used : run.ground_motions) {
+    for (const std::string& warning : used.facts.warnings) {
+      if (++count <= most_named) text += (text.empty() ? "" : "; ") + last_part(used.facts.file) + ' ' + warning;
+    }
+  }
+  if (count > most_named) text += "; and " + std::to_string(count - most_named) + " more on the page of the run";
+  return paragraph(true, "Reading of the records: ", escaped(text));
+}
+
 /// What limits the answer, beside the model: the hazard curve, the records and the levels.
 std::string limits(const SheetContent& sheet) {
   const bool is_far = std::ranges::any_of(sheet.suites, [](const ReportedSuite& suite) {
     return suite.rate->chosen.extrapolated_hazard > most_extrapolated_hazard;
   });
   return "<h2>Limits of the data</h2>\n" +
+         paragraph(
+             true, "A look is needed: ",
+             by_option(sheet, [](const ReportedSuite& suite) { return frequency_in_words(suite.rate->chosen); })) +
          paragraph(is_far, "From beyond the last point of the hazard curve: ",
                    by_option(sheet,
                              [](const ReportedSuite& suite) {
@@ -196,6 +213,7 @@ std::string limits(const SheetContent& sheet) {
                                return rate.value > 0.0 ? per_cent(rate.extrapolated_hazard) + " % of the rate" : "";
                              })) +
          paragraph(true, "Records: ", escaped(far_scaled(sheet.run.ground_motions).value_or(""))) +
+         reading_warnings(sheet.run) +
          paragraph(true, "The rates by law, isotonic and observed shares differ: ",
                    by_option(sheet,
                              [](const ReportedSuite& suite) {

@@ -74,6 +74,9 @@ void add_unresolved(const Levels& levels, std::size_t step, look::Table& table) 
 [[nodiscard]] std::string annual_rate_warnings(const AnnualRate& rate);
 [[nodiscard]] std::string annual_rate_warnings(const SuiteRate& rate);
 
+/// A hazard curve, or an event, that is too frequent to be believed without a look; empty: neither.
+[[nodiscard]] std::string frequency_in_words(const AnnualRate& rate);
+
 /// `1.2 % of the rate comes from beyond the last point of the hazard curve; without it: 4.9e-4 per year`.
 [[nodiscard]] std::string extrapolated_hazard_in_words(const AnnualRate& rate);
 

@@ -74,7 +74,7 @@ TEST(ExportToNrml, HasMeanAndDeviationOfTheIntensity) {
   const pugi::xml_node levels = function.child("imls"), params = function.child("params");
   EXPECT_STREQ(levels.attribute("imt").value(), "PGA");
   EXPECT_EQ(levels.attribute("noDamageLimit").as_double(), 0.125);
-  EXPECT_EQ(levels.attribute("minIML").as_double(), 0.125);
+  EXPECT_EQ(levels.attribute("minIML").as_double(), 0.0625) << "below noDamageLimit, for engines before 3.13";
   EXPECT_NEAR(levels.attribute("maxIML").as_double(), 0.35 * std::exp(6.0 * 0.34), 1e-12);
   EXPECT_STREQ(params.attribute("ls").value(), "overturning");
   const double mean = params.attribute("mean").as_double(), deviation = params.attribute("stddev").as_double();
@@ -101,7 +101,7 @@ TEST(ExportToNrml, HasAllEventsOfABlockFromTheMildest) {
   run.suites.push_back(tilt);
   pugi::xml_document document;
   const pugi::xml_node function = function_in(document, exported({run}, ExportFormat::nrml).text);
-  EXPECT_STREQ(function.parent().child("limitStates").text().get(), "tilt_0_5 overturning");
+  EXPECT_STREQ(function.parent().child("limitStates").text().get(), "tilt_0_5_psi overturning");
   EXPECT_STREQ(function.attribute("format").value(), "discrete");  // one law is missing
   const pugi::xml_node first = function.child("poes");
   EXPECT_THAT(numbers_in(first.text().get()), ElementsAre(0.0, 0.4, 0.5, 1.0));  // 0.1 does not lift the block

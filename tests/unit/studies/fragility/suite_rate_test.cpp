@@ -18,8 +18,11 @@ namespace rocking {
 namespace {
 
 using namespace support::six_records;
+using ::testing::AllOf;
 using ::testing::Each;
+using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 
 TEST(SuiteRate, IsGivenByTheLawAndByShares) {
   const SuiteRate rate = annual_rate(whole_curve(), hazard());
@@ -40,6 +43,28 @@ TEST(SuiteRate, IsGivenByTheLawAndByShares) {
     EXPECT_GT(each.interval->high, each.value);
   }
   EXPECT_NEAR(*rate.disagreement, std::max(by_law, observed) / std::min(by_law, observed) - 1.0, 1e-5);
+}
+
+TEST(SuiteRate, OfAHazardCurveThatEndsBelowUpliftIsNotSaidToBeThatOfTheLevels) {
+  const CurveSubject subject{.parameter = "/excitation/pga_g", .others = {}, .event = {}, .least_uplift = 0.219};
+  AnnualRate rate;
+  rate.interval = stats::Interval{.low = 0.0, .high = 0.0};
+  rate.hazard_ends = 0.215;
+  EXPECT_THAT(rate_sentence(subject, rate),
+              AllOf(HasSubstr("does not overturn by this hazard curve, whose rate is 0 from"), HasSubstr("0.215 g on"),
+                    HasSubstr("below the least that lifts the block"), Not(HasSubstr("at these levels"))));
+  rate.hazard_ends.reset();
+  EXPECT_THAT(rate_sentence(subject, rate), HasSubstr("did not overturn at these levels"));
+}
+
+TEST(SuiteRate, ThatIsTooFrequentToBeBelievedNeedsALook) {
+  HazardCurve often = hazard();
+  EXPECT_EQ(frequency_in_words(annual_rate(whole_curve(), often).chosen), "");
+  for (HazardPoint& point : often.points) point.rate *= 1e4;
+  const AnnualRate rate = annual_rate(whole_curve(), often).chosen;
+  EXPECT_EQ(rate.frequent_hazard, often.points.front().rate);
+  EXPECT_THAT(annual_rate_warnings(rate), AllOf(HasSubstr("warning: the hazard curve states"),
+                                                HasSubstr("times a year, as of no object that stands")));
 }
 
 TEST(SuiteRate, LiesBetweenTheBoundsOfItsLevels) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <numbers>
 #include <optional>
 #include <set>
 #include <string_view>
@@ -305,9 +306,24 @@ std::string horizon_in_brief(const Report& report) {
                      spread_in_words(spread(&Horizon::sampled_periods), 6));
 }
 
+/// At which tilt the block is in balance.
+std::string balance_in_words(const Report& report) {
+  constexpr double degree = std::numbers::pi / 180.0;
+  const auto of_side = [&report](std::size_t side) {
+    Spread spread = of_edges(report, side, &dynamics::Edge::shape_angle);
+    spread.low /= degree, spread.high /= degree;
+    return spread_in_words(spread, 3);
+  };
+  const std::string left = of_side(0), right = of_side(1);
+  return left == right
+             ? fmt::format("It is in balance at a tilt of &psi; = {} degrees.", left)
+             : fmt::format("It is in balance at a tilt of &psi; = {} degrees on the left edge, {} on the right.", left,
+                           right);
+}
+
 /// The impacts, what a suite is, and how much was run.
 std::string further_question(const Report& report) {
-  std::string text = fmt::format("<p>{}.</p>\n", escaped(impacts_text(report)));
+  std::string text = fmt::format("<p>{}. {}</p>\n", escaped(impacts_text(report)), balance_in_words(report));
   if (report.has_suite()) {
     text +=
         "<p>Each ground motion stands for one earthquake. Its realisations show what is random in the block; the "

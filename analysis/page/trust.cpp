@@ -202,6 +202,9 @@ std::vector<Check> checks_of(const Report& report) {
     checks.push_back(
         {.name = "scale factors of the records", .rating = Rating::look, .finding = escaped(*far) + '.', .where = {}});
   }
+  if (const auto doubt = restitution_alarm(report)) {
+    checks.push_back({.name = "restitution", .rating = Rating::look, .finding = escaped(*doubt) + '.', .where = {}});
+  }
   for (const UsedGroundMotion& used : report.ground_motions) {
     if (used.facts.warnings.empty()) continue;
     std::string finding = escaped(used.facts.file) + ':';

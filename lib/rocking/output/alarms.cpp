@@ -12,6 +12,7 @@
 #include "rocking/ensemble/law_in_force.hpp"
 #include "rocking/output/report.hpp"
 #include "rocking/plan/plan.hpp"
+#include "rocking/scene/restitution.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking {
@@ -216,6 +217,12 @@ std::optional<std::string> left_out_records(const std::vector<std::string>& name
   return text + ". The probabilities are those of the others";
 }
 
+std::optional<std::string> restitution_alarm(const Report& report) {
+  RateRatios ratios;
+  for (const ReportedCondition& condition : report.conditions) ratios.add(condition.asked.scene);
+  return ratios.doubt() ? std::optional("restitution " + ratios.text()) : std::nullopt;
+}
+
 std::string tolerance_remedy(double tolerance) {
   if (tolerance <= finest_useful_tolerance) {
     return "/accuracy/tolerance is at the limit of double precision: these changes are due to rounding. Treat the "
@@ -228,7 +235,7 @@ std::string tolerance_remedy(double tolerance) {
 std::vector<std::string> alarms_of(const Report& report) {
   std::vector<std::string> alarms;
   for (auto& alarm : {left_out_records(report.left_out), answer_alarm(report), far_scaled(report.ground_motions),
-                      contact_alarm(report), clamp_alarm(report)}) {
+                      restitution_alarm(report), contact_alarm(report), clamp_alarm(report)}) {
     if (alarm) alarms.push_back(*alarm);
   }
   return alarms;

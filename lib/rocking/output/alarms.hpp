@@ -43,6 +43,9 @@ struct WorstClamps {
 /// Names of the records of a suite that could not be read, in a sentence; absent if none was left out.
 [[nodiscard]] std::optional<std::string> left_out_records(const std::vector<std::string>& names);
 
+/// That a restitution is likely a measured ratio of the rates (RateRatios::doubt), in a sentence; absent: it is not.
+[[nodiscard]] std::optional<std::string> restitution_alarm(const Report& report);
+
 /// What to do if response modes change with the tolerance: the key and its value, or what is left if `tolerance` is at
 /// the limit of double precision.
 [[nodiscard]] std::string tolerance_remedy(double tolerance);
@@ -55,8 +58,8 @@ struct WorstClamps {
 /// The clamps that a run would raise an alarm for, one sentence a kind (plan's sample_clamps).
 [[nodiscard]] std::vector<std::string> foreseen_clamps(const Experiment& experiment);
 
-/// The alarms of a run, each a sentence or two: records left out, contact lost before a final fall, clamped
-/// draws.
+/// The alarms of a run, each a sentence or two: records left out, a restitution that is likely a ratio, contact lost
+/// before a final fall, clamped draws.
 [[nodiscard]] std::vector<std::string> alarms_of(const Report& report);
 
 }  // namespace rocking

@@ -4,6 +4,7 @@
 #include "rocking/fields/container_types.hpp"
 #include "rocking/fields/converted_type.hpp"
 #include "rocking/input/report_claims.hpp"
+#include "rocking/output/alarms.hpp"
 #include "rocking/output/ensemble_fields.hpp"
 #include "rocking/output/provenance.hpp"
 #include "rocking/output/report.hpp"
@@ -78,6 +79,11 @@ const StructType& fields_of(const Report*) {
                                             "tolerance with the same random numbers; null if none was rerun"),
       field<&Report::ground_motions>("ground_motions", "how each file was read; absent without recorded excitation",
                                      rule::none, WithoutValue::omitted),
+      derived<[](const Report& report) {
+        std::vector<std::string> alarms = alarms_of(report);
+        return alarms.empty() ? std::nullopt : std::optional(std::move(alarms));
+      }>("warnings", "what a reader must know before using the result; those about a file stand in its ground motion",
+         {}, WithoutValue::omitted),
       field<&Report::conditions>("conditions", "one entry for each point of the sweep"),
   };
   static const StructType fields{

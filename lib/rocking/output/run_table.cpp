@@ -13,6 +13,7 @@
 #include "rocking/output/alarms.hpp"
 #include "rocking/output/mode_table.hpp"
 #include "rocking/output/settling_table.hpp"
+#include "rocking/output/shaking_text.hpp"
 #include "rocking/text/json.hpp"
 #include "rocking/text/number_text.hpp"
 
@@ -215,6 +216,12 @@ std::string run_table(const Report& report, const TableLook& look) {
   text += overturning_line(rows) + (is_summary ? "" : side_table(report)) + alike_line(report, rows);
   text += late_settling_of(report);
   text += noise_line(report.tolerance_sensitivity, tightest_tolerance(report));
+  const auto is_number = [](const ReportedCondition& condition) {
+    return !std::holds_alternative<Jy25Restitution>(condition.asked.scene.restitution);
+  };
+  if (std::ranges::any_of(report.conditions, is_number) && !restitution_alarm(report)) {
+    text += "impacts: " + impacts_text(report) + '\n';
+  }
   for (const std::string& line : ground_motion_lines(report.ground_motions)) text += line + '\n';
   for (const std::string& alarm : alarms_of(report)) text += "warning: " + alarm + '\n';
   return text;

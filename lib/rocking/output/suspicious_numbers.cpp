@@ -19,7 +19,7 @@ namespace {
 constexpr double most_usual_g = 5.0;  // the strongest records reach 4.4 g, of which a suite may scale some
 constexpr double longest_usual_step_s = 0.1;
 constexpr double largest_usual_angle = 4.0 * 3.15;
-constexpr std::string_view lengths = "lengths are in metres, 1 mm is 0.001";
+constexpr std::string_view lengths = "lengths are in metres: 45 cm are 0.45, 45 mm 0.045";
 constexpr std::string_view strongest =
     "recorded ground motions reach 4 g; \"amplitude_g\" is in g, \"amplitude_m_s2\" in m/s^2";
 constexpr std::string_view coefficients = "a coefficient is a ratio, 40 % are 0.4";
@@ -115,7 +115,14 @@ void look_at_horizon(const Condition& condition, Suspicions& found) {
                 std::to_string(fewest) + (random ? " where something is random" : "") + "; the default is 120");
 }
 
-void look_at_impacts(const Scene& scene, Suspicions& found) {
+void look_at_restitution(const Scene& scene, Suspicions& found) {
+  RateRatios ratios;
+  ratios.add(scene);
+  if (ratios.doubt()) found.add("/restitution", ": " + ratios.text());
+}
+
+/// Returns whether an impact is unusual.
+bool look_at_impacts(const Scene& scene, Suspicions& found) {
   const dynamics::Geometry block = dynamics::geometry_of(mean_block(scene));
   for (const double side : {1.0, -1.0}) {
     const dynamics::Edge& edge = block.edge(side);
@@ -133,8 +140,10 @@ void look_at_impacts(const Scene& scene, Suspicions& found) {
              ? ". Below 0 the block does not go on over its other edge: it swings back over the one on which it "
                "came"
              : "");
-    return found.add(is_squat ? "/block" : "/restitution", is_squat ? shape + impact : ": " + impact);
+    found.add(is_squat ? "/block" : "/restitution", is_squat ? shape + impact : ": " + impact);
+    return true;
   }
+  return false;
 }
 
 void look_at_record(const GroundMotion& motion, Suspicions& found) {
@@ -159,7 +168,7 @@ std::vector<std::string> suspicious_numbers(const Experiment& experiment) {
   std::set<const GroundMotion*> seen;
   for (const Condition& condition : experiment.conditions) {
     look_at_numbers(condition.scene, found);
-    look_at_impacts(condition.scene, found);
+    if (!look_at_impacts(condition.scene, found)) look_at_restitution(condition.scene, found);
     look_at_horizon(condition, found);
     const auto* recorded = std::get_if<Recorded>(&condition.scene.excitation);
     if (recorded == nullptr || !recorded->ground_motion || !seen.insert(recorded->ground_motion.get()).second) continue;

@@ -196,6 +196,8 @@ namespace {
 
 /// Least share of Housner's ratio without a second sentence. Measured ratios lie above it for most blocks.
 constexpr double usual_share = 0.85;
+/// Measured ratios of the rates are from here to 1. As e of an impact such a number has no measurement of a rocking block.
+constexpr double least_measured_ratio = 0.6;
 
 }  // namespace
 
@@ -221,7 +223,9 @@ void RateRatios::add(const Scene& scene) {
     here.restitution.add(restitution);
     here.ratio.add(ratio);
     here.housner.add(housner);
-    if (housner > 0.0 && restitution <= largest_restitution) share_.add(ratio / housner);
+    if (!std::holds_alternative<Quantity>(scene.restitution)) continue;
+    bare_.add(restitution);
+    if (housner > 0.0) share_.add(ratio / housner);
   }
 }
 
@@ -235,10 +239,18 @@ std::string RateRatios::text() const {
   std::string text = (is_imposed ? "" : "e = " + of(&OfEdge::restitution) + ": ") + of(&OfEdge::ratio) +
                      " of the tilt rate survives an impact without slip (Housner's ratio: " + of(&OfEdge::housner) +
                      (is_imposed ? "), which is less than an impact of edges alone leaves" : ")");
-  if (!(share_.least < usual_share)) return text;
-  return text +
-         ". This is less than 0.85 of Housner's ratio. If your number is the measured ratio of the rates, write "
-         "\"restitution\": {\"rate_ratio\": 0.93}";
+  const auto doubt_in_words = doubt();
+  return doubt_in_words ? text + ". " + *doubt_in_words : text;
+}
+
+std::optional<std::string> RateRatios::doubt() const {
+  const bool is_low = share_.least < usual_share;
+  const bool may_be_ratio = bare_.largest >= least_measured_ratio && bare_.largest < 1.0;
+  if (!is_low && !may_be_ratio) return std::nullopt;
+  const std::string number = may_be_ratio ? base::significant(bare_.largest, 3) : "0.93";
+  return (is_low ? "This is less than 0.85 of Housner's ratio" : "So large an e was not measured on rocking blocks") +
+         std::string(". If your number is the measured ratio of the rates, write \"restitution\": {\"rate_ratio\": ") +
+         number + '}';
 }
 
 }  // namespace rocking

@@ -74,9 +74,12 @@ class RateRatios {
   void add(const Scene& scene);
 
   /// A sentence with e, the ratio and Housner's: `e = 0.93: 0.868 of the tilt rate survives an impact ...`, of both edges
-  /// where they differ. A second one where a ratio is below 0.85 of Housner's, since e may then be a measured ratio of
-  /// the rates.
+  /// where they differ; with doubt() behind it.
   [[nodiscard]] std::string text() const;
+
+  /// That a number given as e is likely a measured ratio of the rates: it is so large, or what it leaves is below 0.85 of
+  /// Housner's ratio. Absent: it is not.
+  [[nodiscard]] std::optional<std::string> doubt() const;
 
  private:
   struct OfEdge {
@@ -85,7 +88,8 @@ class RateRatios {
     NumberRange housner;
   };
   std::array<OfEdge, 2> edges_;  ///< where the left edge lands, and the right one
-  NumberRange share_;            ///< of Housner's ratio, of blocks that go on over their other edge
+  NumberRange bare_;             ///< e that are given as numbers
+  NumberRange share_;            ///< of Housner's ratio that they leave, of blocks that go on over their other edge
 };
 
 }  // namespace rocking

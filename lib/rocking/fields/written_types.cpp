@@ -1,6 +1,7 @@
 #include "rocking/fields/written_types.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -32,6 +33,10 @@ std::optional<std::int64_t> whole_number(const Json& value) {
 
 void NumberType::read(const Json& json, const ReadingPlace& place, void* value) const {
   double& number = *static_cast<double*>(value) = 0.0;
+  constexpr std::array<std::string_view, 6> no_numbers{"NaN", "nan", "Infinity", "-Infinity", "inf", "-inf"};
+  if (json.is_string() && std::ranges::find(no_numbers, json.get<std::string>()) != no_numbers.end()) {
+    return place.reject(json, "is not a finite number", "give one, as in " + example());
+  }
   if (!json.is_number()) {
     return place.reject(json, wrong_type("a number", json),
                         json.is_string() ? "write it without quotes, as in " + example() : rule_.remedy());

@@ -123,10 +123,15 @@ std::string read_swept_place(FieldReader& in, const Json& experiment) {
   in.value({"parameter", ""}, pointer, TextType(), Absent::error);
   const bool is_text = in.found("parameter")->is_string();
   if (is_text && (pointer.empty() || !leads_somewhere(pointer, experiment))) {
-    const auto known = swept_places(experiment);
+    auto known = swept_places(experiment);
+    const Json kind = experiment.value(Json::json_pointer("/excitation/kind"), Json());
+    if (kind == Recorded::name) {
+      for (const std::string_view key : all_strengths) known.push_back("/excitation/" + std::string(key));
+    }
     const auto nearest = nearest_word(pointer, known);
+    const std::string example = kind == Recorded::name ? "/excitation/pga_g" : known.empty() ? "/seed" : known.back();
     const std::string otherwise =
-        nearest ? "did you mean \"" + *nearest + "\"?" : "give a place such as \"/excitation/amplitude\"";
+        nearest ? "did you mean \"" + *nearest + "\"?" : "give a place of the file, such as \"" + example + '"';
     in.reject("parameter", {"is not a value of this file that a sweep may change",
                             advice_on_form(pointer, experiment).value_or(otherwise)});
   }

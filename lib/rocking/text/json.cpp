@@ -86,14 +86,47 @@ class DocumentBuilder final : public nlohmann::json_sax<Json> {
     } else if (error.id == 406) {
       problem.reason = "exceeds the largest double, 1.8e308, in absolute value";
       problem.remedy = "give a finite number";
+    } else if (explain_character(position, problem)) {
+      return refuse(std::move(problem));
     } else {
       problem.reason = "not JSON: " + explanation_in(error.what());
       problem.remedy = "look for a missing or superfluous comma, quote or bracket before it";
     }
-    throw base::InputError(std::move(problem));
+    return refuse(std::move(problem));
   }
 
  private:
+  static bool refuse(base::Problem problem) { throw base::InputError(std::move(problem)); }
+
+  /// Of characters that word processors and people of other languages write: the reason, and what to write.
+  bool explain_character(std::size_t position, base::Problem& problem) const {
+    const std::size_t place = position == 0 ? 0 : position - 1;
+    // The parser stops behind the first byte of a character that is not ASCII, or at its end.
+    const std::string_view around = text_.substr(place >= 2 ? place - 2 : 0, 5);
+    for (const std::string_view quote : {"\u201C", "\u201D", "\u201E", "\u2018", "\u2019", "\u00AB", "\u00BB"}) {
+      if (around.find(quote) == std::string_view::npos) continue;
+      problem.value = quote;
+      problem.reason = "a curly quotation mark, which JSON does not have";
+      problem.remedy = "write the straight one, \"; a word processor has changed it";
+      return true;
+    }
+    if (place < text_.size() && text_[place] == '\'') {
+      problem.reason = "a single quotation mark, which JSON does not have";
+      problem.remedy = "write double ones: \"block\"";
+      return true;
+    }
+    const std::string_view before = text_.substr(0, std::min(place, text_.size()));
+    const std::size_t comma = before.find_last_not_of("0123456789");
+    const bool is_digit_before = comma != std::string_view::npos && comma > 0 && before[comma] == ',' &&
+                                 std::isdigit(static_cast<unsigned char>(before[comma - 1])) != 0;
+    const bool is_digit_behind = comma != std::string_view::npos && comma + 1 < text_.size() &&
+                                 std::isdigit(static_cast<unsigned char>(text_[comma + 1])) != 0;
+    if (!is_digit_before || !is_digit_behind) return false;
+    problem.reason = "a decimal comma, which JSON does not have";
+    problem.remedy = "write a point: 0.35";
+    return true;
+  }
+
   struct Frame {
     Json* node;
     std::string key;

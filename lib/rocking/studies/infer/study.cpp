@@ -1,6 +1,8 @@
 #include "rocking/studies/infer/study.hpp"
 
 #include "rocking/api/question_check.hpp"
+#include "rocking/input/condition_family.hpp"
+#include "rocking/output/alarms.hpp"
 
 namespace rocking {
 namespace {
@@ -88,6 +90,16 @@ void resume(const Subject& subject, InferQuestion& question, const Json& earlier
   question.request.earlier = design_for(report_on(subject, question.request, {}), infer_document().read(earlier));
 }
 
+/// Numbers of the tested conditions that have another unit than their column more likely than not.
+std::vector<std::string> doubts_of(const Experiment& experiment, const CountedTests& tests) {
+  const ConditionMaker condition_with(experiment);
+  Experiment tested;
+  for (const TestedCondition& condition : tests.conditions) {
+    tested.conditions.push_back(condition_with(condition.parameters));
+  }
+  return tested.conditions.empty() ? std::vector<std::string>() : suspicious_numbers(tested);
+}
+
 Answer find(const Subject& subject, const InferQuestion& question, const Circumstances& circumstances) {
   InferRequest request = question.request;
   request.elapsed_seconds = circumstances.elapsed_seconds;
@@ -104,6 +116,7 @@ Answer find(const Subject& subject, const InferQuestion& question, const Circums
   const InferReport report = report_on(subject, request, found);
   return {.document = infer_document().text(report),
           .table = infer_table(report),
+          .warnings = doubts_of(subject.experiment, request.tests),
           .end = found.end == InferEnd::stopped ? AnswerEnd::stopped : AnswerEnd::complete};
 }
 

@@ -27,13 +27,25 @@ std::string answer_in_words(const ReportedUnknown& unknown) {
   return analysis::label_of(analysis::axis_of_parameter(unknown.parameter)) + ": " + limits_in_words(unknown);
 }
 
+namespace {
+
+/// Whether there are more independent counts than unknowns.
+bool is_tested(const InferReport& report) {
+  return report.tests.size() * (std::max<std::size_t>(report.groups.size(), 1) - 1) > report.unknowns.size();
+}
+
+}  // namespace
+
 bool explains_counts(const InferReport& report) { return report.fit->p_value > 1.0 - report.confidence; }
 
 std::string fit_in_words(const InferReport& report) {
   const double p = report.fit->p_value;
   const std::string fit = "deviance " + significant(report.fit->statistic, 3) + ", p = " + significant(p, 2);
-  if (explains_counts(report)) return fit + ": the estimate explains the counts";
-  return fit + ": no value of the unknowns explains the counts; the intervals mean nothing";
+  if (!explains_counts(report))
+    return fit + ": no value of the unknowns explains the counts; the intervals mean nothing";
+  if (!is_tested(report))
+    return fit + ": there are as many unknowns as independent counts, so that nothing is left to test";
+  return fit + ": the estimate explains the counts";
 }
 
 std::string identified_in_words(const InferReport& report) {

@@ -101,9 +101,10 @@ TEST(InferFigures, SayWhetherTheTestsCanTellAndFit) {
   EXPECT_THAT(words, HasSubstr("static friction μ_s: 0.3 [0.1, 0.45]"));
   EXPECT_THAT(figure_named("infer_profile", report).subtitle, HasSubstr("static friction μ_s: 0.3 [0.1, 0.45]; "));
   EXPECT_THAT(words, HasSubstr("Identified: yes, all intervals end within"));
-  EXPECT_THAT(words, HasSubstr("p = 0.4: the estimate explains the counts"));
+  EXPECT_THAT(words,
+              HasSubstr("p = 0.4: there are as many unknowns as independent counts, so that nothing is left to test"));
   EXPECT_THAT(figure_named("infer_fit", report).description,
-              HasSubstr("deviance 3.21, p = 0.4: the estimate explains"));
+              HasSubstr("deviance 3.21, p = 0.4: there are as many unknowns"));
   report.identified = {"these tests cannot tell: this one"};
   report.fit->p_value = 0.04;
   EXPECT_THAT(figure_named("infer_profile", report).description, HasSubstr("Identified: no, these tests cannot tell"));

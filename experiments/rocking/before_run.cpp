@@ -93,8 +93,18 @@ void tell_ground_motion_notes(const Experiment& experiment) {
   for (const std::string& note : ground_motion_notes(experiment)) print_notice(note);
 }
 
+namespace {
+
+std::vector<std::string> alarms_before_run(const Experiment& experiment) {
+  std::vector<std::string> alarms = suspicious_numbers(experiment);
+  for (std::string& alarm : too_few_periods(experiment)) alarms.push_back(std::move(alarm));
+  return alarms;
+}
+
+}  // namespace
+
 std::vector<std::string> warnings_before_run(const Experiment& experiment) {
-  std::vector<std::string> warnings = suspicious_numbers(experiment);
+  std::vector<std::string> warnings = alarms_before_run(experiment);
   for (std::string& alarm : foreseen_clamps(experiment)) warnings.push_back(std::move(alarm));
   for (std::string& warning : warnings) warning.insert(0, "warning: ");
   return warnings;
@@ -102,7 +112,7 @@ std::vector<std::string> warnings_before_run(const Experiment& experiment) {
 
 void tell_notes(const Experiment& experiment) {
   tell_ground_motion_notes(experiment);
-  for (const std::string& alarm : suspicious_numbers(experiment)) print_notice("warning: " + alarm);
+  for (const std::string& alarm : alarms_before_run(experiment)) print_notice("warning: " + alarm);
 }
 
 std::string checked_text(const Experiment& experiment) {

@@ -51,9 +51,11 @@ struct WorstClamps {
 [[nodiscard]] std::string tolerance_remedy(double tolerance);
 
 /// What is alarming in the numbers of an experiment, each with its JSON pointer: numbers that have another unit than their
-/// key more likely than not, blocks wider than high or that swing back at an impact, and fewer periods than the classifier
-/// needs.
+/// key more likely than not, and blocks wider than high or that swing back at an impact.
 [[nodiscard]] std::vector<std::string> suspicious_numbers(const Experiment& experiment);
+
+/// Sampled periods that are too few to classify a response (section::fewest_periods), likewise. Overturning needs none.
+[[nodiscard]] std::vector<std::string> too_few_periods(const Experiment& experiment);
 
 /// The clamps that a run would raise an alarm for, one sentence a kind (plan's sample_clamps).
 [[nodiscard]] std::vector<std::string> foreseen_clamps(const Experiment& experiment);

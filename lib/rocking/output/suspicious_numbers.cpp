@@ -169,11 +169,16 @@ std::vector<std::string> suspicious_numbers(const Experiment& experiment) {
   for (const Condition& condition : experiment.conditions) {
     look_at_numbers(condition.scene, found);
     if (!look_at_impacts(condition.scene, found)) look_at_restitution(condition.scene, found);
-    look_at_horizon(condition, found);
     const auto* recorded = std::get_if<Recorded>(&condition.scene.excitation);
     if (recorded == nullptr || !recorded->ground_motion || !seen.insert(recorded->ground_motion.get()).second) continue;
     if (recorded->ground_motion->samples.size() > 1) look_at_record(*recorded->ground_motion, found);
   }
+  return found.texts(experiment.conditions.size());
+}
+
+std::vector<std::string> too_few_periods(const Experiment& experiment) {
+  Suspicions found;
+  for (const Condition& condition : experiment.conditions) look_at_horizon(condition, found);
   return found.texts(experiment.conditions.size());
 }
 

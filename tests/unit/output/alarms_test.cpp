@@ -115,11 +115,10 @@ TEST(SuspiciousNumbers, AreThoseOfAnotherUnitThanThatOfTheirKey) {
               ElementsAre(HasSubstr("/block/width_m = 0.001: below 0.01 m"), HasSubstr("/block/height_m = 0.005")));
 }
 
-TEST(SuspiciousNumbers, AreFewerPeriodsThanTheClassifierNeeds) {
+TEST(TooFewPeriods, AreFewerThanTheClassifierNeeds) {
   const auto with_periods = [](const std::string& periods, const std::string& phase) {
-    return suspicious_numbers(
-        least_with({{"/horizon", "{\"transient_periods\": 5, \"sampled_periods\": " + periods + "}"},
-                    {"/excitation/phase_rad", phase}}));
+    return too_few_periods(least_with({{"/horizon", "{\"transient_periods\": 5, \"sampled_periods\": " + periods + "}"},
+                                       {"/excitation/phase_rad", phase}}));
   };
   const std::string drawn = R"({"uniform": [0, 6]})";
   EXPECT_THAT(with_periods("47", drawn),

@@ -27,7 +27,7 @@ TEST(SlenderOrbit, IsFoundWithTheMultipliersOfTheClosedForm) {
       Condition condition = slender(orbit, 1e5, {}, 0.0);
       const auto found = find_fixed_point(PoincareMap(condition), on_section(orbit), family.n);
       ASSERT_TRUE(found) << name_of(orbit) << ", " << multiplier;
-      EXPECT_LT(rocking::distance(found->point, on_section(orbit)), 1e-6);
+      EXPECT_LT(section::distance(found->point, on_section(orbit)), 1e-6);
       const Stability stability = stability_of(found->image);
       ASSERT_EQ(stability.multipliers.size(), 2U);
       const double other = family.r * family.r / multiplier;

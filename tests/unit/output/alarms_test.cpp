@@ -116,16 +116,18 @@ TEST(SuspiciousNumbers, AreThoseOfAnotherUnitThanThatOfTheirKey) {
 }
 
 TEST(TooFewPeriods, AreFewerThanTheClassifierNeeds) {
-  const auto with_periods = [](const std::string& periods, const std::string& phase) {
+  const auto with_periods = [](const std::string& periods, const std::string& phase, const std::string& fluctuation) {
     return too_few_periods(least_with({{"/horizon", "{\"transient_periods\": 5, \"sampled_periods\": " + periods + "}"},
-                                       {"/excitation/phase_rad", phase}}));
+                                       {"/excitation/phase_rad", phase},
+                                       {"/fluctuation", fluctuation}}));
   };
-  const std::string drawn = R"({"uniform": [0, 6]})";
-  EXPECT_THAT(with_periods("47", drawn),
+  const std::string redrawn = R"({"amplitude": {"sigma": 0.01}})";
+  EXPECT_THAT(with_periods("47", "0", redrawn),
               ElementsAre(AllOf(HasSubstr("/horizon/sampled_periods = 47: too few"), HasSubstr("at least 48 where"))));
-  EXPECT_THAT(with_periods("48", drawn), IsEmpty());
-  EXPECT_THAT(with_periods("23", "0"), ElementsAre(HasSubstr("at least 24; the default is 120")));
-  EXPECT_THAT(with_periods("24", "0"), IsEmpty());
+  EXPECT_THAT(with_periods("48", "0", redrawn), IsEmpty());
+  const std::string drawn_once = R"({"uniform": [0, 6]})";
+  EXPECT_THAT(with_periods("23", drawn_once, "{}"), ElementsAre(HasSubstr("at least 24; the default is 120")));
+  EXPECT_THAT(with_periods("24", drawn_once, "{}"), IsEmpty());
 }
 
 TEST(SuspiciousNumbers, TellInHowManyConditionsTheyAre) {

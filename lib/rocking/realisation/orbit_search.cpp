@@ -60,6 +60,10 @@ constexpr double curvature = 3.0;
 constexpr double accuracy = 0.05;
 /// Two points found for one start are those of one orbit if they differ by less than this share of the distance to it.
 constexpr double same_orbit = 0.2;
+/// A motion that misses the orbit by so many distances of the start after a divisor of its period may have that period, and
+/// nearer than the second number it cannot be told from one that has.
+constexpr double possible_miss = 1e3;
+constexpr double doubtful_miss = 10.0;
 
 /// -ln of the largest multiplier, per period.
 double decay_of(const PoincareImage& image) {
@@ -77,10 +81,10 @@ section::NearbyOrbit orbit_of(const OrbitSearch::Found& found) {
   return orbit;
 }
 
-/// Whether the motion from the start is, after `periods`, as near to the orbit as if that were its period.
-bool may_have_period(const OrbitSearch::Found& found, const section::StrobePoint& near, int periods) {
+/// How far the motion is from the orbit after a divisor of its period, in distances of the start from it.
+double miss_after(const OrbitSearch::Found& found, const section::StrobePoint& near, int periods) {
   const section::StrobePoint& after = found.image.states[static_cast<std::size_t>(periods) - 1].point;
-  return distance(after, found.point) <= 1e3 * distance(found.point, near) + same_point;
+  return distance(after, found.point) / (distance(found.point, near) + same_point);
 }
 
 /// The condition of one realisation in which nothing is random along the way.
@@ -101,11 +105,14 @@ std::optional<section::NearbyOrbit> OrbitSearch::find(const section::StrobePoint
   const auto found = newton_from(near, periods);
   if (!found) return std::nullopt;
   for (int divisor = 1; divisor < periods; ++divisor) {
-    if (periods % divisor != 0 || !may_have_period(*found, near, divisor)) continue;
+    if (periods % divisor != 0) continue;
+    const double miss = miss_after(*found, near, divisor);
+    if (miss > possible_miss) continue;
     const auto shorter = newton_from(near, divisor);
     if (shorter && distance(shorter->point, found->point) <= same_orbit * distance(found->point, near) + same_point) {
       return orbit_of(*shorter);
     }
+    if (miss <= doubtful_miss) return std::nullopt;
   }
   return orbit_of(*found);
 }

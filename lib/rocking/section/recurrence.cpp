@@ -102,6 +102,16 @@ Recurrence find_recurrence(std::span<const Period> periods, double resolution, c
   return found;
 }
 
+bool come_closer(std::span<const StrobePoint> points) {
+  constexpr double slowest = 0.95;
+  std::vector<Period> periods;
+  for (const StrobePoint& point : points) periods.push_back({.point = point});
+  for (std::size_t n = 1; n <= static_cast<std::size_t>(longest_period) && 2 * n < periods.size(); ++n) {
+    if (is_shrinking(returns_after(periods, n), slowest)) return true;
+  }
+  return false;
+}
+
 Rocks count_rocks(std::span<const Period> periods, int length) {
   const std::vector<Cycle> cycles = cycles_of(periods, length);
   ROCKING_EXPECT(!cycles.empty());

@@ -23,6 +23,9 @@ struct Recurrence {
 [[nodiscard]] Recurrence find_recurrence(std::span<const Period> periods, double resolution,
                                          const Thresholds& thresholds = {});
 
+/// Whether points some number of periods up to 12 apart come closer from third to third, however slowly: by a twentieth.
+[[nodiscard]] bool come_closer(std::span<const StrobePoint> points);
+
 /// Number of rocking cycles in n periods, and its regularity.
 struct Rocks {
   int rocks = 0;               ///< m: pairs of impacts in n periods, rounded up

@@ -94,7 +94,7 @@ Counts counts_in(const Cell& cell, int series, const OrbitSource& source) {
 }
 
 TEST(SlowSpirals, AreSeldomGivenAMultipleOfTheirPeriod) {
-  constexpr int series = 200;
+  constexpr int series = 400;
   std::printf("  n     N       r      f   without an orbit: right wrong   with: right wrong   of %d\n", series);
   for (const Cell& cell : cells) {
     const Counts without = counts_in(cell, series, {});

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "rocking/base/number_rule.hpp"
+#include "rocking/text/json.hpp"
 
 namespace rocking {
 

@@ -196,15 +196,24 @@ PendingClassification classify_unsteady(const ClassifierInput& input, const Find
   });
 }
 
+/// Share of the window, up to its end, in which points n apart differ by at most `reach`.
+double share_held(std::span<const Period> periods, int n, double reach) {
+  const auto step = static_cast<std::size_t>(n);
+  std::size_t first = periods.size() - step;
+  while (first > 0 && distance(periods[first - 1].point, periods[first - 1 + step].point) <= reach) --first;
+  return static_cast<double>(periods.size() - first) / static_cast<double>(periods.size());
+}
+
 /// What the points of several clouds say without noise: where none acts on the motion, as on a block that does not slide,
 /// slow spirals and doublings look like clouds of a multiple of the period.
 std::optional<Classification> of_noise_free_points(const ClassifierInput& input, const Finding& finding) {
   const Recurrence recurrence = find_recurrence(input.periods, input.resolution, input.thresholds);
-  const auto found =
-      recurrence.classification ? recurrence.classification : first_approached(input, recurrence.candidates);
+  auto found = recurrence.classification ? recurrence.classification : first_approached(input, recurrence.candidates);
   const bool is_another =
       found && found->mode.kind == ResponseKind::periodic && found->mode != finding.classification.mode;
-  return is_another ? found : std::nullopt;
+  if (!is_another) return std::nullopt;
+  found->held = share_held(input.periods, found->mode.periods, input.thresholds.reach);
+  return found;
 }
 
 PendingClassification classify_random(const ClassifierInput& input) {

@@ -11,6 +11,7 @@
 #include "rocking/scene/check_condition.hpp"
 #include "rocking/store/store.hpp"
 #include "rocking/studies/fragility/fragility.hpp"
+#include "rocking/studies/fragility/hazard_integral.hpp"
 #include "rocking/studies/fragility/study.hpp"
 #include "rocking/text/files.hpp"
 

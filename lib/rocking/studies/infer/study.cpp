@@ -91,8 +91,8 @@ void resume(const Subject& subject, InferQuestion& question, const Json& earlier
 }
 
 /// Numbers of the tested conditions that have another unit than their column more likely than not.
-std::vector<std::string> doubts_of(const Experiment& experiment, const CountedTests& tests) {
-  const ConditionMaker condition_with(experiment);
+std::vector<std::string> doubts_of(const Subject& subject, const CountedTests& tests) {
+  const ConditionMaker condition_with(subject.experiment, seen_from(subject.folder));
   Experiment tested;
   for (const TestedCondition& condition : tests.conditions) {
     tested.conditions.push_back(condition_with(condition.parameters));
@@ -116,7 +116,7 @@ Answer find(const Subject& subject, const InferQuestion& question, const Circums
   const InferReport report = report_on(subject, request, found);
   return {.document = infer_document().text(report),
           .table = infer_table(report),
-          .warnings = doubts_of(subject.experiment, request.tests),
+          .warnings = doubts_of(subject, request.tests),
           .end = found.end == InferEnd::stopped ? AnswerEnd::stopped : AnswerEnd::complete};
 }
 

@@ -37,7 +37,10 @@ add_test(NAME Museum.GivesAPageAndAnAnnualRate COMMAND ${CMAKE_CURRENT_SOURCE_DI
 set_tests_properties(Museum.GivesAPageAndAnAnnualRate PROPERTIES TIMEOUT 600 LABELS examples COST 25)
 if(ROCKING_INSTALL)
   add_test(NAME Install.LetsOthersBuildAgainstIt COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/install/run ${PROJECT_BINARY_DIR})
-  set_tests_properties(Install.LetsOthersBuildAgainstIt PROPERTIES TIMEOUT 600 LABELS install COST 100)
+  add_test(NAME Install.IsAlsoASharedLibraryAndASubproject
+    COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/install/other_ways ${PROJECT_BINARY_DIR})
+  set_tests_properties(Install.LetsOthersBuildAgainstIt Install.IsAlsoASharedLibraryAndASubproject PROPERTIES
+    TIMEOUT 1800 LABELS install COST 100)
   add_test(NAME Install.MakesADebianPackage
     COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/install/debian_package ${PROJECT_BINARY_DIR})
   set_tests_properties(Install.MakesADebianPackage PROPERTIES FIXTURES_REQUIRED packages TIMEOUT 600 LABELS install)

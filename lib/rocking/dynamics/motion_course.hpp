@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <utility>
 
 #include "rocking/dynamics/automaton.hpp"
 #include "rocking/dynamics/motion_context.hpp"
@@ -40,25 +39,12 @@ inline void end_step(MotionCourse<Coefficients>& course, double duration, const 
   course.automaton.note_balance(context);
 }
 
-/// Whether a block that sticks without contact, or beyond friction, passes a sample of a ground motion at which nothing jumps:
-/// there as between samples neither is examined, so that the motion does not depend on how often it was sampled.
-template <CoefficientSource Coefficients>
-[[nodiscard]] inline bool sticks_on(const MotionCourse<Coefficients>& course, bool sticks_beyond_friction) {
-  const MotionContext<Coefficients>& context = course.context;
-  return course.progress.is_sample() && context.state.contact == ContactState::rock &&
-         (course.automaton.is_off_ground() || sticks_beyond_friction) && !context.excitation.jumps(context.clock);
-}
-
 /// What follows at the end of a step. `fired` is indexed by Guard.
 template <CoefficientSource Coefficients, class Fired>
 inline void reset(MotionCourse<Coefficients>& course, const Fired& fired, bool at_breakpoint) {
   if (fired.none() && !at_breakpoint) return;
-  const bool sticks_beyond_friction = std::exchange(course.context.known, {}).sticks_beyond_friction;
+  course.context.known = {};
   if (at_breakpoint) course.context.clock.set(*course.progress.breakpoint());
-  if (fired.none() && sticks_on(course, sticks_beyond_friction)) {
-    course.context.known.sticks_beyond_friction = sticks_beyond_friction;
-    return course.progress.settle(course.context);
-  }
   course.automaton.respond(course.context, Firing<Fired>{.fired = fired,
                                                          .at_breakpoint = at_breakpoint,
                                                          .time_went_on = course.progress.continuity.time_went_on()});

@@ -25,8 +25,6 @@ class MotionProgress {
     return breakpoint_ ? clock.until(*breakpoint_) : std::numeric_limits<double>::infinity();
   }
   [[nodiscard]] const std::optional<Instant>& breakpoint() const { return breakpoint_; }
-  /// Whether the breakpoint is a sample of a ground motion, at which no coefficient changes.
-  [[nodiscard]] bool is_sample() const { return is_sample_; }
   [[nodiscard]] double kinetic_friction() const { return kinetic_friction_; }
   [[nodiscard]] double slip_at_horizon() const { return slip_at_horizon_; }
   [[nodiscard]] std::uint64_t slip_steps() const { return slip_steps_; }
@@ -89,10 +87,8 @@ class MotionProgress {
     if (context.ended()) return;
     const Clock& clock = context.clock;
     kinetic_friction_ = context.slips() ? context.kinetic_friction() : 0.0;
-    const std::optional<Instant> redraw = context.coefficients.next_change(clock, context.slips());
-    const std::optional<Instant> change = context.excitation.next_change(clock);
-    breakpoint_ = earlier(clock, redraw, change);
-    is_sample_ = change && context.excitation.has_knots() && (!redraw || clock.until(*change) < clock.until(*redraw));
+    breakpoint_ =
+        earlier(clock, context.coefficients.next_change(clock, context.slips()), context.excitation.next_change(clock));
     continuity = continuity.after_events();
   }
 
@@ -111,9 +107,8 @@ class MotionProgress {
   std::uint64_t slip_steps_ = 0;
   std::uint64_t segments_ = 0;
   std::optional<Instant> breakpoint_;  ///< the equations hold until then
-  bool is_sample_ = false;
-  double kinetic_friction_ = 0.0;  ///< mu_k in force over the coming step while the block slips; else 0
-  double slip_at_horizon_ = 0.0;   ///< X
+  double kinetic_friction_ = 0.0;      ///< mu_k in force over the coming step while the block slips; else 0
+  double slip_at_horizon_ = 0.0;       ///< X
 };
 
 }  // namespace rocking::dynamics

@@ -59,13 +59,6 @@ class Excitation {
   [[nodiscard]] double weight(const Clock& clock) const {
     return visit([&](const auto& kind) { return kind.weight(clock); });
   }
-  /// Whether the acceleration jumps at the sample that has just been reached: two samples stand at one time.
-  [[nodiscard]] bool jumps(const Clock& clock) const {
-    return visit([&clock]<class Kind>(const Kind& kind) {
-      if constexpr (Kind::has_knots) return kind.jumps(clock);
-      return true;
-    });
-  }
   [[nodiscard]] std::optional<Instant> next_change(const Clock& clock) const {
     return visit([&](const auto& kind) { return kind.next_change(clock); });
   }

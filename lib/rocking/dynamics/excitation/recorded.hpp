@@ -86,12 +86,6 @@ class RecordedExcitation {
     return next.time < std::numeric_limits<double>::infinity() ? std::optional(next) : std::nullopt;
   }
 
-  /// At a sample that has just been reached: whether another one stands at its time.
-  [[nodiscard]] bool jumps(const Clock& clock) const {
-    const Knot* reached = knot(clock);
-    return clock.between(reached[-1].instant, reached[0].instant) <= clock.resolution();
-  }
-
   /// Largest abs of the horizontal acceleration, for a scale of 1, from now to the next change.
   [[nodiscard]] double largest_before_change(const Clock& clock) const requires(!vertical) {
     const Knot* reached = knot(clock);

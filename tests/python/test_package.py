@@ -192,6 +192,8 @@ class Arrays(unittest.TestCase):
             made = rocking.trajectory(source, condition=1, samples=4)
             lines = [line.split(",") for line in made.text("csv", "si").splitlines() if not line.startswith("#")]
             self.assertEqual(lines[0][1:6], names)
+            self.assertIn(f"# mode: {made.mode}\n", made.text("csv"))
+            self.assertEqual(made.backed_by is None, not made.mode.startswith("("))
             for row, rows in (("strobe", made.strobe), ("event", made.events), ("sample", made.history)):
                 theirs = np.array([[float(cell) for cell in line[1:6]] for line in lines if line[0] == row])
                 self.assertGreater(len(theirs), 10)

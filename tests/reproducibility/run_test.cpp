@@ -203,32 +203,6 @@ TEST(Run, RerunsAsManyRealisationsAsItIsAskedTo) {
   }
 }
 
-// Each checked realisation has the response mode that a run with the longer horizon gives it.
-TEST(Run, ChecksLabelsByALongerRunWithCommonRandomNumbers) {
-  Experiment question = four_conditions();
-  question.conditions.resize(1);
-  Experiment longer = question;
-  longer.conditions[0].horizon.sampled_periods *= 3;
-  question.conditions[0].label_check = LabelCheck{.every = 4, .times_longer = 3};
-  const auto result = run(question, {.threads = 2, .on_progress = {}, .stop_requested = nullptr});
-  std::map<section::ResponseMode, std::pair<std::uint64_t, std::uint64_t>> expected;  // gained, lost
-  for (const std::uint64_t number : {0U, 4U, 8U}) {
-    const auto named = realise(question.conditions[0], question.seed, number).classification.mode;
-    const auto in_the_long_run = realise(longer.conditions[0], question.seed, number).classification.mode;
-    if (named == in_the_long_run) continue;
-    ++expected[in_the_long_run].first;
-    ++expected[named].second;
-  }
-  EXPECT_FALSE(expected.empty()) << "a horizon of 40 names too little, so some names change";
-  for (const ModeEstimate& mode : result->conditions[0].modes) {
-    ASSERT_TRUE(mode.probability.corrected.has_value());
-    const auto& counts = mode.probability.corrected->counts;
-    EXPECT_EQ(counts.checked, 3U);
-    EXPECT_EQ(counts.gained, expected[mode.mode].first) << to_string(mode.mode);
-    EXPECT_EQ(counts.lost, expected[mode.mode].second) << to_string(mode.mode);
-  }
-}
-
 TEST(Run, CountsEveryRealisationOnce) {
   const ExperimentResult result = result_with(7);
   const Experiment question = four_conditions();

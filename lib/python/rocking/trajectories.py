@@ -98,6 +98,16 @@ class Trajectory:
         """Why it ended: ``reached_horizon``, ``overturned``, ``painleve`` or ``stopped``."""
         return self._facts.termination
 
+    @property
+    def mode(self) -> Optional[str]:
+        """Response mode that a run gives this realisation; None with a number of periods."""
+        return self._facts.mode
+
+    @property
+    def backed_by(self) -> Optional[str]:
+        """What backs a label (m,n): ``orbit``, ``points`` or ``clouds``; None of others."""
+        return self._facts.backed_by
+
     @functools.cached_property
     def _facts(self) -> documents.TrajectoryReport:
         return documents.TrajectoryReport(self._core.facts(self.condition, self.realisation))

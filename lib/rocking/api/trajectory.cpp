@@ -3,6 +3,7 @@
 #include "rocking/api/question_check.hpp"
 #include "rocking/api/refuse.hpp"
 #include "rocking/output/trajectory_report.hpp"
+#include "rocking/realisation/realisation_result.hpp"
 #include "rocking/scene/check_condition.hpp"
 
 namespace rocking {
@@ -20,8 +21,14 @@ std::int64_t periods_of(const Experiment& experiment, const TrajectoryRequest& r
 
 Trajectory trajectory(const Experiment& experiment, const TrajectoryRequest& request, const Execution& execution) {
   check_request(experiment, request);
-  return trajectory_of(experiment.conditions[request.condition], experiment.seed, request.realisation,
-                       TrajectoryExtent(periods_of(experiment, request), request.samples_per_period, execution.stop));
+  const Condition& condition = experiment.conditions[request.condition];
+  Trajectory found =
+      trajectory_of(condition, experiment.seed, request.realisation,
+                    TrajectoryExtent(periods_of(experiment, request), request.samples_per_period, execution.stop));
+  if (!request.periods) {
+    found.label = realise(condition, experiment.seed, request.realisation, execution.stop).classification;
+  }
+  return found;
 }
 
 TrajectoryInSi in_si(const Trajectory& trajectory) {

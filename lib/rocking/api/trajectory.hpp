@@ -20,7 +20,8 @@ struct TrajectoryRequest {
   int samples_per_period = 0;                          ///< of the history; 0: none
 };
 
-/// The trajectory of one realisation: strobe points, events, history, peaks, energy. Throws base::InputError if the
+/// The trajectory of one realisation: strobe points, events, history, peaks, energy; over its horizon, also the label that
+/// a run gives it. Throws base::InputError if the
 /// experiment has no such condition or a number is out of range, and base::Stopped if the `stop` of the execution, the
 /// only field that is used, asks for it.
 [[nodiscard]] ROCKING_API Trajectory trajectory(const Experiment& experiment, const TrajectoryRequest& request = {},

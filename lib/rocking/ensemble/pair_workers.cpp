@@ -42,13 +42,12 @@ class PairInProgress {
   [[nodiscard]] std::vector<Summary> summaries() const;
 
  private:
-  enum class Purpose : std::uint8_t { itself, rerun, long_run };
+  enum class Purpose : std::uint8_t { itself, rerun };
 
   void add(Purpose purpose, const Condition& condition, std::uint64_t realisation);
 
   Pair pair_;
   Condition tighter_;  ///< for reruns
-  Condition longer_;   ///< for label checks
   std::vector<RequestedRun> runs_;
   std::vector<Purpose> purposes_;
   std::vector<std::optional<RealisationResult>> results_;  ///< by run
@@ -60,22 +59,14 @@ bool is_rerun(const Condition& condition, std::uint64_t number) {
   return is_random(condition.scene) && condition.rerun_every > 0 && number % condition.rerun_every == 0;
 }
 
-bool is_checked(const Condition& condition, std::uint64_t number) {
-  return is_random(condition.scene) && condition.label_check && number % condition.label_check->every == 0;
-}
-
 PairInProgress::PairInProgress(const Experiment& experiment, const Pair& pair, std::uint64_t count)
-    : pair_(pair), tighter_(experiment.conditions[pair.condition]), longer_(tighter_) {
+    : pair_(pair), tighter_(experiment.conditions[pair.condition]) {
   const Condition& condition = experiment.conditions[pair.condition];
   tighter_.tolerance = rerun_tolerance(condition.tolerance);
   if (tighter_.horizon.until_classified) tighter_.horizon.until_classified->long_run_every = 0;
-  longer_.horizon.until_classified.reset();
-  // More sampled periods after the same transient, with common random numbers.
-  if (condition.label_check) longer_.horizon.sampled_periods *= static_cast<int>(condition.label_check->times_longer);
   for (std::uint64_t number = pair.first; number < std::min(pair.first + 2, count); ++number) {
     add(Purpose::itself, condition, number);
     if (is_rerun(condition, number)) add(Purpose::rerun, tighter_, number);
-    if (is_checked(condition, number)) add(Purpose::long_run, longer_, number);
   }
 }
 
@@ -105,7 +96,6 @@ std::vector<Summary> PairInProgress::summaries() const {
         summaries.back().rerun_mode = result.classification.mode;
         summaries.back().rerun_diverged = divergence_period(*results.back(), result);
         break;
-      case Purpose::long_run: summaries.back().long_mode = result.classification.mode; break;
     }
   }
   if (results.size() == 2) summaries[0].diverged_from_next = divergence_period(*results[0], *results[1]);

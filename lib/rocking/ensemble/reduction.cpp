@@ -101,7 +101,6 @@ void Reduction::count(const Summary& summary) {
   }
   add_to_validity(summary);
   add_to_pairs(summary);
-  if (summary.long_mode) ++checked_[{summary.mode, *summary.long_mode}];
   peaks_.add(summary);
   exponents_.add(summary);
   if (condition_->horizon.until_classified) {
@@ -148,25 +147,9 @@ void Reduction::add_to_pairs(const Summary& summary) {
   }
 }
 
-void Reduction::add_corrected(std::vector<ModeEstimate>& modes) const {
-  if (checked_.empty()) return;
-  for (auto& [mode, probability] : modes) {
-    stats::CheckedCounts counts{.classified = probability.counts};
-    for (const auto& [names, count] : checked_) {
-      counts.checked += count;
-      if (names.first != mode && names.second == mode) counts.gained += count;
-      if (names.first == mode && names.second != mode) counts.lost += count;
-    }
-    probability.corrected = Corrected{.counts = counts,
-                                      .estimate = stats::corrected_estimate(counts),
-                                      .interval = stats::corrected_interval(counts, condition_->confidence)};
-  }
-}
-
 ModeTally Reduction::listed_modes() const {
   ModeTally listed = modes_;
   for (const auto& mode : always_listed()) listed.insert({mode, 0});
-  for (const auto& [names, count] : checked_) listed.insert({names.second, 0});
   return listed;
 }
 
@@ -236,7 +219,6 @@ ConditionResult Reduction::result() const {
   }
   validity = validity_;
   operations = operations_;
-  add_corrected(modes);
   if (condition_->until) add_anytime_intervals(modes);
   stopped_because = target_.cause;
   return result;

@@ -82,7 +82,6 @@ class Reduction {
   [[nodiscard]] std::uint64_t without_answer() const;
   [[nodiscard]] NonRecurrence non_recurrence() const;
   [[nodiscard]] std::array<SideEstimate, 2> overturned_sides() const;
-  void add_corrected(std::vector<ModeEstimate>& modes) const;
   void add_anytime_intervals(std::vector<ModeEstimate>& modes) const;
 
   const Condition* condition_;
@@ -104,8 +103,6 @@ class Reduction {
   DivergenceTally by_friction_;
   stats::Proportion flips_;
   DivergenceTally by_arithmetic_;
-  std::map<std::pair<section::ResponseMode, section::ResponseMode>, std::uint64_t>
-      checked_;  ///< by mode and mode of the longer run
 };
 
 }  // namespace rocking

@@ -16,7 +16,6 @@
 #include "rocking/section/classification.hpp"
 #include "rocking/section/response_mode.hpp"
 #include "rocking/stats/interval.hpp"
-#include "rocking/stats/paired.hpp"
 #include "rocking/stats/quantile.hpp"
 
 namespace rocking {
@@ -131,13 +130,6 @@ struct Validity {
   }
 };
 
-/// Corrected probability of a mode: estimated from all realisations and from those that were run for longer.
-struct Corrected {
-  stats::CheckedCounts counts;
-  double estimate = 0.0;
-  stats::Interval interval;  ///< covers at least as often as promised, for this mode alone
-};
-
 /// Probability of a mode: counts, estimate and intervals. Realisations without an answer count as unresolved, and the
 /// intervals cover every mode that they may have.
 struct Estimate {
@@ -147,7 +139,6 @@ struct Estimate {
   stats::Interval simultaneous;      ///< Bonferroni-Clopper-Pearson over all possible modes
   /// With `until`: covers for all modes at once, also if the data determined when to stop.
   std::optional<stats::Interval> anytime = std::nullopt;
-  std::optional<Corrected> corrected = std::nullopt;  ///< present if labels were checked
 
   /// The interval to state: the simultaneous one; with `until` the one that is valid whenever the run stops.
   [[nodiscard]] const stats::Interval& quoted() const { return anytime ? *anytime : simultaneous; }

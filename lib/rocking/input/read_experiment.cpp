@@ -1,7 +1,9 @@
 #include "rocking/input/read_experiment.hpp"
 
 #include <algorithm>
+#include <array>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -39,10 +41,26 @@ void name_flags(const Overrides& overrides, Problems& problems) {
   }
 }
 
-// Tells where a key stands that was written at another place.
+struct GoneKey {
+  std::string_view place;
+  std::string_view remedy;
+};
+
+/// Keys of former states of this format, and what to do without them.
+constexpr std::array gone_keys{
+    GoneKey{"/check_labels",
+            "leave it out: every label (m,n) is tested, and the report states what backs it (backed_by)"},
+    GoneKey{"/accuracy/repeat_every", "it is \"rerun_every\""}};
+
+// Tells what replaces a key that is gone, and where a key stands that was written at another place.
 void name_places(Problems& problems) {
   for (base::Problem& problem : problems) {
     if (problem.reason != "is not a key of this format") continue;
+    const auto* gone = std::ranges::find(gone_keys, problem.place, &GoneKey::place);
+    if (gone != gone_keys.end()) {
+      problem.remedy = gone->remedy;
+      continue;
+    }
     const auto place = place_of_key(last_key(problem.place));
     if (place) problem.remedy = "it stands under " + *place;
   }
@@ -73,7 +91,6 @@ class ExperimentBuilder {
 
   Experiment build(const Overrides& overrides) {
     apply(overrides, document_);
-    const bool has_former_keys = rename_former_keys(document_);
     Problems found;
     take_strength_from_sweep(document_);
     suite_ = take_suite(document_, matches_, files_, overrides.skips_unreadable, found);
@@ -96,7 +113,6 @@ class ExperimentBuilder {
     name_flags(overrides, problems_);
     name_readable_records();
     name_places(problems_);
-    if (has_former_keys) name_former_keys(problems_);
     if (problems_.size() > most_problems) problems_.resize(most_problems);
     if (!problems_.empty()) throw base::InputError(std::move(problems_));
     if (swept) base.canonical["sweep"] = canonical_sweep();

@@ -11,20 +11,6 @@
 
 namespace rocking {
 
-static const StructType& fields_of(const Corrected*) {
-  using stats::CheckedCounts;
-  static const StructType fields{
-      "Corrected",
-      field<&Corrected::counts, &CheckedCounts::checked>("checked", "realisations that were run for longer",
-                                                         Rule{.least = 1.0}),
-      field<&Corrected::counts, &CheckedCounts::gained>("gained", "of these, have the mode in the longer run only"),
-      field<&Corrected::counts, &CheckedCounts::lost>("lost", "of these, have the mode at the horizon only"),
-      field<&Corrected::estimate>("estimate", "of the probability in the longer run", rule::share),
-      field<&Corrected::interval>("interval", "its interval, for this mode alone", rule::share),
-  };
-  return fields;
-}
-
 /// A field for each method of an interval.
 static const StructType& fields_of_methods() {
   static const StructType fields = []<std::size_t... i>(std::index_sequence<i...>) {
@@ -47,8 +33,6 @@ static const StructType& fields_of(const Estimate*) {
       inlined<&Estimate::alone>(fields_of_methods()),
       field<&Estimate::simultaneous>("simultaneous", "exact; the intervals of all possible modes hold at once",
                                      rule::share),
-      field<&Estimate::corrected>("corrected", "with `check_labels`: from the realisations that were run for longer",
-                                  {}, WithoutValue::omitted),
       field<&Estimate::anytime>("anytime",
                                 "with `until`: holds for all modes at once, whenever the run stops; the one "
                                 "to quote then",

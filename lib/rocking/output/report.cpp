@@ -99,11 +99,6 @@ class CountChecker {
       part_of(count, result.realisations, "/counts/" + to_string(mode));
       sum += std::min(count, result.realisations);
       check_share(probability, result.realisations, place);
-      if (!probability.corrected) continue;
-      const stats::CheckedCounts& checked = probability.corrected->counts;
-      part_of(checked.checked, result.realisations, place + "/corrected/checked");
-      part_of(checked.gained, checked.checked, place + "/corrected/gained");
-      part_of(checked.lost, checked.checked, place + "/corrected/lost");
     }
     if (sum == result.realisations) return;
     reject("/counts", sum, "is the sum of the counts, not the number of realisations");

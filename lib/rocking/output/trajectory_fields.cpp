@@ -5,7 +5,9 @@
 
 #include "rocking/fields/container_types.hpp"
 #include "rocking/fields/converted_type.hpp"
+#include "rocking/output/provenance.hpp"
 #include "rocking/output/trajectory_report.hpp"
+#include "rocking/output/validity_fields.hpp"
 
 namespace rocking {
 namespace {
@@ -269,6 +271,20 @@ struct TypeOf<TrajectoryUnits> {
   static const ValueType& get() { return the_only<NamedType<TrajectoryUnits, trajectory_unit_names>>(); }
 };
 
+namespace {
+
+Field backing_field() {
+  Field made = derived<[](const TrajectoryReport& report) { return *backing_of(report); }>(
+      "backed_by", "what backs a label (m,n): a stable orbit, points that repeat, or clouds");
+  made.without_value = WithoutValue::omitted;
+  made.has_value = [](const void* report) {
+    return backing_of(*static_cast<const TrajectoryReport*>(report)).has_value();
+  };
+  return made;
+}
+
+}  // namespace
+
 const StructType& fields_of(const TrajectoryReport*) {
   using File = TrajectoryReport;
   static const StructType fields{
@@ -287,6 +303,10 @@ const StructType& fields_of(const TrajectoryReport*) {
       field<&File::energy>("energy", "over m R^2 p^2, since the mass of the block is not known", energy_fields()),
       field<&File::termination>("termination", "why it ended",
                                 the_only<NamedType<dynamics::Termination, dynamics::termination_names>>()),
+      field<&File::mode>("mode", "response mode that a run gives this realisation; not with `--periods`", {},
+                         WithoutValue::omitted),
+      field<&File::reason>("reason", "the rule that gave it, or why it is unresolved", {}, WithoutValue::omitted),
+      backing_field(),
   };
   return fields;
 }

@@ -65,6 +65,10 @@ std::vector<TimedRow> rows_of(const TrajectoryReport& report) {
 
 TrajectoryScales TrajectoryReport::scales() const { return scales_of(block, units); }
 
+std::optional<section::Backing> backing_of(const TrajectoryReport& report) {
+  return report.reason ? section::backing_of(*report.reason) : std::nullopt;
+}
+
 TrajectoryReport trajectory_report(const RealisationKey& key, const Trajectory& trajectory, TrajectoryUnits units) {
   const TrajectoryScales scales = scales_of(trajectory.block, units);
   TrajectoryReport report;
@@ -95,6 +99,10 @@ TrajectoryReport trajectory_report(const RealisationKey& key, const Trajectory& 
   if (auto& first = report.validity.first_loss_of_contact) first = scales.time_of(*first);
   report.energy = trajectory.energy;
   report.termination = trajectory.termination;
+  if (trajectory.label) {
+    report.mode = trajectory.label->mode;
+    report.reason = trajectory.label->reason;
+  }
   return report;
 }
 
@@ -106,6 +114,8 @@ std::string trajectory_table(const TrajectoryReport& report) {
   const Json block = block_fields().json(&report.block);
   for (const auto& [name, value] : block.items()) text += "\n# " + name + ": " + value.dump();
   text += "\n# termination: " + std::string(to_string(report.termination));
+  if (report.mode) text += "\n# mode: " + to_string(*report.mode);
+  if (const auto backing = backing_of(report)) text += "\n# backed_by: " + std::string(to_string(*backing));
   text += report.units == TrajectoryUnits::si ? "\nrow,time_s,tilt_rad,tilt_rate_rad_s,slip_m,slip_rate_m_s"
                                               : "\nrow,tau,tilt,tilt_rate,slip,slip_rate";
   text += ",contact,event\n";

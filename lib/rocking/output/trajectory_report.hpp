@@ -79,9 +79,14 @@ struct TrajectoryReport {
   TrajectoryValidity validity;
   EnergyAccount energy;  ///< normalised in either unit, since the mass is not known
   dynamics::Termination termination = dynamics::Termination::reached_horizon;
+  std::optional<section::ResponseMode> mode;  ///< that a run gives this realisation; absent with a number of periods
+  std::optional<section::Reason> reason;      ///< of the mode; absent where no rule was needed
 
   [[nodiscard]] TrajectoryScales scales() const;
 };
+
+/// What backs its label (m,n); absent of another one, or without a label.
+[[nodiscard]] std::optional<section::Backing> backing_of(const TrajectoryReport& report);
 
 [[nodiscard]] TrajectoryReport trajectory_report(const RealisationKey& key, const Trajectory& trajectory,
                                                  TrajectoryUnits units);

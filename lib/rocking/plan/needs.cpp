@@ -55,8 +55,7 @@ std::uint64_t strobe_points(const Experiment& experiment, std::uint64_t realisat
   for (const Condition& condition : experiment.conditions) {
     const auto transient = condition.horizon.transient_periods;
     const auto sampled = condition.horizon.sampled_periods;
-    const std::uint64_t longer = condition.label_check ? condition.label_check->times_longer : 1;
-    longest = std::max(longest, static_cast<std::uint64_t>(transient) + static_cast<std::uint64_t>(sampled) * longer);
+    longest = std::max(longest, static_cast<std::uint64_t>(transient) + static_cast<std::uint64_t>(sampled));
   }
   const auto side_by_side = 6 * static_cast<std::uint64_t>(lanes::available_kernels().back().lanes) + 2;
   return longest * a_point * std::min(realisations, threads * side_by_side);

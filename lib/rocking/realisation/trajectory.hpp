@@ -88,6 +88,8 @@ struct Trajectory {
   std::uint64_t contradictions = 0;       ///< instants at which neither sticking nor slipping agrees with the equations
   EnergyAccount energy;
   Termination termination = Termination::reached_horizon;
+  /// What a run calls this realisation; absent if it was followed for another number of periods than that of its horizon.
+  std::optional<section::Classification> label = std::nullopt;
 };
 
 /// Units of the states and times in which a trajectory is written: Theta, Theta', X, V and tau; or rad, rad/s, m, m/s and s, for

@@ -258,13 +258,6 @@ struct Until {
   friend bool operator==(const Until&, const Until&) = default;
 };
 
-/// Some realisations are classified again by a longer run, whose result is taken as the true response mode.
-struct LabelCheck {
-  std::uint64_t every = 20;         ///< every N-th realisation is checked; at least 1
-  std::uint64_t times_longer = 20;  ///< sampled periods of the longer run over those of the shorter one; at least 2
-  friend bool operator==(const LabelCheck&, const LabelCheck&) = default;
-};
-
 /// One point of the sweep.
 struct Condition {
   std::vector<Parameter> parameters;
@@ -274,7 +267,6 @@ struct Condition {
   std::uint64_t rerun_every = 10;  ///< every N-th realisation is rerun at a tighter tolerance; 0: none
   std::uint64_t realisations = 1;  ///< > 0; with `until` the largest number
   std::optional<Until> until;
-  std::optional<LabelCheck> label_check;  ///< absent: none
   double confidence = 0.95;
   /// The first 64 bits of the SHA-256 of the record, where it is of a suite: records have independent random numbers.
   std::uint64_t record_stream = 0;

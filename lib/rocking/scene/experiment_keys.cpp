@@ -387,12 +387,6 @@ void keys_of_realisations(FieldVisitor& in, Condition& condition) {
   in.value_or_object({"realisations", "of each condition"}, condition.until.has_value(), number, goal);
 }
 
-void keys_of(FieldVisitor& in, LabelCheck& check) {
-  in.value({"every", "every N-th realisation"}, check.every, rules::check_every, Absent::standard);
-  in.value({"times_longer", "sampled periods of the longer run, in those of the shorter one"}, check.times_longer,
-           rules::times_longer, Absent::standard);
-}
-
 }  // namespace
 
 void keys_of(FieldVisitor& in, UnsweptExperiment& question, RecordFields& records) {
@@ -413,11 +407,6 @@ void keys_of(FieldVisitor& in, UnsweptExperiment& question, RecordFields& record
   in.field({"unknown", "one to three numbers that counted tests are to determine; of `rocking infer` alone"},
            unknown_type(), nullptr, Absent::omitted);
   keys_of_realisations(in, condition);
-  in.optional("check_labels", condition.label_check, [&](LabelCheck& check) {
-    in.object({"check_labels",
-               "some realisations are classified again by a longer run, to correct the probabilities; not with until"},
-              Absent::omitted, [&](FieldVisitor& keys) { keys_of(keys, check); });
-  });
   in.value({"confidence", "level of the intervals"}, condition.confidence, rules::confidence, Absent::standard);
   in.value({"seed", "64 bits: \"0x2012\", \"8210\" or 8210"}, question.seed, written_seed_type(), Absent::standard);
 }

@@ -270,20 +270,6 @@ std::optional<Refusal> until_classified_too_short(const Condition& condition) {
                  "give at least " + std::to_string(fixed + horizon.sampled_periods) + ", one window more"};
 }
 
-std::optional<Refusal> label_check_of_open_number(const Condition& condition) {
-  if (!condition.label_check || !condition.until) return std::nullopt;
-  return Refusal{"has no valid correction if the data determine the number of realisations",
-                 "give a number of realisations"};
-}
-
-std::optional<Refusal> label_check_too_long(const Condition& condition) {
-  if (!condition.label_check) return std::nullopt;
-  const std::int64_t longer =
-      std::int64_t{condition.horizon.sampled_periods} * static_cast<std::int64_t>(condition.label_check->times_longer);
-  if (longer <= rules::sampled_periods.high) return std::nullopt;
-  return Refusal{"would sample " + std::to_string(longer) + " periods", "lower \"times_longer\""};
-}
-
 std::string no_value(const Condition&) { return ""; }
 
 struct Relation {
@@ -326,7 +312,7 @@ constexpr Relation frequency_of_block{
     }};
 
 /// In the order in which the problems of a file are reported.
-constexpr std::array<Relation, 34> all_relations{{
+constexpr auto all_relations = std::to_array<Relation>({
     {"/block", {"/block"}, impossible_body, no_value},
     {"/restitution", {"/block", "/restitution", "/formulation"}, jy25_of_no_rectangle, no_value},
     {"/slide_inertia", {"/block", "/slide_inertia", "/formulation"}, slide_inertia_of_no_rectangle, no_value},
@@ -355,8 +341,6 @@ constexpr std::array<Relation, 34> all_relations{{
     {"/fluctuation/amplitude/law", {"/excitation", "/fluctuation/amplitude"}, lognormal_amplitude, no_value},
     {"/realisations/until", {"/realisations"}, relations::one_half_width, no_value},
     {"/realisations/until/mode", {"/realisations"}, relations::relative_half_width_of_every_mode, no_value},
-    {"/check_labels", {}, label_check_of_open_number, no_value},
-    {"/check_labels", {"/horizon/sampled_periods", "/check_labels/times_longer"}, label_check_too_long, no_value},
     {"/horizon/until_classified", {"/excitation"}, until_classified_without_period, no_value},
     {"/horizon/until_classified/at_most_periods",
      {"/horizon"},
@@ -404,7 +388,7 @@ constexpr std::array<Relation, 34> all_relations{{
      no_value},
     rate_ratio_of_block<0>,
     rate_ratio_of_block<1>,
-}};
+});
 
 /// Whether a problem of what stands at `place`, or within it, is told.
 bool is_reported(const Problems& problems, std::string_view place) {

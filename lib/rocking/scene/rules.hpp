@@ -102,8 +102,6 @@ inline constexpr NumberRule tolerance{
     .bounds = {.least = 1e-16, .most = 1e-2}, .demand = "must be a number from 1e-16 to 1e-2", .example = "1e-13"};
 inline constexpr IntegerRule rerun_every{.low = 0, .high = 1'000'000'000, .example = 10};
 inline constexpr IntegerRule realisations{.low = 1, .high = 1'000'000'000, .example = 1};
-inline constexpr IntegerRule check_every{.low = 1, .high = 1'000'000'000, .example = 20};
-inline constexpr IntegerRule times_longer{.low = 2, .high = 1'000, .example = 20};
 inline constexpr IntegerRule at_most{.low = 1, .high = 1'000'000'000, .example = 1000};
 inline constexpr NumberRule half_width{
     .bounds = {.least = 1e-4, .below = 0.5},

@@ -26,7 +26,6 @@ Summary summary_at_fixed_horizon(const RealisationResult& result, std::uint64_t 
           .diverged_from_next = std::nullopt,
           .rerun_mode = std::nullopt,
           .rerun_diverged = std::nullopt,
-          .long_mode = std::nullopt,
           .operations = result.operations,
           .clamps = result.clamps,
           .left_ground_before_fall = result.losses_before_fall > 0,

@@ -33,8 +33,6 @@ struct Summary {
   /// For a realisation that was rerun at a tighter tolerance: its mode there, and the period in which the two diverged.
   std::optional<section::ResponseMode> rerun_mode;
   std::optional<std::int64_t> rerun_diverged;
-  /// For a realisation whose label was checked: its mode in the longer run.
-  std::optional<section::ResponseMode> long_mode;
   OperationCounts operations;
   Clamps clamps;
   /// Whether contact was lost before a final fall (dynamics::BlockMotion::losses_before_fall).
@@ -56,7 +54,7 @@ struct Summary {
 [[nodiscard]] Summary summarise(const RealisationResult& result, std::uint64_t realisation);
 
 /// Number of the layout of a store. A new or renamed field of a row needs the next one.
-inline constexpr std::int64_t current_layout = 9;
+inline constexpr std::int64_t current_layout = 10;
 
 /// Calls visit(name, field) for every field of a summary, in a fixed order. These fields make up a stored row.
 template <class SomeSummary, class Visit>
@@ -77,7 +75,6 @@ void for_each_field(SomeSummary& summary, Visit&& visit) {
   visit("diverged_from_next", summary.diverged_from_next);
   visit("rerun_mode", summary.rerun_mode);
   visit("rerun_diverged", summary.rerun_diverged);
-  visit("long_mode", summary.long_mode);
   auto& operations = summary.operations;
   visit("steps", operations.steps);
   visit("slip_steps", operations.slip_steps);

@@ -20,8 +20,10 @@
 #include <gtest/gtest.h>
 
 #include "rocking/pages.hpp"
+#include "rocking/realisation/realisation_result.hpp"
 #include "rocking/store/store.hpp"
 #include "rocking/text/files.hpp"
+#include "rocking/text/json.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace rocking {
@@ -29,6 +31,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 class Interface : public ::testing::Test {
  protected:
@@ -343,6 +346,11 @@ TEST_F(Interface, WritesTrajectoriesPagesAndFigures) {
   const TrajectoryRequest request{.realisation = 2, .samples_per_period = 4};
   const std::string text = trajectory_text(request, trajectory(experiment, request));
   EXPECT_THAT(trajectory_csv(request, trajectory(experiment, request), TrajectoryUnits::si), HasSubstr("tilt_rad"));
+  const auto label = realise(experiment.conditions[0], experiment.seed, 2).classification;
+  EXPECT_EQ(Json::parse(text)["mode"], to_string(label.mode)) << "what a run calls it";
+  EXPECT_EQ(Json::parse(text)["reason"], section::to_string(*label.reason));
+  const auto part = trajectory(experiment, {.realisation = 2, .periods = 3});
+  EXPECT_THAT(trajectory_text(request, part), Not(HasSubstr("\"mode\"")));
   const auto drawn = draw({{.name = "motion", .text = text}}, in("drawn"));
   for (const auto& written : {write_page(stored, in("page.html")),
                               write_figures(stored, in("figures"), {.pictures = {"svg", "png", "pdf", "gp"}}),

@@ -175,9 +175,7 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"/realisations", R"json({"until": {"half_width": 0.1, "mode": "(1,0)", "at_most": 9}})json",
               "/realisations/until/mode", "not the name of a response mode", "(1,3)"},
         Fault{"/realisations", R"({"until": {"half_width": 0.1, "mode": 7, "at_most": 9}})", "/realisations/until/mode",
-              "not the name of a response mode", "(1,3)"},
-        Fault{"/check_labels", R"({"times_longer": 1})", "/check_labels/times_longer", "from 2", ""},
-        Fault{"/check_labels", R"({"every": 0})", "/check_labels/every", "from 1", ""}));
+              "not the name of a response mode", "(1,3)"}));
 
 TEST(BadExperiment, NeedsAModeForARelativeHalfWidth) {
   const auto problems = problems_of(
@@ -201,19 +199,20 @@ TEST(BadExperiment, IsToldInAllItsFaultsAtOnce) {
 TEST(BadExperiment, IsToldOfEachRelationOnce) {
   Json document = without(example_experiment(), "sweep");
   document["realisations"] = Json::parse(R"({"until": {"half_width": 0.1, "at_most": 9}})");
-  document["check_labels"] = Json::parse(R"({"every": 2, "times_longer": 1000})");
   document["horizon"] =
       Json::parse(R"({"transient_periods": 10, "sampled_periods": 1001, "until_classified": {"at_most_periods": 50}})");
   document["excitation"] = Json::parse(R"({"kind": "pulse", "shape": "sine", "amplitude": 3, "frequency_ratio": 3})");
+  document["friction"] = Json::parse(R"({"static": 0.2, "kinetic": 0.3})");
+  document["initial"] = Json::parse(R"({"tilt": 8})");
   const auto problems = problems_of(document);
   const auto told = [&problems](const std::string& place, const std::string& reason) {
     return std::ranges::count_if(problems, [&](const base::Problem& problem) {
       return problem.place == place && problem.reason.find(reason) != std::string::npos;
     });
   };
-  EXPECT_EQ(told("/check_labels", "has no valid correction"), 1);
-  EXPECT_EQ(told("/check_labels", "would sample 1001000 periods"), 1);
   EXPECT_EQ(told("/horizon/until_classified", "of a periodic excitation"), 1);
+  EXPECT_EQ(told("/friction/static", "is below"), 1);
+  EXPECT_EQ(told("/initial/tilt", "overturned"), 1);
   EXPECT_EQ(problems.size(), 3U);
 }
 

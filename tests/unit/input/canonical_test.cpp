@@ -1,5 +1,6 @@
 // The experiment with all defaults: equal for equal experiments, and complete.
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "rocking/input/read_experiment.hpp"
@@ -28,7 +29,6 @@ TEST(CanonicalText, IsItsOwnCanonicalText) {
        with(least_experiment(), "/realisations", R"({"until": {"at_most": 900, "half_width": 2e-2}})"),
        with(least_experiment(), "/realisations",
             R"json({"until": {"at_most": 900, "mode": "(1,3)", "relative_half_width": 0.1}})json"),
-       with(least_experiment(), "/check_labels", R"({"every": 5})"),
        with(least_experiment(), "/initial/tilt", R"({"normal": {"mean": 0.1, "sigma": 0.01}})")}) {
     const std::string once = canonical(document);
     EXPECT_EQ(canonical(Json::parse(once)), once);
@@ -55,29 +55,17 @@ TEST(CanonicalText, WritesEveryDefaultOut) {
       R"("accuracy":{"tolerance":1e-13,"rerun_every":10},"realisations":1,"confidence":0.95,"seed":"0x0"})");
 }
 
-TEST(CanonicalText, GivesAFormerKeyItsPresentName) {
-  const Json present = with(least_experiment(), "/accuracy/rerun_every", "3");
-  EXPECT_EQ(canonical(with(least_experiment(), "/accuracy/repeat_every", "3")), canonical(present));
-  const auto swept = [](const char* place) {
-    return canonical(
-        with(least_experiment(), "/sweep", R"([{"parameter": ")" + std::string(place) + R"(", "values": [1, 2]}])"));
-  };
-  EXPECT_EQ(swept("/accuracy/repeat_every"), swept("/accuracy/rerun_every"));
-}
-
-TEST(FormerKey, IsNamedAsItIsWritten) {
-  const auto place_of_problem = [](const Json& document) {
+TEST(GoneKey, IsRefusedWithWhatToDoInstead) {
+  const auto remedy_of = [](const Json& document) {
     try {
       (void)experiment_in(document.dump());
     } catch (const base::InputError& error) {
-      return error.problems().at(0).place;
+      return error.problems().at(0).remedy;
     }
     return std::string("none");
   };
-  EXPECT_EQ(place_of_problem(with(least_experiment(), "/accuracy/repeat_every", "-1")), "/accuracy/repeat_every");
-  EXPECT_EQ(place_of_problem(with(least_experiment(), "/accuracy/rerun_every", "-1")), "/accuracy/rerun_every");
-  const Json both = with(with(least_experiment(), "/accuracy/rerun_every", "3"), "/accuracy/repeat_every", "3");
-  EXPECT_EQ(place_of_problem(both), "/accuracy/repeat_every") << "an unknown key";
+  EXPECT_THAT(remedy_of(with(least_experiment(), "/accuracy/repeat_every", "3")), testing::HasSubstr("rerun_every"));
+  EXPECT_THAT(remedy_of(with(least_experiment(), "/check_labels", R"({"every": 2})")), testing::HasSubstr("backed_by"));
 }
 
 TEST(CanonicalText, NamesTheOptionsOfAFormulation) {

@@ -212,7 +212,7 @@ const std::vector<std::string> with_every_number{
         "initial": {"tilt": 0.1, "tilt_rate": 0.2, "slip_rate": 0.3},
         "horizon": {"until_classified": {"at_most_periods": 10000, "held_windows": 3, "watch_windows": 4,
                                          "long_run_every": 5, "exponent_pause": 6}},
-        "realisations": 10, "check_labels": {"every": 2, "times_longer": 3}})",
+        "realisations": 10})",
     R"({"block": {"width_m": {"uniform": [0.9, 1.1]}, "height_m": 4.0, "gravity_m_s2": 9.7},
         "restitution": {"rate_ratio": 0.9}, "excitation": {"amplitude_g": 1.2, "frequency_hz": 3.0},
         "friction": {"static": 0.35, "kinetic": {"ratio": 0.8}},

@@ -240,6 +240,7 @@ TEST(Trajectory, IsReadAsItWasWritten) {
   trajectory.history.push_back({0.5, 0.1, 0.2, 0.3, 0.4, dynamics::ContactState::rest, 0.0});
   trajectory.samples_per_period = 1;
   trajectory.first_loss_of_contact = 0.125;
+  trajectory.label = {.mode = section::periodic(1, 3), .reason = section::Reason::stable_orbit};
   for (const TrajectoryUnits units : {TrajectoryUnits::normalised, TrajectoryUnits::si}) {
     const std::string text = trajectory_document().text(trajectory_report({}, trajectory, units));
     EXPECT_EQ(objections("trajectory", text), "");

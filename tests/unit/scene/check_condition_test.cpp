@@ -37,7 +37,7 @@ Json full_document() {
                      "restitution": { "sigma": 0.01 }, "amplitude": { "sigma": 0.2 } },
     "initial": { "tilt": 0.1, "tilt_rate": 0.2, "slip_rate": 0.3 },
     "horizon": { "transient_periods": 2, "sampled_periods": 100 }, "accuracy": { "tolerance": 1e-10, "rerun_every": 5 },
-    "realisations": 3, "check_labels": { "every": 2, "times_longer": 20 }, "confidence": 0.95 })");
+    "realisations": 3, "confidence": 0.95 })");
 }
 
 Json recorded_document() {
@@ -146,36 +146,33 @@ INSTANTIATE_TEST_SUITE_P(
 
 INSTANTIATE_TEST_SUITE_P(
     NumbersOfTheRun, HarmonicChange,
-    ::testing::Values(
-        number("/horizon/transient_periods", "-1", [](auto& c) { c.horizon.transient_periods = -1; }),
-        number("/horizon/sampled_periods", "0", [](auto& c) { c.horizon.sampled_periods = 0; }),
-        number("/accuracy/tolerance", "1e-17", [](auto& c) { c.tolerance = 1e-17; }),
-        number("/accuracy/tolerance", "0.1", [](auto& c) { c.tolerance = 0.1; }),
-        number("/accuracy/rerun_every", "1000000001", [](auto& c) { c.rerun_every = 1'000'000'001; }),
-        number("/realisations", "0", [](auto& c) { c.realisations = 0; }),
-        number("/check_labels/every", "0", [](auto& c) { c.label_check->every = 0; }),
-        number("/check_labels/times_longer", "1", [](auto& c) { c.label_check->times_longer = 1; }),
-        number("/confidence", "1", [](auto& c) { c.confidence = 1; }),
-        Change{{{"/realisations", R"({"until": {"half_width": 0.5, "at_most": 9}})"}, {"/check_labels", ""}},
-               [](auto& c) { c.realisations = 9, c.until = Until{0.5}, c.label_check.reset(); },
-               {"/realisations/until/half_width"}},
-        Change{{{"/realisations", R"({"until": {"half_width": 0.1, "at_most": 0}})"}, {"/check_labels", ""}},
-               [](auto& c) { c.realisations = 0, c.until = Until{0.1}, c.label_check.reset(); },
-               {"/realisations/until/at_most"}},
-        Change{{{"/realisations", R"({"until": {"relative_half_width": 1, "mode": "rest", "at_most": 9}})"},
-                {"/check_labels", ""}},
-               [](auto& c) {
-                 c.realisations = 9, c.label_check.reset();
-                 c.until =
-                     Until{.relative_half_width = 1.0, .mode = section::ResponseMode{section::ResponseKind::rest}};
-               },
-               {"/realisations/until/relative_half_width"}},
-        Change{{{"/realisations", R"({"until": {"at_most": 9}})"}, {"/check_labels", ""}},
-               [](auto& c) { c.realisations = 9, c.until = Until{}, c.label_check.reset(); },
-               {"/realisations/until"}},
-        Change{{{"/realisations", R"({"until": {"relative_half_width": 0.1, "at_most": 9}})"}, {"/check_labels", ""}},
-               [](auto& c) { c.realisations = 9, c.until = Until{.relative_half_width = 0.1}, c.label_check.reset(); },
-               {"/realisations/until/mode"}}));
+    ::testing::Values(number("/horizon/transient_periods", "-1", [](auto& c) { c.horizon.transient_periods = -1; }),
+                      number("/horizon/sampled_periods", "0", [](auto& c) { c.horizon.sampled_periods = 0; }),
+                      number("/accuracy/tolerance", "1e-17", [](auto& c) { c.tolerance = 1e-17; }),
+                      number("/accuracy/tolerance", "0.1", [](auto& c) { c.tolerance = 0.1; }),
+                      number("/accuracy/rerun_every", "1000000001", [](auto& c) { c.rerun_every = 1'000'000'001; }),
+                      number("/realisations", "0", [](auto& c) { c.realisations = 0; }),
+                      number("/confidence", "1", [](auto& c) { c.confidence = 1; }),
+                      Change{{{"/realisations", R"({"until": {"half_width": 0.5, "at_most": 9}})"}},
+                             [](auto& c) { c.realisations = 9, c.until = Until{0.5}; },
+                             {"/realisations/until/half_width"}},
+                      Change{{{"/realisations", R"({"until": {"half_width": 0.1, "at_most": 0}})"}},
+                             [](auto& c) { c.realisations = 0, c.until = Until{0.1}; },
+                             {"/realisations/until/at_most"}},
+                      Change{
+                          {{"/realisations", R"({"until": {"relative_half_width": 1, "mode": "rest", "at_most": 9}})"}},
+                          [](auto& c) {
+                            c.realisations = 9;
+                            c.until = Until{.relative_half_width = 1.0,
+                                            .mode = section::ResponseMode{section::ResponseKind::rest}};
+                          },
+                          {"/realisations/until/relative_half_width"}},
+                      Change{{{"/realisations", R"({"until": {"at_most": 9}})"}},
+                             [](auto& c) { c.realisations = 9, c.until = Until{}; },
+                             {"/realisations/until"}},
+                      Change{{{"/realisations", R"({"until": {"relative_half_width": 0.1, "at_most": 9}})"}},
+                             [](auto& c) { c.realisations = 9, c.until = Until{.relative_half_width = 0.1}; },
+                             {"/realisations/until/mode"}}));
 
 INSTANTIATE_TEST_SUITE_P(
     Laws, HarmonicChange,
@@ -235,13 +232,7 @@ INSTANTIATE_TEST_SUITE_P(
                              {"/initial/tilt"}},
                       Change{{{"/friction", ""}},
                              [](auto& c) { c.scene.friction.reset(); },
-                             {"/fluctuation/static_friction", "/fluctuation/kinetic_friction", "/initial/slip_rate"}},
-                      Change{{{"/realisations", R"({"until": {"half_width": 0.1, "at_most": 9}})"}},
-                             [](auto& c) { c.realisations = 9, c.until = Until{0.1}; },
-                             {"/check_labels"}},
-                      Change{{{"/check_labels/times_longer", "1000"}, {"/horizon/sampled_periods", "1001"}},
-                             [](auto& c) { c.label_check->times_longer = 1000, c.horizon.sampled_periods = 1001; },
-                             {"/check_labels"}}));
+                             {"/fluctuation/static_friction", "/fluctuation/kinetic_friction", "/initial/slip_rate"}}));
 
 /// Physical units in place of A_h, Omega_h and e, of the same file.
 Json physical_document() {

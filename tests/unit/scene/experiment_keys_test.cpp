@@ -79,7 +79,6 @@ TEST(AFileThatSaysTheLeast, GivesTheDefaultsOfTheStructs) {
   EXPECT_EQ(condition.tolerance, standard.tolerance);
   EXPECT_EQ(condition.rerun_every, standard.rerun_every);
   EXPECT_EQ(condition.realisations, standard.realisations);
-  EXPECT_EQ(condition.label_check.has_value(), standard.label_check.has_value());
   EXPECT_EQ(condition.confidence, standard.confidence);
 }
 

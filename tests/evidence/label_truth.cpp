@@ -1,15 +1,18 @@
-// Labels of random scenes in which nothing is random along the way, beside where the motion goes in 20 000 periods and more.
-// The table is in reports/evidence/classification-evidence.md.
+// Labels of random scenes in which nothing is random along the way, beside where the motion goes. The table is in
+// reports/evidence/classification-evidence.md; tests/reference/labels.csv keeps the truth of some.
 //
-//     label_truth SEED SCENES [FIRST]
+//     label_truth SEED SCENES [FIRST] [--list]
 //
-// The truth does not share the classifier: the smallest number of periods after which all of the last points repeat to 1e-9,
-// after 20 000, 40 000 or 80 000 periods; chaotic, quasi-periodic and longer periods are "no period up to 12".
+// The truth does not share the classifier. Without sliding it is that of a program in long double which shares nothing with
+// the library (support/long_double_motion.hpp), from the last point of the labelled window. With sliding it is the
+// smallest number of periods after which the last points repeat to 1e-9, and after none of its divisors to 1e-6, after 20 000,
+// 40 000 or 80 000 periods.
+// --list: prints the truth of each scene alone.
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <exception>
 #include <map>
 #include <optional>
@@ -21,68 +24,99 @@
 #include "rocking/realisation/start.hpp"
 #include "rocking/realisation/strobe_recorder.hpp"
 #include "rocking/text/json.hpp"
-#include "support/split_mix.hpp"
+#include "support/labelled_scenes.hpp"
+#include "support/long_double_motion.hpp"
 
 namespace rocking::evidence {
 namespace {
 
-using section::ResponseKind;
-using support::SplitMix;
+using support::LongDoubleMotion;
+using support::OrbitInTheEnd;
 
-Json block_of(SplitMix& draw) {
-  const double height = draw.uniform(2.0, 12.0);
-  if (draw.below(4) != 0) return {{"width_m", 1.0}, {"height_m", height}};
-  const double left = draw.uniform(0.35, 0.65);
-  return {{"edges_m", {left, 1.0 - left}}, {"centre_height_m", 0.5 * height}, {"radius_of_gyration_m", 0.32 * height}};
-}
+constexpr int longest_period = 12;
 
-/// Half of the scenes lose energy as Housner's block does, half less, down to a ratio of the rates of 0.995.
-std::string scene_of(SplitMix& draw) {
-  Json scene{{"format", "rocking.experiment/1"}, {"title", "a random scene"}, {"realisations", 1}};
-  scene["block"] = block_of(draw);
-  const double amplitude = std::exp(draw.uniform(0.0, 2.2));
-  scene["excitation"] = {{"kind", "harmonic"}, {"amplitude", amplitude}, {"frequency_ratio", draw.uniform(3.0, 20.0)}};
-  scene["accuracy"] = {{"tolerance", 1e-12}};
-  scene["initial"] = {{"tilt", draw.uniform(-0.6, 0.6)}, {"tilt_rate", draw.uniform(-0.5, 0.5)}};
-  const double height = scene["block"].value("height_m", 6.0);
-  const double of_housner = 1.0 - 1.5 / (1.0 + height * height);
-  if (draw.below(2) == 0) scene["restitution"] = {{"rate_ratio", draw.uniform(std::min(of_housner, 0.98), 0.995)}};
-  const double friction = draw.uniform(0.15, 0.6);
-  if (draw.below(3) == 0) scene["friction"] = {{"static", friction}, {"kinetic", 0.85 * friction}};
-  return scene.dump();
-}
-
-/// Where a motion is after so many periods: the smallest n after which its last points repeat; 0: none up to 12.
-struct End {
-  int period = 0;
-  int impacts = 0;  ///< in n periods
-  bool moved = false;
-  bool overturned = false;
+/// The block of a scene by model.md, 1 and 11, from the numbers of its file.
+struct Shape {
+  std::array<long double, 2> psi;  ///< of the left and the right edge
+  LongDoubleMotion motion;
 };
 
-End end_of(const Condition& condition) {
-  const random::Draws draws(1, 0);
-  const Start start = start_of(condition.scene, draws);
-  const Beginning beginning = begin_realisation(condition, draws, start, Strobe::poincare, 1);
-  StrobeRecorder recorder(beginning.setting.block, 20'000);
-  Motion motion = motion_of(condition.scene, beginning, recorder);
-  End end;
+Shape shape_of(const Json& scene) {
+  const Json& block = scene["block"];
+  std::array<long double, 2> b{};
+  long double h = 0.0L, k2 = 0.0L;
+  if (block.contains("edges_m")) {
+    b = {block["edges_m"][0].get<double>(), block["edges_m"][1].get<double>()};
+    h = block["centre_height_m"].get<double>();
+    k2 = static_cast<long double>(block["radius_of_gyration_m"].get<double>());
+    k2 *= k2;
+  } else {
+    b.fill(0.5L * block["width_m"].get<double>());
+    h = 0.5L * block["height_m"].get<double>();
+    k2 = (b[0] * b[0] + h * h) / 3.0L;
+  }
+  const long double mean = 0.5L * (b[0] + b[1]);
+  const long double r2 = mean * mean + h * h;
+  const long double inertia = k2 / r2;
+  std::array<LongDoubleMotion::Edge, 2> edges{};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const long double lever2 = (b[i] * b[i] + h * h) / r2;
+    edges[i].psi = std::atan(b[i] / h);
+    edges[i].factor = (1.0L + inertia) / (inertia + lever2) * std::sqrt(lever2);
+    edges[i].ratio = scene.contains("restitution")
+                         ? static_cast<long double>(scene["restitution"]["rate_ratio"].get<double>())
+                         : (inertia + (h * h - b[0] * b[1]) / r2) / (inertia + lever2);
+  }
+  const long double peak = scene["excitation"]["amplitude"].get<double>() * std::min(edges[0].psi, edges[1].psi);
+  const long double frequency = scene["excitation"]["frequency_ratio"].get<double>();
+  return {{edges[0].psi, edges[1].psi}, LongDoubleMotion(edges[0], edges[1], peak, frequency)};
+}
+
+/// The motion of the library, from its start on.
+class LongRun {
+ public:
+  explicit LongRun(const Condition& condition)
+      : draws_(1, 0),
+        beginning_(begin_realisation(condition, draws_, start_of(condition.scene, draws_), Strobe::poincare, 1)),
+        recorder_(beginning_.setting.block, 20'000),
+        motion_(motion_of(condition.scene, beginning_, recorder_)) {}
+
+  /// So many periods more; false if it ended before.
+  bool extend(std::int64_t periods) {
+    recorder_.forget();
+    motion_.extend(periods);
+    integrate::advance(motion_);
+    return motion_.termination() == dynamics::Termination::reached_horizon;
+  }
+  [[nodiscard]] bool overturned() const { return motion_.termination() == dynamics::Termination::overturned; }
+  [[nodiscard]] const auto& periods() const { return recorder_.periods(); }
+
+ private:
+  random::Draws draws_;
+  Beginning beginning_;
+  StrobeRecorder recorder_;
+  Motion motion_;
+};
+
+OrbitInTheEnd end_with_sliding(const Condition& condition) {
+  LongRun run(condition);
   for (const int periods : {20'000, 20'000, 40'000}) {
-    recorder.forget();
-    motion.extend(periods);
-    integrate::advance(motion);
-    if (motion.termination() != dynamics::Termination::reached_horizon) {
-      end.overturned = motion.termination() == dynamics::Termination::overturned;
-      return end;
-    }
-    const auto& all = recorder.periods();
-    for (std::size_t n = 1; n <= 12; ++n) {
+    if (!run.extend(periods)) return {.overturned = run.overturned()};
+    const auto& all = run.periods();
+    const auto difference = [&all](std::size_t n) {
       double largest = 0.0;
       for (std::size_t k = all.size() - 60; k < all.size(); ++k) {
         largest = std::max(largest, section::distance(all[k].point, all[k - n].point));
       }
-      if (largest > 1e-9) continue;
-      end.period = static_cast<int>(n);
+      return largest;
+    };
+    for (std::size_t n = 1; n <= 5 * longest_period; ++n) {
+      bool is_none = difference(n) > 1e-9;
+      for (std::size_t divisor = 1; divisor < n; ++divisor) {
+        is_none = is_none || (n % divisor == 0 && difference(divisor) < 1e-6);
+      }
+      if (is_none) continue;
+      OrbitInTheEnd end{.period = static_cast<int>(n)};
       for (std::size_t k = all.size() - n; k < all.size(); ++k) {
         end.impacts += all[k].impacts;
         end.moved = end.moved || all[k].moved;
@@ -90,51 +124,78 @@ End end_of(const Condition& condition) {
       return end;
     }
   }
-  return end;
+  return {};
 }
 
-std::string name_of(const End& end) {
+/// Where the motion goes that the library followed for so many periods.
+OrbitInTheEnd end_without_sliding(const Json& scene, const Condition& condition, std::int64_t periods) {
+  LongRun run(condition);
+  if (!run.extend(periods)) return {.overturned = run.overturned()};
+  const section::StrobePoint last = run.periods().back().point;
+  const Shape shape = shape_of(scene);
+  const bool left = last.tilt > 0.0 || (last.tilt == 0.0 && last.tilt_rate > 0.0);
+  const long double psi = shape.psi[left ? 0 : 1];
+  return support::EndOfMotion(shape.motion, {last.tilt * psi, last.tilt_rate * psi}).found(20'000, longest_period);
+}
+
+/// `label` gives the impacts of an orbit that rests in between: the chatter before has any number of them.
+std::string name_of(const OrbitInTheEnd& end, const section::ResponseMode& label) {
   if (end.overturned) return "overturned";
   if (end.period == 0) return "none";
   if (!end.moved) return "rest";
+  if (end.rests && label.kind == section::ResponseKind::periodic && label.periods == end.period)
+    return to_string(label);
   return to_string(section::periodic((end.impacts + 1) / 2, end.period));
 }
 
-/// Whether a label and the truth agree; absent where the motion has no period up to 12, or the label is none.
-std::string verdict(const section::ResponseMode& label, const std::string& truth) {
-  if (label.kind == ResponseKind::unresolved) return "unresolved";
-  const bool is_aperiodic = label.kind == ResponseKind::chaotic || label.kind == ResponseKind::quasi_periodic;
-  if (is_aperiodic) return truth == "none" ? "right" : "wrong: " + to_string(label) + ", truth " + truth;
-  return to_string(label) == truth ? "right" : "wrong: " + to_string(label) + ", truth " + truth;
+struct Answer {
+  section::Classification found;
+  std::string truth;
+  int period;  ///< of the truth
+};
+
+Answer answer_to(const Json& scene, const Condition& condition, std::uint64_t seed) {
+  const RealisationResult result = realise(condition, seed, 0);
+  const std::int64_t periods = result.settling
+                                   ? result.settling->observed_periods
+                                   : condition.horizon.transient_periods + condition.horizon.sampled_periods;
+  const OrbitInTheEnd end =
+      condition.scene.friction ? end_with_sliding(condition) : end_without_sliding(scene, condition, periods);
+  return {result.classification, name_of(end, result.classification.mode), end.period};
 }
 
-void run(std::uint64_t seed, int scenes, int first) {
+void run(std::uint64_t seed, int scenes, int first, bool lists) {
   std::map<std::string, std::map<std::string, int>> counts;
+  if (lists) std::printf("scene;truth at the default horizon;truth until classified\n");
   for (int i = first; i < first + scenes; ++i) {
-    SplitMix draw(seed * 1'000'003ULL + static_cast<std::uint64_t>(i));
-    const std::string text = scene_of(draw);
+    const Json scene = support::labelled_scene(seed, i);
     std::optional<Experiment> experiment;
     try {
-      experiment = parse_experiment(text);
+      experiment = parse_experiment(scene.dump());
     } catch (const std::exception& error) {
       ++counts["refused"]["all"];
-      if (counts["refused"]["all"] == 1) std::fprintf(stderr, "%s\n%s\n", text.c_str(), error.what());
       continue;
     }
     Condition condition = experiment->conditions.front();
-    const std::string truth = name_of(end_of(condition));
-    const auto at_horizon = realise(condition, experiment->seed, 0).classification;
-    condition.horizon.until_classified = UntilClassified{.at_most_periods = 20'000};
-    const auto until = realise(condition, experiment->seed, 0).classification;
-    const std::string kind = truth.front() == '(' ? "periodic" : truth;
-    for (const auto& [name, label] : {std::pair{"default", at_horizon}, std::pair{"until", until}}) {
-      const std::string found = verdict(label.mode, truth);
-      ++counts[std::string(name) + " " + kind][found.substr(0, found.find(':'))];
-      const auto reason = label.reason ? section::to_string(*label.reason) : "";
-      if (found != "right") {
-        std::printf("%d %s %s %.*s\n", i, name, found.c_str(), static_cast<int>(reason.size()), reason.data());
-        if (found.starts_with("wrong")) std::printf("    %s\n", text.c_str());
+    for (const bool until : {false, true}) {
+      if (until) condition.horizon.until_classified = UntilClassified{.at_most_periods = 20'000};
+      const Answer answer = answer_to(scene, condition, experiment->seed);
+      if (lists) {
+        if (!until) std::printf("%d", i);
+        std::printf(";%s%s", answer.truth.c_str(), until ? "\n" : "");
+        continue;
       }
+      const std::string verdict = support::verdict_on(answer.found.mode, answer.truth);
+      const std::string kind = answer.period > longest_period ? "longer period"
+                               : answer.truth.front() == '('  ? "periodic"
+                                                              : answer.truth;
+      ++counts[std::string(until ? "until " : "default ") + kind][verdict.substr(0, verdict.find(':'))];
+      if (verdict == "right") continue;
+      const std::string reason(answer.found.reason ? section::to_string(*answer.found.reason) : "");
+      std::printf("%d %s %s %s, truth %s\n", i, until ? "until" : "default", verdict.c_str(), reason.c_str(),
+                  answer.truth.c_str());
+      if (verdict.starts_with("wrong")) std::printf("    %s\n", scene.dump().c_str());
+      std::fflush(stdout);
     }
   }
   for (const auto& [name, verdicts] : counts) {
@@ -148,6 +209,9 @@ void run(std::uint64_t seed, int scenes, int first) {
 }  // namespace rocking::evidence
 
 int main(int argc, char** argv) {
+  const bool lists = argc > 3 && std::strcmp(argv[argc - 1], "--list") == 0;
+  if (lists) --argc;
   if (argc < 3) return 64;
-  rocking::evidence::run(std::strtoull(argv[1], nullptr, 0), std::atoi(argv[2]), argc > 3 ? std::atoi(argv[3]) : 0);
+  rocking::evidence::run(std::strtoull(argv[1], nullptr, 0), std::atoi(argv[2]), argc > 3 ? std::atoi(argv[3]) : 0,
+                         lists);
 }

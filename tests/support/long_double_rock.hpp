@@ -6,8 +6,8 @@
 
 namespace rocking::support {
 
-/// A block rocking about its left edge on a harmonic base, in long double: theta'' = -sin(phi) + alpha cos(phi) with
-/// phi = psi - theta and alpha = peak sin(frequency tau + phase), by Taylor steps of fixed length. The truncation error
+/// A block rocking about its left edge on a harmonic base, in long double: theta'' = factor (-sin(phi) + alpha cos(phi))
+/// with phi = psi - theta and alpha = peak sin(frequency tau + phase), by Taylor series. Over a `step` the truncation error
 /// is below 1e-25, the rounding 2000 times smaller than that of a double. There are no events: theta may fall below 0.
 struct LongDoubleRock {
   using Real = long double;
@@ -19,6 +19,7 @@ struct LongDoubleRock {
   Real peak;
   Real frequency;
   Real phase;
+  Real factor = 1.0L;  ///< K r of an edge (model.md, 11); 1 of a uniform rectangle
 
   /// The lowest point of the first fall from (tilt, rate), rate < 0, and the time at which it passes theta = 0 before.
   struct Dip {
@@ -51,7 +52,6 @@ struct LongDoubleRock {
     }
   }
 
- private:
   void expand(Real tau, Real tilt, Real rate, Series& theta, Series& omega) const {
     Series s{};
     Series c{};
@@ -73,7 +73,7 @@ struct LongDoubleRock {
         turn_cosine += omega[i] * s[k - i];
       }
       theta[k + 1] = omega[k] * next;
-      omega[k + 1] = (push - s[k]) * next;
+      omega[k + 1] = factor * (push - s[k]) * next;
       s[k + 1] = -turn_sine * next;
       c[k + 1] = turn_cosine * next;
       if (k + 2 <= order) alpha[k + 2] = -frequency * frequency * alpha[k] * next / static_cast<Real>(k + 2);

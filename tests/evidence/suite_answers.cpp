@@ -81,7 +81,7 @@ struct Found {
   bool is_tested = false, is_rejected = false;
   std::array<double, 3> values{};
   std::array<bool, 3> covers{};
-  bool chosen_covers = false, is_bounded = false;
+  bool chosen_covers = false;
   double disagreement = 0.0, undecided = 0.0;
 };
 
@@ -99,10 +99,7 @@ void measure(const Scenario& scenario, std::size_t suites) {
     const auto holds = [truth](const std::optional<rocking::stats::Interval>& interval) {
       return interval && interval->low <= truth && truth <= interval->high;
     };
-    double least = 0.0, most = 0.0;
     for (const auto& estimate : rate.estimates) {
-      if (estimate.source == rocking::RateSource::at_least) least = estimate.value;
-      if (estimate.source == rocking::RateSource::at_most) most = estimate.value;
       for (std::size_t k = 0; k < 3; ++k) {
         constexpr std::array sources{rocking::RateSource::law, rocking::RateSource::isotonic,
                                      rocking::RateSource::observed};
@@ -112,7 +109,6 @@ void measure(const Scenario& scenario, std::size_t suites) {
       }
     }
     found[i].chosen_covers = holds(rate.chosen.interval);
-    found[i].is_bounded = least <= truth && truth <= most;
     found[i].disagreement = rate.disagreement.value_or(9.0);
     found[i].undecided = rate.undecided_share;
   });

@@ -99,13 +99,12 @@ static const StructType& fields_of(const RateEstimate*) {
       field<&RateEstimate::source>(
           "from",
           "`law`; `isotonic`, `observed`: mean shares of the records, made not to decrease, or as "
-          "they are, interpolated; `at_least`, `at_most`: bounds of the latter between and beyond "
-          "the levels"),
+          "they are, interpolated"),
       field<&RateEstimate::value>("value", "mean annual rate [1/year]", rule::not_negative),
       field<&RateEstimate::interval>(
           "interval",
-          "by the law by bootstrap over records, with what the levels leave undecided outside them, null: too few "
-          "samples with a law; by shares from the least rate that the levels allow to the largest one, with a record "
+          "by the law by bootstrap over records, null: too few samples with a law; by shares from the least rate that "
+          "the levels allow to the largest one, with a record "
           "that is not in the suite",
           rule::not_negative),
   };
@@ -136,6 +135,10 @@ const StructType& fields_of(const SuiteRate*) {
           "disagreement",
           "largest over smallest of the rates by law, isotonic and observed shares, less 1; null: one is 0",
           rule::not_negative),
+      field<&Rate::at_most>("at_most",
+                            "the largest rate that the levels allow: below them the probability is their first share, "
+                            "above them 1 [1/year]",
+                            rule::not_negative),
       field<&Rate::undecided_share>("undecided_share", "part of the observed rate that the levels leave open",
                                     rule::not_negative),
       field<&Rate::add_levels>("add_levels", "intensities to add; empty: the rates agree and little is open",
@@ -160,7 +163,8 @@ const StructType& fields_of(const RateComparison*) {
       field<&Comparison::difference>("difference", "rate of the option less that of the base [1/year]"),
       field<&Comparison::interval>(
           "interval",
-          "of it by bootstrap over records, the same in both, with what the levels leave undecided; null: none"),
+          "of it by bootstrap over records, the same in both, by shares with what the levels leave undecided; null: "
+          "none"),
       field<&Comparison::ratio>("ratio", "rate of the option over that of the base; null: that is 0",
                                 rule::not_negative),
       field<&Comparison::ratio_interval>("ratio_interval", "of it likewise; null: without an upper bound",

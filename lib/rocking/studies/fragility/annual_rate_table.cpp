@@ -116,8 +116,6 @@ std::string source_in_words(RateSource source) {
   switch (source) {
     case RateSource::law: return "law";
     case RateSource::isotonic: return "isotonic shares";
-    case RateSource::at_least: return "at least";
-    case RateSource::at_most: return "at most";
     default: break;
   }
   return "observed shares";
@@ -169,8 +167,8 @@ static std::string rare_use_in_words(const AnnualRate& rate) {
          "no level above it has an event\n";
 }
 
-std::string annual_rate_in_words(const AnnualRate& rate, const CurveSubject& subject) {
-  std::string text = rate_sentence(subject, rate) + ".\n";
+static std::string sources_in_words(const AnnualRate& rate, const CurveSubject& subject) {
+  std::string text;
   for (const auto& [years, probability, interval] : rate.in_years) {
     text += "probability of " + words_of(subject.event) + " in " + base::shortest(years) +
             (years == 1.0 ? " year: " : " years: ") + in_years_text(probability) + " %" +
@@ -186,6 +184,14 @@ std::string annual_rate_in_words(const AnnualRate& rate, const CurveSubject& sub
     text += "no law holds, or not for every option: the rate is that of the isotonic shares\n";
   }
   return text;
+}
+
+std::string annual_rate_in_words(const AnnualRate& rate, const CurveSubject& subject) {
+  return rate_sentence(subject, rate) + ".\n" + sources_in_words(rate, subject);
+}
+
+std::string annual_rate_in_words(const SuiteRate& rate, const CurveSubject& subject) {
+  return rate_sentence(subject, rate) + ".\n" + sources_in_words(rate.chosen, subject);
 }
 
 std::string extrapolated_hazard_in_words(const AnnualRate& rate) {

@@ -162,7 +162,7 @@ std::string beyond_the_hazard(const ReportedSuite& reported) {
 /// Which of several options is described, with its rate; the headline has that of the only one.
 std::string option_in_words(const ReportedSuite& reported) {
   const CurveSubject& subject = reported.curve.subject;
-  return reported.rate ? rate_sentence(subject, *rate_of(reported)) + ". " : values_in_words(subject.others) + ": ";
+  return reported.rate ? rate_sentence(subject, *reported.rate) + ". " : values_in_words(subject.others) + ": ";
 }
 
 /// What the law of the suite says, `median PGA = 0.36 [0.31, 0.42] g, dispersion 0.45 [0.3, 0.6]`.

@@ -27,6 +27,7 @@ struct Told {
   const CurveRun* run;
   const CurveSubject* subject;
   const AnnualRate* rate;   ///< null: there is none
+  std::string sentence;     ///< of the rate
   std::size_t records = 0;  ///< of a suite
   std::string shares = {};  ///< likewise, from the weakest to the strongest level
 };
@@ -36,7 +37,11 @@ bool belong_together(const Told& a, const Told& b) {
 }
 
 Told told_of(const ReportedCurve& reported) {
-  return {.run = &reported.run, .subject = &reported.curve.subject, .rate = rate_of(reported)};
+  const CurveSubject& subject = reported.curve.subject;
+  return {.run = &reported.run,
+          .subject = &subject,
+          .rate = rate_of(reported),
+          .sentence = reported.rate ? rate_sentence(subject, *reported.rate) : ""};
 }
 
 Told told_of(const ReportedSuite& reported) {
@@ -47,6 +52,7 @@ Told told_of(const ReportedSuite& reported) {
   return {.run = &reported.run,
           .subject = &curve.subject,
           .rate = rate_of(reported),
+          .sentence = reported.rate ? rate_sentence(curve.subject, *reported.rate) : "",
           .records = curve.records.size(),
           .shares = curve.levels.empty()       ? ""
                     : curve.levels.size() == 1 ? at(curve.levels.front())
@@ -55,7 +61,7 @@ Told told_of(const ReportedSuite& reported) {
 
 /// Of the first option.
 std::string beginning(const Told& first) {
-  if (first.rate != nullptr) return rate_sentence(*first.subject, *first.rate);
+  if (first.rate != nullptr) return first.sentence;
   return block_of(*first.subject) + ' ' + did(first.subject->event) + " in " + first.shares + " (mean over " +
          counted(first.records, "ground motion") + ')';
 }
@@ -115,6 +121,13 @@ std::string rate_sentence(const CurveSubject& subject, const AnnualRate& rate) {
   if (!rate.interval || !(rate.interval->high > 0.0)) return none + rate_with_interval(rate, subject.confidence);
   return none + "mean annual rate at most " + rate_text(rate.interval->high) + " (" + level_text(subject.confidence) +
          " %), once in " + years_in_words(1.0 / rate.interval->high) + " years";
+}
+
+std::string rate_sentence(const CurveSubject& subject, const SuiteRate& rate) {
+  const std::string sentence = rate_sentence(subject, rate.chosen);
+  if (!(rate.chosen.value > 0.0)) return sentence;
+  return sentence + "; what the levels leave open, " + undecided_in_words(rate) + ", raises it to at most " +
+         rate_text(rate.at_most) + (rate.is_decided() ? "" : ": add " + added_levels_in_words(rate));
 }
 
 std::string headline(const FragilityReport& report) {

@@ -34,13 +34,10 @@ enum class RateSource : std::uint8_t {
   levels,    ///< of one motion without a function: the levels, interpolated linearly in ln x
   isotonic,  ///< of a suite: the nearest means of shares that do not decrease, interpolated linearly in ln x
   observed,  ///< of a suite: the means of shares, interpolated linearly in ln x
-  at_least,  ///< the same with the smaller of the means at both ends of each range; 0 below the levels
-  at_most,   ///< the same with the larger of them; 1 above the levels
 };
 
 /// Their names, in their order.
-inline constexpr std::array<std::string_view, 6> rate_source_names{"law",      "levels",   "isotonic",
-                                                                   "observed", "at_least", "at_most"};
+inline constexpr std::array<std::string_view, 4> rate_source_names{"law", "levels", "isotonic", "observed"};
 [[nodiscard]] constexpr std::string_view to_string(RateSource source) {
   return rate_source_names[static_cast<std::size_t>(source)];
 }
@@ -72,8 +69,8 @@ struct AnnualRate {
 struct RateEstimate {
   RateSource source = RateSource::law;
   double value = 0.0;  ///< [1/year]
-  /// By the law: of its bootstrap samples over records, with what the levels leave undecided outside them. By shares:
-  /// what the levels allow, with a record that is not in the suite (stats/suite_bootstrap.hpp).
+  /// By the law: of its bootstrap samples over records. By shares: what the levels allow, with a record that is not in
+  /// the suite (stats/suite_bootstrap.hpp).
   std::optional<stats::Interval> interval;
 };
 
@@ -97,9 +94,11 @@ inline constexpr double most_disagreement = 0.15;
 /// probability is 0 in each; above the levels `isotonic` and `observed` stay at the last one.
 struct SuiteRate {
   AnnualRate chosen;                    ///< by the RateBasis
-  std::vector<RateEstimate> estimates;  ///< by law (if there is one), isotonic, observed, at_least, at_most
+  std::vector<RateEstimate> estimates;  ///< by law (if there is one), isotonic, observed
   /// Largest over smallest of law, isotonic and observed, less 1. Absent if the smallest is 0 and the largest is not.
   std::optional<double> disagreement;
+  /// The largest rate that the levels allow: below them the probability is their first share, above them 1 [1/year].
+  double at_most = 0.0;
   /// Part of `observed` that the levels leave open: in the ranges outside them the difference between the bounds, in
   /// those between them the difference between linear and probit interpolation.
   double undecided_share = 0.0;
@@ -113,8 +112,8 @@ struct SuiteRate {
 };
 
 /// The rate of a suite with other values of the rest of the sweep, as another width or friction of the block, against
-/// that with the first ones: both by the same probabilities, and sample by sample of the bootstrap of their records. The
-/// intervals hold what the levels of both leave undecided.
+/// that with the first ones: both by the same probabilities, and sample by sample of the bootstrap of their records. By
+/// shares the intervals hold what the levels of both leave undecided.
 struct RateComparison {
   std::vector<Parameter> base;
   std::vector<Parameter> option;
@@ -137,8 +136,8 @@ enum class RateBasis : std::uint8_t {
   isotonic,       ///< these, as where the law does not hold for every option
 };
 
-/// Of a suite. The intervals are those of its bootstrap samples over records, and hold what the levels leave undecided
-/// (lib/docs/fragility.md).
+/// Of a suite. The intervals are those of its bootstrap samples over records; those by shares hold what the levels leave
+/// undecided (lib/docs/fragility.md).
 [[nodiscard]] SuiteRate annual_rate(const SuiteCurve& curve, const HazardCurve& hazard,
                                     RateBasis basis = RateBasis::law_if_fitted);
 

@@ -149,24 +149,18 @@ double SharesAndHazard::rate(const std::vector<double>& shares) const {
   return sum;
 }
 
-double SharesAndHazard::at_least(const std::vector<double>& shares, std::size_t from) const {
-  double sum = shares.back() * ranges_.back();
-  for (std::size_t k = from; k < shares.size(); ++k) sum += std::min(shares[k - 1], shares[k]) * ranges_[k];
-  return sum;
-}
-
-double SharesAndHazard::at_most(const std::vector<double>& shares, std::size_t from) const {
-  double sum = shares.front() * ranges_.front() + ranges_.back();
-  for (std::size_t k = from; k < shares.size(); ++k) sum += std::max(shares[k - 1], shares[k]) * ranges_[k];
-  return sum;
-}
-
 double SharesAndHazard::least_allowed(const std::vector<double>& shares) const {
-  return in_tail(shares) + at_least(shares, first_of_levels());
+  double sum = in_tail(shares) + shares.back() * ranges_.back();
+  for (std::size_t k = first_of_levels(); k < shares.size(); ++k)
+    sum += std::min(shares[k - 1], shares[k]) * ranges_[k];
+  return sum;
 }
 
 double SharesAndHazard::most_allowed(const std::vector<double>& shares) const {
-  return in_tail(shares) + at_most(shares, first_of_levels());
+  double sum = in_tail(shares) + shares.front() * ranges_.front() + ranges_.back();
+  for (std::size_t k = first_of_levels(); k < shares.size(); ++k)
+    sum += std::max(shares[k - 1], shares[k]) * ranges_[k];
+  return sum;
 }
 
 std::vector<double> SharesAndHazard::worst_unseen(const std::vector<std::vector<double>>& counted_of_records) const {

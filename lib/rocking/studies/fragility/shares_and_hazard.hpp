@@ -57,10 +57,8 @@ class SharesAndHazard {
   [[nodiscard]] WithTail<KnownProbabilities> probability(const std::vector<double>& counted) const;
   /// The rate of these probabilities; without a tail it is linear in them.
   [[nodiscard]] double rate(const std::vector<double>& shares) const;
-  /// Without the ranges between levels before number `from`.
-  [[nodiscard]] double at_least(const std::vector<double>& shares, std::size_t from = 1) const;
-  [[nodiscard]] double at_most(const std::vector<double>& shares, std::size_t from = 1) const;
-  /// The least and the largest rate that the levels allow; between rare estimates that of the lines.
+  /// The least and the largest rate of a probability that does not decrease and has these shares at the levels; between
+  /// rare estimates that of the lines.
   [[nodiscard]] double least_allowed(const std::vector<double>& shares) const;
   [[nodiscard]] double most_allowed(const std::vector<double>& shares) const;
   /// Of a record that is not in the suite, at worst: the largest probability of any record at up to twice the intensity,

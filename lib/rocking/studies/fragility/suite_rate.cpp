@@ -69,10 +69,9 @@ class SuiteRates {
         pieces_(counted_.pieces()),
         rates_(counted_, shares_.intensities().size(), tail_) {}
 
-  /// By shares, of records with these weights; trials without an answer have the event at most.
+  /// By shares, of records with these weights.
   [[nodiscard]] double rate_by(RateSource source, const std::vector<double>& weights) const {
-    const bool is_most = source == RateSource::at_most;
-    return rate_of_shares(source, counted_shares(source, is_most ? most_shares_ : shares_, weights));
+    return rates_.rate(counted_shares(source, shares_, weights));
   }
 
   /// Of bootstrap sample i, by the law or by isotonic shares, in which trials without an answer may have the event; absent
@@ -83,14 +82,12 @@ class SuiteRates {
     if (source == RateSource::law) {
       const auto place = std::ranges::lower_bound(bootstrap.samples_with_law, i);
       if (place == bootstrap.samples_with_law.end() || *place != i) return std::nullopt;
-      return allowed_by_law(bootstrap.laws[static_cast<std::size_t>(place - bootstrap.samples_with_law.begin())],
-                            weights);
+      const double rate = rate_of(
+          by_law_of(bootstrap.laws[static_cast<std::size_t>(place - bootstrap.samples_with_law.begin())], weights),
+          pieces_);
+      return AllowedRate{.linear = {rate, rate}, .lognormal = {rate, rate}};
     }
-    AllowedRate found = allowed(shares_, weights);
-    const AllowedRate most = allowed(most_shares_, weights);
-    found.linear.high = most.linear.high;
-    found.lognormal.high = most.lognormal.high;
-    return found;
+    return allowed(weights);
   }
   /// By the law or by isotonic shares: the rate of the suite with its interval.
   [[nodiscard]] RateEstimate estimate_of(RateSource source) const {
@@ -109,8 +106,7 @@ class SuiteRates {
   [[nodiscard]] SuiteRate all(RateBasis basis) const {
     SuiteRate found;
     if (curve_.pooled) found.estimates.push_back(by_law());
-    for (const RateSource source :
-         {RateSource::isotonic, RateSource::observed, RateSource::at_least, RateSource::at_most}) {
+    for (const RateSource source : {RateSource::isotonic, RateSource::observed}) {
       found.estimates.push_back(by_shares(source));
     }
     const bool is_by_law = source_of(basis, curve_) == RateSource::law;
@@ -128,6 +124,7 @@ class SuiteRates {
     set_disagreement(found);
     set_records(is_by_law, found);
     set_undecided(found);
+    found.at_most = is_by_law ? most_by_law() : allowed(equal_weights()).high();
     return found;
   }
 
@@ -155,14 +152,19 @@ class SuiteRates {
   }
 
   [[nodiscard]] RateEstimate by_law() const {
-    std::vector<double> lows, highs;
+    std::vector<double> samples;
     for (const std::size_t i : curve_.bootstrap.samples_with_law) {
-      const AllowedRate found = allowed_in_sample(RateSource::law, i).value();
-      lows.push_back(found.low());
-      highs.push_back(found.high());
+      samples.push_back(allowed_in_sample(RateSource::law, i).value().linear.low);
     }
     return {RateSource::law, rate_of(by_law_of(curve_.pooled->law(), equal_weights()), pieces_),
-            between(curve_.interval_of(std::move(lows)), curve_.interval_of(std::move(highs)))};
+            curve_.interval_of(std::move(samples))};
+  }
+  /// The largest rate that the levels allow of a probability that is the law's between them.
+  [[nodiscard]] double most_by_law() const {
+    const auto law = by_law_of(curve_.pooled->law(), equal_weights());
+    return rates_
+        .allowed_outside(law, rate_of(law, pieces_), counted_shares(RateSource::isotonic, shares_, equal_weights()))
+        .high;
   }
 
   /// Of records with these weights, at the levels that count: isotonic, or the means.
@@ -171,20 +173,16 @@ class SuiteRates {
     const bool is_isotonic = source == RateSource::isotonic;
     return rates_.counted_of(is_isotonic ? of.isotonic(weights) : of.mean(weights), tail_.means(weights));
   }
-  [[nodiscard]] double rate_of_shares(RateSource source, const std::vector<double>& counted) const {
-    if (source == RateSource::at_least) return rates_.at_least(counted);
-    if (source == RateSource::at_most) return rates_.at_most(counted);
-    return rates_.rate(counted);
-  }
-  [[nodiscard]] AllowedRate allowed(const stats::RecordShares& of, const std::vector<double>& weights) const {
-    return rates_.allowed(counted_shares(RateSource::isotonic, of, weights), half_trial());
-  }
-  /// Of records with these weights, whose law it is.
-  [[nodiscard]] AllowedRate allowed_by_law(const stats::SuiteLaw& law, const std::vector<double>& weights) const {
-    const auto by_law = by_law_of(law, weights);
-    const stats::Interval found = rates_.allowed_outside(by_law, rate_of(by_law, pieces_),
-                                                         counted_shares(RateSource::isotonic, shares_, weights));
-    return {.linear = found, .lognormal = found};
+  /// By isotonic shares of records with these weights; trials without an answer have the event at most.
+  [[nodiscard]] AllowedRate allowed(const std::vector<double>& weights) const {
+    const auto of = [&](const stats::RecordShares& shares) {
+      return rates_.allowed(counted_shares(RateSource::isotonic, shares, weights), half_trial());
+    };
+    AllowedRate found = of(shares_);
+    const AllowedRate most = of(most_shares_);
+    found.linear.high = most.linear.high;
+    found.lognormal.high = most.lognormal.high;
+    return found;
   }
 
   [[nodiscard]] std::vector<double> counted_of_record(const stats::RecordShares& of, std::size_t record) const {
@@ -204,10 +202,9 @@ class SuiteRates {
   }
 
   /// From the least rate that the levels allow, with an unseen record that never overturns, to the largest one, with one
-  /// that does so as in `worst`; of a bound that bound itself. Trials without an answer have the event at the upper end.
+  /// that does so as in `worst`. Trials without an answer have the event at the upper end.
   [[nodiscard]] std::optional<stats::Interval> interval_with_unseen(RateSource source,
                                                                     const std::vector<double>& worst) const {
-    const bool is_bound = source == RateSource::at_least || source == RateSource::at_most;
     const std::vector<double> best(worst.size(), 0.0);
     std::vector<double> lows, highs;
     for (std::vector<double> weights : curve_.bootstrap.with_unseen) {
@@ -216,8 +213,8 @@ class SuiteRates {
       std::vector<double> parts = shares_of_unseen(weights, unseen);
       const auto low = stats::mean_with_unseen(counted_shares(source, shares_, weights), parts, best);
       const auto high = stats::mean_with_unseen(counted_shares(source, most_shares_, weights), parts, worst);
-      lows.push_back(is_bound ? rate_of_shares(source, low) : rates_.least_allowed(low));
-      highs.push_back(is_bound ? rate_of_shares(source, high) : rates_.most_allowed(high));
+      lows.push_back(rates_.least_allowed(low));
+      highs.push_back(rates_.most_allowed(high));
     }
     const double confidence = curve_.subject.confidence;
     return between(stats::percentile_interval(std::move(lows), curve_.bootstrap.samples, confidence),
@@ -238,7 +235,6 @@ class SuiteRates {
     double least = std::numeric_limits<double>::infinity();
     double most = 0.0;
     for (const RateEstimate& estimate : found.estimates) {
-      if (estimate.source == RateSource::at_least || estimate.source == RateSource::at_most) continue;
       least = std::min(least, estimate.value);
       most = std::max(most, estimate.value);
     }

@@ -205,7 +205,7 @@ std::string curve_tables(const FragilityReport& report, const Content& content) 
           const CurveSubject& subject = reported.curve.subject;
           shown.most = std::max(shown.most, most_realisations(reported.curve.levels));
           text += heading_of_curve(reported.run.title, subject.others);
-          if (const AnnualRate* rate = rate_of(reported)) text += annual_rate_in_words(*rate, subject);
+          if (reported.rate) text += annual_rate_in_words(*reported.rate, subject);
           text += table_of(reported, content, shown);
           if (reported.rate) text += annual_rate_table(*reported.rate, subject, content.extent);
           text += '\n';

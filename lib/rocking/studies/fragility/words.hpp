@@ -54,9 +54,13 @@ void add_unresolved(const Levels& levels, std::size_t step, look::Table& table) 
 
 /// `With width 0.35 m the block overturns about once in 2000 years: mean annual rate 5.0e-4 [1.9e-4, 1.1e-3] (95 %)`.
 [[nodiscard]] std::string rate_sentence(const CurveSubject& subject, const AnnualRate& rate);
+/// Of a suite with what its levels leave open, `; what the levels leave open, 12.3 % of the rate, raises it to at most
+/// 9.0e-4: add 0.21,0.34`.
+[[nodiscard]] std::string rate_sentence(const CurveSubject& subject, const SuiteRate& rate);
 
 /// The same as a line, and where the rate comes from.
 [[nodiscard]] std::string annual_rate_in_words(const AnnualRate& rate, const CurveSubject& subject);
+[[nodiscard]] std::string annual_rate_in_words(const SuiteRate& rate, const CurveSubject& subject);
 
 /// Whether the blocks still stand: how likely, by block and by hazard curve.
 [[nodiscard]] std::string survival_table(const Survival& survival);

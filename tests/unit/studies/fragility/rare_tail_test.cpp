@@ -194,12 +194,6 @@ TEST(RareTailOfASuite, IntegratesTheMeanOverTheRecords) {
   EXPECT_NEAR(estimate(rate, RateSource::law), by_law, 1e-6 * by_law);
   EXPECT_NEAR(rate.chosen.value, by_law, 1e-6 * by_law);
   EXPECT_NEAR(estimate(rate, RateSource::observed), observed, 1e-6 * observed);
-  EXPECT_NEAR(estimate(rate, RateSource::at_least),
-              midpoint_rate([&](double x) {
-                return x < 0.25 ? 0.0 : x < 0.3 ? low : x < 0.4 ? high : 0.0;
-              }) + estimate(annual_rate(whole_curve(), hazard()), RateSource::at_least) -
-                  7.0 / 60.0 * (hazard_at(0.3) - hazard_at(0.4)),
-              1e-4 * observed);
   double sum = 0.0;
   for (const RateInRange& range : rate.chosen.by_level) sum += range.rate;
   EXPECT_NEAR(sum, rate.chosen.value, 1e-12 * sum);
@@ -214,17 +208,15 @@ TEST(RareTailOfASuite, HasTheIntervalOfTheRecordsWithAnUnseenOne) {
   const SuiteCurve found = with_rare(equal);
   const HazardCurve below{.name = "", .intensity = "", .header_line = 0, .points = {{0.2, 1.0}, {0.24, 1e-12}}};
   const SuiteRate rate = annual_rate(found, below);
-  std::vector<double> lows, highs;
+  std::vector<double> highs;
   for (const std::vector<double>& shares : found.bootstrap.with_unseen) {
-    lows.push_back(std::inner_product(of_record.begin(), of_record.end(), shares.begin(), 0.0));
-    highs.push_back(lows.back() + 0.9 * shares.back());
+    highs.push_back(std::inner_product(of_record.begin(), of_record.end(), shares.begin(), 0.0) + 0.9 * shares.back());
   }
-  const double low = stats::percentile_interval(lows, lows.size(), 0.95)->low;
   const double high = stats::percentile_interval(highs, highs.size(), 0.95)->high;
-  for (const RateSource source : {RateSource::isotonic, RateSource::observed, RateSource::at_most}) {
+  for (const RateSource source : {RateSource::isotonic, RateSource::observed}) {
     EXPECT_NEAR(estimate(rate, source), 7.12e-4 / 6.0, 1e-9);
     const auto each = std::ranges::find(rate.estimates, source, &RateEstimate::source);
-    EXPECT_NEAR(each->interval->low, source == RateSource::at_most ? low : 0.0, 1e-9);
+    EXPECT_NEAR(each->interval->low, 0.0, 1e-9);
     EXPECT_NEAR(each->interval->high, high, 1e-9);
   }
   EXPECT_NEAR(rate.chosen.value, 7.12e-4 / 6.0, 1e-9);

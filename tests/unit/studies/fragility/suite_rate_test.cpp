@@ -67,21 +67,59 @@ TEST(SuiteRate, ThatIsTooFrequentToBeBelievedNeedsALook) {
                                                 HasSubstr("times a year, as of no object that stands")));
 }
 
-TEST(SuiteRate, LiesBetweenTheBoundsOfItsLevels) {
+// Below the levels the probability is their first share at most, where the law does not give more, and above them 1.
+TEST(SuiteRate, IsAtMostWhatItsLevelsAllow) {
   const SuiteRate rate = annual_rate(whole_curve(), hazard());
-  const std::vector<double> shares = shares_of();
-  const double at_least = midpoint_rate([&](double x) {
-    std::size_t k = 0;
-    while (k + 1 < intensities.size() && intensities[k + 1] <= x) ++k;
-    return x < intensities[1] ? 0.0 : shares[k];
-  });
-  const double at_most = midpoint_rate([&](double x) {
-    std::size_t k = 0;
-    while (k < intensities.size() && intensities[k] < x) ++k;
-    return k == intensities.size() ? 1.0 : shares[k];
-  });
-  EXPECT_NEAR(estimate(rate, RateSource::at_least), at_least, 1e-4 * at_least);
-  EXPECT_NEAR(estimate(rate, RateSource::at_most), at_most, 1e-4 * at_most);
+  const stats::SuiteLaw law = whole_curve().pooled->law();
+  const double first = std::max(midpoint_rate([&](double x) { return x < intensities[1] ? law.probability(x) : 0.0; }),
+                                shares_of()[1] * (hazard_at(uplift) - hazard_at(intensities[1])));
+  const double expected = first + hazard_at(intensities.back()) + midpoint_rate([&](double x) {
+                            return x < intensities[1] || x > intensities.back() ? 0.0 : law.probability(x);
+                          });
+  EXPECT_NEAR(rate.at_most, expected, 1e-4 * expected);
+  EXPECT_GT(rate.at_most, rate.chosen.value);
+  SuiteCurve rejected = whole_curve();
+  rejected.outcome = stats::FragilityOutcome::rejected;
+  const SuiteRate by_shares = annual_rate(rejected, hazard());
+  EXPECT_GE(by_shares.at_most, by_shares.chosen.value + (1.0 - shares_of().back()) * hazard_at(intensities.back()));
+  EXPECT_GT(by_shares.chosen.interval->high, by_shares.at_most) << "the isotonic rate has an interval that holds it";
+}
+
+// What lies outside the levels is one number beside the interval: where the hazard reaches lower, the interval of the law
+// grows as its rate does, and only `at_most` takes in what may happen below the levels.
+TEST(SuiteRate, ByTheLawHasTheIntervalOfTheLaw) {
+  StripeGroup high = group_of(outcomes);
+  std::erase_if(high.stripes, [](const Stripe& stripe) { return stripe.intensity < 0.4; });
+  for (Stripe& stripe : high.stripes) stripe.uplift.reset();
+  const SuiteCurve curve = suite_curve(high, {}, 1);
+  ASSERT_EQ(curve.outcome, stats::FragilityOutcome::fitted);
+  const HazardCurve low_hazard{
+      .name = "", .intensity = "", .header_line = 0, .points = {{0.001, hazard_at(0.001)}, {3.0, hazard_at(3.0)}}};
+  const SuiteRate rate = annual_rate(curve, low_hazard);
+  ASSERT_EQ(rate.chosen.source, RateSource::law);
+  std::vector<double> of_samples;
+  const auto pieces = pieces_between(low_hazard, 0.001);
+  for (const stats::SuiteLaw& law : curve.bootstrap.laws)
+    of_samples.push_back(rate_of(LognormalCapacity{std::log(law.median), law.dispersion()}, pieces));
+  const stats::Interval interval = curve.interval_of(of_samples).value();
+  EXPECT_DOUBLE_EQ(rate.chosen.interval->low, interval.low);
+  EXPECT_DOUBLE_EQ(rate.chosen.interval->high, interval.high);
+  EXPECT_GT(rate.at_most, 10.0 * interval.high);
+}
+
+TEST(SuiteRate, IsToldInOneSentenceWithItsIntervalAndWhatIsOpen) {
+  SuiteRate rate = annual_rate(whole_curve(), hazard());
+  rate.chosen.value = 5.2e-4;
+  rate.chosen.interval = stats::Interval{.low = 3.1e-4, .high = 8.8e-4};
+  rate.at_most = 9.1e-4;
+  rate.undecided_share = 0.123;
+  rate.add_levels = {0.21, 0.34};
+  const CurveSubject& subject = whole_curve().subject;
+  EXPECT_EQ(rate_sentence(subject, rate),
+            "The block overturns about once in 1900 years: mean annual rate 5.2e-4 [3.1e-4, 8.8e-4] (95 %); what the "
+            "levels leave open, 12.3 % of the rate, raises it to at most 9.1e-4: add 0.21,0.34");
+  rate.undecided_share = 0.02;
+  EXPECT_THAT(rate_sentence(subject, rate), ::testing::EndsWith("2.0 % of the rate, raises it to at most 9.1e-4"));
 }
 
 TEST(SuiteRate, IsSharedOutAmongTheRecords) {
@@ -131,8 +169,7 @@ TEST(SuiteRate, OfBlocksThatNeverOverturnHasAnUpperBound) {
   const SuiteCurve calm = suite_curve(group_of(std::vector<std::vector<int>>(3, {0, 0, 0, 0, 0})), {}, 1);
   const SuiteRate rate = annual_rate(calm, hazard());
   EXPECT_EQ(rate.chosen.value, 0.0);
-  EXPECT_EQ(estimate(rate, RateSource::at_least), 0.0);
-  EXPECT_NEAR(estimate(rate, RateSource::at_most), hazard_at(0.9), 1e-12);
+  EXPECT_NEAR(rate.at_most, hazard_at(0.9), 1e-12);
   EXPECT_EQ(rate.disagreement, 0.0);
   EXPECT_EQ(rate.undecided_share, 1.0);
   EXPECT_FALSE(rate.add_levels.empty());
@@ -148,10 +185,21 @@ TEST(SuiteRate, OfBlocksThatNeverOverturnHasAnUpperBound) {
 // The true rate lies within what the levels allow, and the interval contains that: it is not narrower with fewer levels.
 TEST(SuiteRate, ByIsotonicSharesContainsItsBounds) {
   const SuiteRate rate = annual_rate(whole_curve(), hazard());
+  const std::vector<double> shares = shares_of();
+  const double at_least = midpoint_rate([&](double x) {
+    std::size_t k = 0;
+    while (k + 1 < intensities.size() && intensities[k + 1] <= x) ++k;
+    return x < intensities[1] ? 0.0 : shares[k];
+  });
+  const double at_most = midpoint_rate([&](double x) {
+    std::size_t k = 0;
+    while (k < intensities.size() && intensities[k] < x) ++k;
+    return k == intensities.size() ? 1.0 : shares[k];
+  });
   for (const RateEstimate& each : rate.estimates) {
-    if (each.source != RateSource::isotonic && each.source != RateSource::observed) continue;
-    EXPECT_LT(each.interval->low, estimate(rate, RateSource::at_least));
-    EXPECT_GT(each.interval->high, estimate(rate, RateSource::at_most));
+    if (each.source == RateSource::law) continue;
+    EXPECT_LT(each.interval->low, at_least);
+    EXPECT_GT(each.interval->high, at_most);
   }
 }
 
@@ -264,7 +312,7 @@ TEST(SuiteRate, IsNotKnownToBeZeroWhereRecordsAreAllAlike) {
   const double most = stats::percentile_interval(unseen, unseen.size(), 0.95)->high;
   EXPECT_NEAR(most, 1.0 - std::pow(0.025, 0.1), 0.08);  // Clopper-Pearson's of 0 of 10, by 499 samples: 4 errors
   const SuiteRate rate = annual_rate(found, weak);
-  for (const RateSource source : {RateSource::isotonic, RateSource::observed, RateSource::at_most}) {
+  for (const RateSource source : {RateSource::isotonic, RateSource::observed}) {
     const auto each = std::ranges::find(rate.estimates, source, &RateEstimate::source);
     EXPECT_EQ(each->value, 0.0);
     ASSERT_TRUE(each->interval);
@@ -293,13 +341,12 @@ TEST(SuiteRate, CoversBothOutcomesOfRealisationsWithoutAnAnswer) {
   const SuiteRate most = annual_rate(suite_curve(more, {}, 1), hazard());
   EXPECT_EQ(open.chosen.source, RateSource::isotonic);
   const auto interval_of = [](const SuiteRate& rate) {
-    return rate.estimates[rate.estimates.size() - 4].interval.value();
+    return rate.estimates[rate.estimates.size() - 2].interval.value();
   };
   EXPECT_EQ(open.chosen.interval->low, interval_of(least).low);
   EXPECT_EQ(open.chosen.interval->high, interval_of(most).high);
   EXPECT_GT(open.chosen.interval->high, interval_of(least).high);
-  EXPECT_EQ(estimate(open, RateSource::at_most), estimate(most, RateSource::at_most));
-  EXPECT_EQ(estimate(open, RateSource::at_least), estimate(least, RateSource::at_least));
+  EXPECT_GT(open.at_most, annual_rate(whole_curve(), hazard(), RateBasis::isotonic).at_most);
   EXPECT_GT(open.undecided_share, least.undecided_share);
 }
 
@@ -316,10 +363,11 @@ TEST(SuiteRate, HasAnIntervalThatHoldsWhatTheLevelsLeaveUndecided) {
   double share = 0.0;
   for (const double each : {2.0, 6.0, 9.0, 0.0, 3.0, 5.0}) share += each / 60.0;
   for (const RateEstimate& each : part.estimates) {
-    if (each.source == RateSource::at_least || each.source == RateSource::at_most) continue;
+    if (each.source == RateSource::law) continue;
     EXPECT_GT(each.interval->high, above) << to_string(each.source) << ": 1 above the last level is possible";
     EXPECT_LT(each.interval->low, share * above + 1e-6) << to_string(each.source);
   }
+  EXPECT_GT(part.at_most, above);
   EXPECT_GE(whole.chosen.value, part.chosen.interval->low);
   EXPECT_LE(whole.chosen.value, part.chosen.interval->high);
 }
@@ -347,12 +395,12 @@ TEST(RateComparison, HasTheBasisOfTheRates) {
 
 TEST(SuiteRate, IsToldByObservedSharesWhereTheyAreWrittenOtherwiseThanTheIsotonicOnes) {
   SuiteRate rate = annual_rate(whole_curve(), hazard());
-  EXPECT_EQ(rate.estimates.size(), 5U);
-  EXPECT_EQ(told_estimates(rate).size(), 4U) << "the means rise";
+  EXPECT_EQ(rate.estimates.size(), 3U);
+  EXPECT_EQ(told_estimates(rate).size(), 2U) << "the means rise";
   for (RateEstimate& each : rate.estimates) {
     if (each.source == RateSource::observed) each.value *= 1.1;
   }
-  EXPECT_EQ(told_estimates(rate).size(), 5U);
+  EXPECT_EQ(told_estimates(rate).size(), 3U);
 }
 
 // An option that never overturned is not known to have the rate 0.

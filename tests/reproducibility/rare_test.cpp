@@ -11,7 +11,9 @@
 #include <gtest/gtest.h>
 
 #include "rocking/realisation/realisation_result.hpp"
+#include "rocking/rocking.hpp"
 #include "rocking/studies/rare/typical_paths.hpp"
+#include "support/excitation.hpp"
 #include "support/rare_scenes.hpp"
 
 namespace {
@@ -56,6 +58,36 @@ TEST(RareProbabilities, FollowTheSeedOfTheRecord) {
   experiment.seed ^= stream;
   EXPECT_EQ(rare_probabilities(experiment, {.question = question, .particles = 20}).front().probability,
             plain.probability);
+}
+
+// The pilot runs of this seed give a grid that takes motions from rest for likely to overturn: of 1000 particles, none, one
+// or two had descendants with the event, and the relative error asked for needed 1500 repetitions.
+TEST(RareGrid, IsDrawnAnewWhereFewAncestorsHaveTheEvent) {
+  const Experiment experiment = rocking::parse_experiment(
+      R"({"format": "rocking.experiment/1", "block": {"width_m": 0.189, "height_m": 1.037},
+          "excitation": {"kind": "harmonic", "amplitude": 6.6047, "frequency_ratio": 14.18},
+          "fluctuation": {"amplitude": {"sigma": 0.7067029}},
+          "horizon": {"transient_periods": 10, "sampled_periods": 30}, "realisations": 100, "seed": "0x2"})",
+      "");
+  const RareEstimate found = rare_probabilities(experiment, {.question = {.relative_error = 0.2}}).front();
+  EXPECT_GE(found.ancestors, 40U);
+  EXPECT_EQ(found.diagnosis, rocking::RareDiagnosis::none);
+  EXPECT_LE(found.repetitions.size(), 20U);
+  EXPECT_LE(found.interval.low, 3.78e-7);
+  EXPECT_GE(found.interval.high, 3.78e-7);
+}
+
+// It classifies nothing, so that strobe points at another phase each time do no harm.
+TEST(RareProbabilities, AreEstimatedUnderAVerticalMotionOfAnyFrequency) {
+  Condition condition = fluctuating();
+  rocking::support::harmonic(condition.scene).vertical =
+      rocking::VerticalHarmonic{.amplitude = 0.5, .frequency_ratio = 7.3};
+  const RareEstimate found =
+      rare_probabilities(
+          experiment_of(condition),
+          {.question = {.event = {rocking::EventName::tilt, 0.4}, .relative_error = 0.5}, .particles = 20})
+          .front();
+  EXPECT_GT(*found.probability, 0.0);
 }
 
 // A block that always reaches the tilt: 1, and no error.

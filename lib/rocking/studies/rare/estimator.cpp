@@ -1,5 +1,7 @@
 #include "rocking/studies/rare/estimator.hpp"
 
+#include <tuple>
+
 #include "rocking/studies/rare/importance.hpp"
 #include "rocking/studies/rare/twisted_run.hpp"
 #include "rocking/studies/rare/typical_paths.hpp"
@@ -135,6 +137,7 @@ class TwistedEstimator final : public Estimator {
     const Repetition found = run.run();
     pilot_.work += found.work;
     pilot_.found_event = found.estimate > 0.0;
+    pilot_ancestors_ = found.ancestors;
     is_plain_ = number == 0 ? found.ancestors >= many : is_inferior(found, run);
     if (proposal() != nullptr) collect(population, run);
     return population.reach();
@@ -214,7 +217,23 @@ class TwistedEstimator final : public Estimator {
     }
     make_guide(reach, true);
     run_pilot(coarse_grids + 1);
-    if (proposal() != nullptr) find_proposal(reach, 2 * coarse_grids + 2);
+    if (proposal() != nullptr) return find_proposal(reach, 2 * coarse_grids + 2);
+    for (std::uint64_t i = 1; i <= new_grids && pilot_ancestors_ < few; ++i) draw_anew(farthest, new_grid_pilots * i);
+  }
+
+  static constexpr std::size_t few = 20;  ///< first ancestors in a pilot run: those of a good grid are 40 to 160
+  static constexpr std::uint64_t new_grids = 3;
+  static constexpr std::uint64_t new_grid_pilots = 100;  ///< numbers of the pilot runs of a grid that is drawn anew
+
+  /// Another reach by other pilot runs, which stays in force where its grid has more first ancestors.
+  void draw_anew(const SectionPoint& farthest, std::uint64_t number) {
+    std::optional<Guide> guide = std::move(guide_);
+    const auto before = std::tuple(first_amplitude_, is_plain_, pilot_.found_event, pilot_ancestors_);
+    make_guide(find_reach(farthest, number), true);
+    run_pilot(number + coarse_grids);
+    if (pilot_ancestors_ > std::get<std::size_t>(before)) return;
+    guide_ = std::move(guide);
+    std::tie(first_amplitude_, is_plain_, pilot_.found_event, pilot_ancestors_) = before;
   }
 
   /// Fine within the reach, and coarse from there to where a falling block has overturned.
@@ -288,6 +307,7 @@ class TwistedEstimator final : public Estimator {
   bool is_plain_ = false;             ///< what the last pilot run says
   NormalLaw first_amplitude_;         ///< with which it is drawn
   Proposal proposal_;                 ///< of the numbers drawn once
+  std::size_t pilot_ancestors_ = 0;   ///< first ancestors in the last pilot run
   std::vector<WeightedPoint> found_;  ///< those of pilot runs that had the event
   Pilot pilot_;
 };

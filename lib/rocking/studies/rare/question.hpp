@@ -124,6 +124,7 @@ struct RareEstimate {
   std::vector<double> levels;   ///< of the search for the event, rising; empty for a twisted run
   std::vector<double> reached;  ///< share of its particles at each level, and the event last
   std::vector<rare::Repetition> repetitions;
+  std::size_t ancestors = 0;  ///< median of Repetition::ancestors, the lower one; 0 without repetitions
   double pilot_work = 0.0;
   double work = 0.0;  ///< simulated time of what was finished, with the pilot runs, in realisations to the horizon
   std::optional<double> crude_work;             ///< realisations for the same relative error by plain sampling

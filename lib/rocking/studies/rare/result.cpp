@@ -185,6 +185,9 @@ static const StructType& fields_of(const ReportedRare*) {
           "crude_work",
           "realisations that plain sampling needs for the same relative error, (1 - P)/(P error^2); null: unknown",
           rule::not_negative),
+      field<estimate, &Found::ancestors>(
+          "ancestors",
+          "first trajectories of a repetition from which those with the event descend, median of the repetitions"),
       field<estimate, &Found::method>("method", "`twisted_run` where numbers are drawn along the way",
                                       the_only<NamedType<RareMethod, rare_method_names>>()),
       field<estimate, &Found::end>("ended", "why no more repetitions were made",

@@ -97,6 +97,16 @@ EventAndOpen event_and_open(const std::vector<Repetition>& repetitions) {
   return found;
 }
 
+/// The lower median; 0 without repetitions.
+std::size_t median_of_ancestors(const std::vector<Repetition>& repetitions) {
+  std::vector<std::size_t> ancestors;
+  for (const Repetition& repetition : repetitions) ancestors.push_back(repetition.ancestors);
+  if (ancestors.empty()) return 0;
+  const auto middle = ancestors.begin() + static_cast<std::ptrdiff_t>((ancestors.size() - 1) / 2);
+  std::ranges::nth_element(ancestors, middle);
+  return *middle;
+}
+
 /// As if each particle were a realisation. It is one where the pilot runs have not seen the event.
 stats::Interval interval_of_none(std::size_t repetitions, double confidence, std::uint64_t particles) {
   return stats::clopper_pearson({.successes = 0, .trials = repetitions * particles}, confidence);
@@ -116,6 +126,7 @@ void summarise_repetitions(RareEstimate& estimate, double confidence, std::uint6
     estimate.work += repetition.work;
     estimate.unresolved += repetition.unresolved / static_cast<double>(count);
   }
+  estimate.ancestors = median_of_ancestors(estimate.repetitions);
   if (count == 0) return;
   const EventAndOpen estimates = event_and_open(estimate.repetitions);
   const stats::RepeatedEstimate found = stats::mean_of_repetitions(estimates.least, confidence);

@@ -104,8 +104,8 @@ std::string rare_table(const RareReport& report) {
   const bool are_several = conditions.size() > 1;
   const bool has_unresolved =
       std::ranges::any_of(conditions, [](const auto& one) { return one.estimate.unresolved > 0.0; });
-  look::Table table = table_of(conditions.front().parameters,
-                               {"probability", "from", "to", "error", "repetitions", "work", "plain sampling"});
+  look::Table table = table_of(conditions.front().parameters, {"probability", "from", "to", "error", "repetitions",
+                                                               "ancestors", "work", "plain sampling"});
   if (has_unresolved) add_columns(table, {"unresolved"});
   table.title = "Probability that " + event_words(report.question) + ".\n";
   table.absent = "-";
@@ -119,7 +119,7 @@ std::string rare_table(const RareReport& report) {
         row_of(condition.parameters,
                {number(estimate.probability, 3), number(estimate.interval.low, 3), number(estimate.interval.high, 3),
                 in_per_cent(estimate.relative_error), look::whole(estimate.repetitions.size()),
-                number(estimate.work, 3), number(estimate.crude_work, 3)}));
+                look::whole(estimate.ancestors), number(estimate.work, 3), number(estimate.crude_work, 3)}));
     if (has_unresolved) row.push_back(number(estimate.unresolved, 3));
     letters.push_back(remarks.letters({method_words(estimate), end_of(estimate), warning_about(estimate)}));
   }
@@ -128,11 +128,13 @@ std::string rare_table(const RareReport& report) {
     for (std::size_t c = 0; c < conditions.size(); ++c)
       table.rows[c].push_back(letters[c].empty() ? look::Cell() : letters[c]);
   }
-  table.notes = "from, to: interval with " + level_text(highest) +
-                " % confidence; error: standard error over the probability; work, plain sampling: simulated\ntime in "
-                "realisations to the horizon, by this method and by plain sampling for the same error.\n" +
-                (has_unresolved ? "unresolved: probability of " + std::string(unresolved_words) + ".\n" : "") +
-                remarks.lines(are_several);
+  table.notes =
+      "from, to: interval with " + level_text(highest) +
+      " % confidence; error: standard error over the probability; ancestors: first trajectories of a\nrepetition "
+      "from which those with the event descend, median; work, plain sampling: simulated time in realisations\nto the "
+      "horizon, by this method and by plain sampling for the same error.\n" +
+      (has_unresolved ? "unresolved: probability of " + std::string(unresolved_words) + ".\n" : "") +
+      remarks.lines(are_several);
   return to_terminal(table) + suite_rows(report.suites);
 }
 

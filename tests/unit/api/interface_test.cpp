@@ -273,7 +273,8 @@ TEST_F(Interface, VerifiesAFolderWithItsReport) {
 }
 
 TEST_F(Interface, EstimatesRareEventsAgain) {
-  const Experiment experiment = small_experiment();
+  Experiment experiment = small_experiment();
+  experiment.conditions[0].horizon = {.transient_periods = 1, .sampled_periods = 2};
   const RareRequest request{.question = {.event = {rocking::EventName::tilt, 0.1}, .relative_error = 0.5},
                             .particles = 20};
   std::uint64_t last = 0;

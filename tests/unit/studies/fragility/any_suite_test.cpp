@@ -24,7 +24,7 @@ StripeGroup random_suite(support::SplitMix& random) {
   const auto below = [&random](double most) { return static_cast<std::size_t>(random.uniform(0.0, most)); };
   StripeGroup group{.parameter = "/excitation/scale", .others = {}, .confidence = 0.95, .stripes = {}};
   const std::size_t records = 1 + below(4.0), trials = 1 + below(4.0);
-  const std::size_t levels = below(4.0) == 0 ? 150 : 1 + below(8.0);
+  const std::size_t levels = below(4.0) == 0 ? 50 : 1 + below(8.0);
   const double noise = below(2.0) == 0 ? 0.0 : 0.2;
   for (std::size_t r = 0; r < records; ++r) {
     const double capacity = random.uniform(-0.2, 1.2) * static_cast<double>(levels);

@@ -1,5 +1,6 @@
 // `rocking motion`: what is read, the measures, and faults.
 
+#include <filesystem>
 #include <numbers>
 #include <string>
 
@@ -129,6 +130,26 @@ TEST_F(MotionCommand, RefusesWithTheSuitableExitCode) {
   EXPECT_EQ(rocking("motion a.AT2 --damping 1").exit_code, 64);
   EXPECT_EQ(rocking("motion a.AT2 --periods 0").exit_code, 64);
   EXPECT_EQ(rocking("motion").exit_code, 64);
+}
+
+// With sanitizers no limit of memory can hold.
+TEST_F(MotionCommand, RefusesALineOf200MegabytesInBoundedMemory) {
+  write("line.txt", "0 1\n0.01 ");
+  std::filesystem::resize_file(folder_ / "line.txt", 200'000'000);  // the rest is zeros, which take no space on disk
+  const std::string long_line = "0 1\n0.01 " + std::string(60'000'000, '1') + "\n0.02 1\n";
+  write("digits.txt", long_line);
+#ifdef ROCKING_SANITIZED
+  const std::string limit;
+#else
+  const std::string limit = "ulimit -v 1000000; ";
+#endif
+  const auto whole = shell(limit + "'" ROCKING_PROGRAM "' motion line.txt --units g");
+  EXPECT_EQ(whole.exit_code, 65) << whole.errors;
+  EXPECT_THAT(whole.errors, HasSubstr("line.txt: is longer than 64 MB"));
+  const auto part = shell(limit + "'" ROCKING_PROGRAM "' motion digits.txt --units g");
+  EXPECT_EQ(part.exit_code, 65) << part.errors;
+  EXPECT_THAT(part.errors, HasSubstr("digits.txt, line 2"));
+  EXPECT_LT(part.errors.size(), 1000U) << "the line is cut";
 }
 
 TEST_F(MotionCommand, TakesAVerticalComponent) {

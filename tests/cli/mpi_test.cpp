@@ -47,6 +47,29 @@ TEST_F(Ranks, GiveTheSameBytesWhateverTheirNumber) {
   }
 }
 
+TEST_F(Ranks, GiveTheSameBytesOfAnyBlockUnderVerticalMotion) {
+  auto question = quick_experiment();
+  question["realisations"] = 61;
+  question["block"] = {
+      {"parts", Json::parse(R"([{"width_m": 1.0, "height_m": 2.0, "mass_kg": 300, "x_m": 0, "bottom_m": 0},
+      {"width_m": 0.6, "height_m": 2.0, "mass_kg": 100, "x_m": 0.1, "bottom_m": 2.0}])")}};
+  question["excitation"]["vertical"] = {{"amplitude", 2.0}, {"frequency_ratio", 20.0}};
+  write("parts.json", question.dump());
+  Json recorded = rocking::support::recorded_experiment();
+  recorded["realisations"] = 61;
+  recorded["fluctuation"] = {{"restitution", {{"sigma", 0.02}}}};
+  recorded["excitation"]["vertical_file"] = "pulse.txt";
+  write("recorded.json", recorded.dump());
+  write("pulse.txt", rocking::support::recorded_pulse());
+  for (const std::string name : {"parts", "recorded"}) {
+    const auto alone = rocking("run " + name + ".json -q -o " + name + "_alone");
+    ASSERT_EQ(alone.exit_code, 0) << alone.errors;
+    const auto outcome = shell(ranks(3, "run " + name + ".json -q -o " + name + "_ranks"));
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+    EXPECT_EQ(lasting_part(name + "_ranks/report.json"), lasting_part(name + "_alone/report.json")) << name;
+  }
+}
+
 TEST_F(Ranks, StopAtTheSameNumberWhereIntervalsSayWhen) {
   auto question = quick_experiment();
   question["realisations"] = Json::parse(R"({ "until": { "half_width": 0.2, "at_most": 300 } })");

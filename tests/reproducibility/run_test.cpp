@@ -75,6 +75,26 @@ TEST(RecordOfASuite, IsPartOfTheSeedWhereverARealisationIsDrawn) {
   EXPECT_NE(run(plain, options)->digest, run(of_record, options)->digest);
 }
 
+// The kernels that a run uses are those of RunOptions::lanes: one lane, eight, sixteen where the processor has them.
+TEST(Run, HasTheSameBitsInLanesOfAnyWidthAlsoOfBlocksOfPartsUnderVerticalMotion) {
+  Experiment question = four_conditions();
+  Condition general = question.conditions[0];
+  general.scene.block.mass = GivenEdges{.edges = {0.5, 0.45}, .centre_height = 2.0, .radius_of_gyration = 1.2};
+  general.realisations = 37;
+  Condition vertical = question.conditions[2];
+  support::harmonic(vertical.scene).vertical = VerticalHarmonic{.amplitude = 1.0, .frequency_ratio = 20.0};
+  Condition both = general;
+  support::harmonic(both.scene).vertical = VerticalHarmonic{.amplitude = 2.0, .frequency_ratio = 10.0};
+  question.conditions.insert(question.conditions.end(), {general, vertical, both});
+  RunOptions options;
+  options.threads = 2;
+  const base::Sha256 expected = run(question, options)->digest;
+  for (const lanes::Kernels& kernels : lanes::available_kernels()) {
+    options.lanes = kernels;
+    EXPECT_EQ(run(question, options)->digest, expected) << kernels.name;
+  }
+}
+
 void expect_same(const DivergenceTimes& a, const DivergenceTimes& b) {
   EXPECT_EQ(a.pairs, b.pairs);
   EXPECT_EQ(a.diverged, b.diverged);

@@ -264,6 +264,15 @@ TEST(VerticalHarmonic, HasAMirrorImageOnlyWithAnEvenRatio) {
   EXPECT_EQ(periods_of_base(scene(20.0)), 1);
   EXPECT_EQ(periods_of_base(scene(2.5)), 4);
   EXPECT_EQ(periods_of_base(scene(15.0)), std::nullopt);
+  // Of several, each of which would do alone: after the periods of all.
+  const auto one_of = [&scene](std::vector<double> ratios) {
+    Scene drawn = scene(20.0);
+    support::harmonic(drawn).vertical->frequency_ratio = Values{.values = std::move(ratios)};
+    return periods_of_base(drawn);
+  };
+  EXPECT_EQ(one_of({10.0, 20.0}), 1);
+  EXPECT_EQ(one_of({20.0, 2.5, 10.0 / 6.0}), 12);
+  EXPECT_EQ(one_of({20.0, 15.0}), std::nullopt);
   EXPECT_EQ(periods_of_base(support::shaken(4.0).scene), 1);
   // The mirrored half is the map: an even ratio makes half a period, mirrored, twice the whole.
   const PoincareMap map(shaken_both_ways(4.0, sine_of(0.5, 20.0, 1.1)));

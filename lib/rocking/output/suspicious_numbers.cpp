@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <set>
 #include <string_view>
 
@@ -146,6 +147,61 @@ bool look_at_impacts(const Scene& scene, Suspicions& found) {
   return false;
 }
 
+/// Of a part on the mean, two intervals.
+struct Rectangle {
+  Reach across, up;
+};
+
+Rectangle rectangle_of(const BlockPart& part) {
+  const double x = mean_of(part.x), half = 0.5 * mean_of(part.width), bottom = mean_of(part.bottom);
+  return {.across = {x - half, x + half}, .up = {bottom, bottom + mean_of(part.height)}};
+}
+
+/// What two parts have in common in the direction in which that is shorter; negative: their distance.
+double overlap(const Rectangle& a, const Rectangle& b) {
+  const auto common = [](const Reach& one, const Reach& other) {
+    return std::min(one.largest, other.largest) - std::max(one.least, other.least);
+  };
+  return std::min(common(a.across, b.across), common(a.up, b.up));
+}
+
+/// Parts in one place, and parts that nothing carries.
+void look_at_parts(const Scene& scene, Suspicions& found) {
+  const auto* given = std::get_if<GivenParts>(&scene.block.mass);
+  if (given == nullptr) return;
+  constexpr double gap = 1e-6;  // m, of rounding
+  std::vector<Rectangle> shapes;
+  for (const BlockPart& part : given->parts) shapes.push_back(rectangle_of(part));
+  const auto name = [](std::size_t i) { return "/block/parts/" + std::to_string(i); };
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      const double common = overlap(shapes[i], shapes[k]);
+      if (common <= gap) continue;
+      found.add(name(i), " overlaps " + name(k) + " by " + significant(common, 3) +
+                             " m: where they overlap both masses count; move or shorten one of them");
+    }
+  }
+  // From those on the floor, or lowest, to what touches them.
+  std::vector<std::size_t> places(shapes.size()), carried;
+  std::iota(places.begin(), places.end(), 0);
+  const auto bottom = [&shapes](std::size_t i) { return shapes[i].up.least; };
+  const double lowest = bottom(*std::ranges::min_element(places, {}, bottom));
+  std::erase_if(places, [&](std::size_t i) {
+    if (bottom(i) <= lowest + gap) carried.push_back(i);
+    return bottom(i) <= lowest + gap;
+  });
+  for (std::size_t next = 0; next < carried.size(); ++next) {
+    std::erase_if(places, [&](std::size_t i) {
+      const bool touches = overlap(shapes[i], shapes[carried[next]]) >= -gap;
+      if (touches) carried.push_back(i);
+      return touches;
+    });
+  }
+  for (const std::size_t i : places) {
+    found.add(name(i), " touches no part that is carried from below: check \"bottom_m\" and \"x_m\"");
+  }
+}
+
 void look_at_record(const GroundMotion& motion, Suspicions& found) {
   const auto& samples = motion.samples;
   const double step = (samples.back().time - samples.front().time) / static_cast<double>(samples.size() - 1);
@@ -168,6 +224,7 @@ std::vector<std::string> suspicious_numbers(const Experiment& experiment) {
   std::set<const GroundMotion*> seen;
   for (const Condition& condition : experiment.conditions) {
     look_at_numbers(condition.scene, found);
+    look_at_parts(condition.scene, found);
     if (!look_at_impacts(condition.scene, found)) look_at_restitution(condition.scene, found);
     const auto* recorded = std::get_if<Recorded>(&condition.scene.excitation);
     if (recorded == nullptr || !recorded->ground_motion || !seen.insert(recorded->ground_motion.get()).second) continue;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "rocking/scene/drawn_quantities.hpp"
 
@@ -59,14 +60,35 @@ std::optional<dynamics::VerticalSine> common_vertical_sine(const Scene& scene) {
   return harmonic.vertical_sine(dynamics::geometry_of(mean_block(scene)), scene.block.gravity);
 }
 
+/// The scene itself, or where its vertical frequency is drawn from `values` the scene with each of them.
+std::vector<Scene> with_each_vertical_frequency(const Scene& scene) {
+  const auto frequency_of = [](Scene& of) -> Quantity& {
+    VerticalHarmonic& vertical = *std::get<Harmonic>(of.excitation).vertical;
+    return vertical.physical_frequency ? vertical.physical_frequency->value : vertical.frequency_ratio;
+  };
+  std::vector<Scene> scenes{scene};
+  const Quantity frequency = frequency_of(scenes.front());
+  const auto* values = std::get_if<Values>(&frequency);
+  if (values == nullptr) return scenes;
+  scenes.assign(values->values.size(), scene);
+  for (std::size_t i = 0; i < scenes.size(); ++i) frequency_of(scenes[i]) = values->values[i];
+  return scenes;
+}
+
 }  // namespace
 
 std::optional<std::int64_t> periods_of_base(const Scene& scene) {
   if (!is_periodic(scene.excitation)) return std::nullopt;
   if (vertical_of(scene.excitation) == nullptr) return 1;
-  const auto sine = common_vertical_sine(scene);
-  if (!sine || sine->cycles != std::floor(sine->cycles)) return std::nullopt;
-  return static_cast<std::int64_t>(sine->periods);
+  std::int64_t common = 1;
+  for (const Scene& each : with_each_vertical_frequency(scene)) {
+    const auto sine = common_vertical_sine(each);
+    if (!sine || sine->cycles != std::floor(sine->cycles)) return std::nullopt;
+    common = std::lcm(common, static_cast<std::int64_t>(sine->periods));
+    constexpr std::int64_t most = 1'000'000;  // below it the least common multiple of two cannot overflow
+    if (common > most) return std::nullopt;
+  }
+  return common;
 }
 
 bool has_mirror_symmetry(const Scene& scene) {

@@ -115,6 +115,23 @@ TEST(SuspiciousNumbers, AreThoseOfAnotherUnitThanThatOfTheirKey) {
               ElementsAre(HasSubstr("/block/width_m = 0.001: below 0.01 m"), HasSubstr("/block/height_m = 0.005")));
 }
 
+TEST(SuspiciousNumbers, AreThoseOfPartsInOnePlaceOrInTheAir) {
+  const auto with_parts = [](const std::string& upper, const std::string& more = "") {
+    return suspicious_numbers(least_with(
+        {{"/block", R"({"parts": [{"width_m": 0.4, "height_m": 0.3, "mass_kg": 5, "x_m": 0, "bottom_m": 0}, )" + upper +
+                        more + "]}"}}));
+  };
+  const auto part = [](const std::string& x, const std::string& bottom) {
+    return R"({"width_m": 0.2, "height_m": 0.6, "mass_kg": 5, "x_m": )" + x + R"(, "bottom_m": )" + bottom + "}";
+  };
+  EXPECT_THAT(with_parts(part("0", "0.3")), IsEmpty());
+  EXPECT_THAT(with_parts(part("0.1", "0.2")),
+              ElementsAre(HasSubstr("/block/parts/1 overlaps /block/parts/0 by 0.1 m")));
+  EXPECT_THAT(with_parts(part("0", "0.4")), ElementsAre(HasSubstr("/block/parts/1 touches no part")));
+  EXPECT_THAT(with_parts(part("0", "0.9"), ", " + part("0", "0.3")), IsEmpty()) << "one on the other, in any order";
+  EXPECT_THAT(with_parts(part("0.3", "0.1")), IsEmpty()) << "fixed to its side, up to rounding";
+}
+
 TEST(TooFewPeriods, AreFewerThanTheClassifierNeeds) {
   const auto with_periods = [](const std::string& periods, const std::string& phase, const std::string& fluctuation) {
     return too_few_periods(least_with({{"/horizon", "{\"transient_periods\": 5, \"sampled_periods\": " + periods + "}"},

@@ -81,7 +81,6 @@ void check_slip(const Experiment& experiment, const ResponseEvent& event) {
 
 void check_request(const Experiment& experiment, const RareRequest& request) {
   check_has_conditions(experiment);
-  check_strobe(experiment);
   QuestionCheck check(request);
   check.expect(!request.seconds || request.elapsed_seconds, "seconds", "", "needs a clock: `elapsed_seconds`");
   check.expect(request.earlier.size() <= experiment.conditions.size(), "earlier",

@@ -30,7 +30,7 @@ using support::SplitMix;
 
 constexpr std::array<std::string_view, dynamics::guard_count> guard_names{
     "overturn",   "determinant",  "tilt",   "slip", "friction_inward", "friction_outward", "leave_right",
-    "leave_left", "past_balance", "normal", "cell"};
+    "leave_left", "past_balance", "normal", "cell", "slip_presses"};
 
 constexpr int horizon_periods = 34;
 #if ROCKING_CONTRACTS  // and sanitizers: five times as long a step

@@ -19,6 +19,7 @@ struct Circumstances {
   double kinetic_friction;
   bool tests_friction;  ///< whether sticking can fail
   bool was_past_balance;
+  bool waits_for_contact;  ///< sticks off the ground until it would press on the base if it slipped
   bool off_ground;
   bool vertical;                   ///< the base moves vertically
   std::optional<double> cell_end;  ///< X at which a slipping block finds other friction; absent: nowhere
@@ -65,6 +66,7 @@ void for_each_model_guard(const Circumstances& now, const dynamics::State& state
   }
   const double normal = pressed + side * acceleration * sine - square * cosine;
   visit(Guard::normal, ground * normal);
+  if (!slips && now.waits_for_contact) visit(Guard::slip_presses, square * cosine - pressed);
   if (slips || !now.tests_friction) return;
   const double friction = 4.0 / 3.0 * alpha - acceleration * cosine - side * square * sine;
   visit(Guard::friction_inward, mu_s * normal - side * friction);

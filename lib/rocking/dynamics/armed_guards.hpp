@@ -59,6 +59,12 @@ struct ArmedGuards {
   [[nodiscard]] bool tests_friction() const {
     return !slips() && has_friction && !off_ground && !known.sticks_beyond_friction;
   }
+  /// A block that sticks off the ground slips as soon as it would press on the base then (model.md, 3). With another
+  /// inertia than the centroidal one that does not follow.
+  [[nodiscard]] bool waits_for_contact() const {
+    return state.contact == ContactState::rock && has_friction && off_ground && !known.sticks_beyond_friction &&
+           setting.inertia == setting.block.inertia;
+  }
   [[nodiscard]] bool determinant_may_vanish() const { return slips() && determinant_can_vanish; }
   [[nodiscard]] double shape_angle() const { return setting.block.edge(state.side).shape_angle; }
   [[nodiscard]] double inertia() const { return setting.inertia; }
@@ -119,6 +125,17 @@ void visit_guards(const ArmedGuards& armed, const MotionSeries<double>& m, Wante
         GuardRow<bool, std::size_t, std::size_t>{
             .guard = Guard::cell, .out_of_reach = false, .length = length, .zeros = 0},
         [&](std::size_t k) { return (k == 0 ? start : 0.0) - armed.slip_sign() * m.slip[k]; });
+  }
+  if (armed.waits_for_contact()) {
+    const double load = armed.setting.block.load;
+    visit_row(
+        GuardRow<bool, std::size_t, std::size_t>{
+            .guard = Guard::slip_presses, .out_of_reach = false, .length = order + 1, .zeros = 0},
+        [&](std::size_t k) {
+          double sum = -load * (armed.vertical ? m.weight[k] : k == 0 ? 1.0 : 0.0);
+          for (std::size_t i = 0; i <= k; ++i) sum += m.tilt_rate[i] * m.rate_cosine[k - i];
+          return sum;
+        });
   }
   switch (armed.state.contact) {
     case ContactState::rest:

@@ -60,6 +60,8 @@ class Automaton {
       check_contact(context);
     } else if (firing.has(Guard::normal)) {
       if (is_off_ground() || !slips_rather_than_lose_contact(context)) cross_normal(context);
+    } else if (firing.has(Guard::slip_presses)) {
+      press_by_slipping(context, at_threshold);
     }
     if (firing.has(Guard::past_balance)) pass_balance(context);
   }
@@ -92,6 +94,15 @@ class Automaton {
   void pass_balance(MotionContext<Coefficients>& context) {
     was_past_balance_ = true;
     context.record(EventKind::past_balance);
+  }
+
+  /// A block that sticks off the ground would press on the base, if it slipped, from now on.
+  template <CoefficientSource Coefficients>
+  void press_by_slipping(MotionContext<Coefficients>& context, bool at_threshold) {
+    start_slipping(context, -sign(sticking_forces(context).friction), false);
+    if (!at_threshold || !context.slips()) return;
+    set_off_ground(context, false);
+    context.known.normal_is_zero = true;
   }
 
   /// N has become 0.

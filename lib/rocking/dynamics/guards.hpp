@@ -23,9 +23,10 @@ enum class Guard : std::size_t {
   past_balance,      ///< psi - S theta, until the first time
   normal,            ///< N on the ground, -N off it
   cell,              ///< friction of the place: the way to the end of the cell, in the direction of slip
+  slip_presses,      ///< off the ground: w^2 c - G g, below 0 where the block would press on the base if it slipped
 };
 
-inline constexpr std::size_t guard_count = 11;
+inline constexpr std::size_t guard_count = 12;
 
 /// A number of coefficients that is known to the compiler.
 template <std::size_t count>

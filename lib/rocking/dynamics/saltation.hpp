@@ -90,6 +90,17 @@ struct MovingBase {
                          .weight = base.slope.weight})};
 }
 
+/// g = w^2 c - G g of a block that rocks with these rates.
+[[nodiscard]] inline GuardSlope slope_of_pressing(const State& state, const MovingBase& base,
+                                                  const AnyConstants& constants, const Tangent<double>& rates) {
+  const auto [sine, cosine] = edge_angle(state, constants);
+  const double rate = state.tilt_rate;
+  const Tangent<double> gradient{.tilt = state.side * rate * rate * sine, .tilt_rate = 2.0 * rate * cosine};
+  return {
+      .gradient = gradient,
+      .rate = gradient.tilt * rates.tilt + gradient.tilt_rate * rates.tilt_rate - constants.load * base.slope.weight};
+}
+
 /// Derivative of the rates after an impact with respect to the rates before it: w2 and V2 by w1 and V1. An impact is
 /// linear in them as long as it slips in the same direction, or sticks.
 struct ImpactDerivative {

@@ -167,7 +167,10 @@ class TangentMotion : public Motion {
       if (has_fired(guard)) return guard;
     }
     if (has_fired(Guard::leave_right) || has_fired(Guard::leave_left) || at_breakpoint) return std::nullopt;
-    return has_fired(Guard::normal) ? std::optional(Guard::normal) : std::nullopt;
+    for (const Guard guard : {Guard::normal, Guard::slip_presses}) {
+      if (has_fired(guard)) return guard;
+    }
+    return std::nullopt;
   }
 
   template <class Fired>
@@ -263,6 +266,9 @@ class TangentMotion : public Motion {
                              least_rate)
                        : std::nullopt;
       }
+      case Guard::slip_presses:
+        return unless_grazing(dynamics::slope_of_pressing(event.before, event_base_, constants(event.before), rates),
+                              least_rate);
       default: return std::nullopt;
     }
   }

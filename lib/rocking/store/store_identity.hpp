@@ -17,7 +17,7 @@ namespace rocking {
 /// 3: the Lyapunov exponent follows from tangent vectors.
 /// 4: the records of a suite have independent random numbers.
 /// 5: labels (m,n) are those of orbits, and exponents in lanes those of the realisation alone.
-inline constexpr std::uint64_t results_version = 5;
+inline constexpr std::uint64_t results_version = 6;
 
 /// What a store belongs to. Only realisations of the same experiment and results version may be combined.
 struct Identity {

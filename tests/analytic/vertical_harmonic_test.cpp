@@ -267,7 +267,7 @@ TEST(VerticalHarmonic, HasAMirrorImageOnlyWithAnEvenRatio) {
   // Of several, each of which would do alone: after the periods of all.
   const auto one_of = [&scene](std::vector<double> ratios) {
     Scene drawn = scene(20.0);
-    support::harmonic(drawn).vertical->frequency_ratio = Values{.values = std::move(ratios)};
+    support::harmonic(drawn).vertical->frequency_ratio = rocking::Values{.values = std::move(ratios)};
     return periods_of_base(drawn);
   };
   EXPECT_EQ(one_of({10.0, 20.0}), 1);

@@ -69,7 +69,7 @@ TEST(RareGrid, IsDrawnAnewWhereFewAncestorsHaveTheEvent) {
           "fluctuation": {"amplitude": {"sigma": 0.7067029}},
           "horizon": {"transient_periods": 10, "sampled_periods": 30}, "realisations": 100, "seed": "0x2"})",
       "");
-  const RareEstimate found = rare_probabilities(experiment, {.question = {.relative_error = 0.2}}).front();
+  const RareEstimate found = rare_probabilities(experiment, {.question = {.event = {}, .relative_error = 0.2}}).front();
   EXPECT_GE(found.ancestors, 40U);
   EXPECT_EQ(found.diagnosis, rocking::RareDiagnosis::none);
   EXPECT_LE(found.repetitions.size(), 20U);

@@ -83,19 +83,19 @@ struct Small {
 // The record decides beside both measures: if the trials counted as independent, most p-values would be small.
 TEST(SurfaceTests, HavePValuesThatAreAboutUniformWhereThereIsNothing) {
   support::FalseAlarms alarms;
-  constexpr int suites = 400;
+  constexpr int made_up = 400;
   Small second, interaction;
-  for (int i = 0; i < suites; ++i) {
+  for (int i = 0; i < made_up; ++i) {
     const auto first = 2026 + 7919 * static_cast<std::uint64_t>(i);
     second.add(fitted({.truth = {0.2, 2.0, 0.0, 0.0}}, first, 99).second.p_value.value());
     interaction.add(fitted({.truth = {0.2, 2.0, 1.0, 0.0}}, first + 1, 99).interaction->p_value.value());
   }
   const auto at_most = [](int count, double share) {
-    const boost::math::binomial_distribution<double> law(suites, share);
+    const boost::math::binomial_distribution<double> law(made_up, share);
     return count == 0 ? 1.0 : cdf(complement(law, count - 1));
   };
   const auto at_least = [](int count, double share) {
-    return cdf(boost::math::binomial_distribution<double>(suites, share), count);
+    return cdf(boost::math::binomial_distribution<double>(made_up, share), count);
   };
   for (const Small& found : {second, interaction}) {
     EXPECT_GT(at_most(found.of_twentieth, 0.06), alarms.level()) << found.of_twentieth;

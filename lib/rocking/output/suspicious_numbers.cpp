@@ -169,14 +169,14 @@ double overlap(const Rectangle& a, const Rectangle& b) {
 void look_at_parts(const Scene& scene, Suspicions& found) {
   const auto* given = std::get_if<GivenParts>(&scene.block.mass);
   if (given == nullptr) return;
-  constexpr double gap = 1e-6;  // m, of rounding
+  constexpr double clearance = 1e-6;  // m, of rounding
   std::vector<Rectangle> shapes;
   for (const BlockPart& part : given->parts) shapes.push_back(rectangle_of(part));
   const auto name = [](std::size_t i) { return "/block/parts/" + std::to_string(i); };
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     for (std::size_t k = 0; k < i; ++k) {
       const double common = overlap(shapes[i], shapes[k]);
-      if (common <= gap) continue;
+      if (common <= clearance) continue;
       found.add(name(i), " overlaps " + name(k) + " by " + significant(common, 3) +
                              " m: where they overlap both masses count; move or shorten one of them");
     }
@@ -187,12 +187,12 @@ void look_at_parts(const Scene& scene, Suspicions& found) {
   const auto bottom = [&shapes](std::size_t i) { return shapes[i].up.least; };
   const double lowest = bottom(*std::ranges::min_element(places, {}, bottom));
   std::erase_if(places, [&](std::size_t i) {
-    if (bottom(i) <= lowest + gap) carried.push_back(i);
-    return bottom(i) <= lowest + gap;
+    if (bottom(i) <= lowest + clearance) carried.push_back(i);
+    return bottom(i) <= lowest + clearance;
   });
   for (std::size_t next = 0; next < carried.size(); ++next) {
     std::erase_if(places, [&](std::size_t i) {
-      const bool touches = overlap(shapes[i], shapes[carried[next]]) >= -gap;
+      const bool touches = overlap(shapes[i], shapes[carried[next]]) >= -clearance;
       if (touches) carried.push_back(i);
       return touches;
     });

@@ -121,9 +121,9 @@ class GuardWatch {
             .static_friction = coefficients.static_friction(),
             .kinetic_friction = motion.kinetic_friction(),
             .tests_friction = coefficients.has_friction() && !motion.is_off_ground() && !sticks_anyway,
+            .was_past_balance = motion.was_past_balance(),
             .waits_for_contact = coefficients.has_friction() && motion.is_off_ground() && !sticks_anyway &&
                                  setting_.inertia == setting_.block.inertia,
-            .was_past_balance = motion.was_past_balance(),
             .off_ground = motion.is_off_ground(),
             .vertical = vertical_,
             .cell_end = motion.cell_end()};

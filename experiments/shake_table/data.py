@@ -2,10 +2,11 @@
 
 The folder is a clone of github.com/ZhiangChen/virtual_shake_robot_pybullet at commit 9f239e7 with a file `tests.csv` in it:
 
-    test,date,motion,outcome_1
+    test,date,motion,pgv_over_pga_s,outcome_1
 
-a line for each test: its number, the day (20210621), the name of the motion, and 1 where rock 1 overturned, else 0. It is
-exported from Results_Granite.xlsx of the clone. Recordings are data/Shake_Table_Response/TestNNN.txt: a header, then time
+a line for each test: its number, the day (20210621), the name of the motion, its published PGV/PGA, and 1 where rock 1
+overturned, else 0. It is exported from Results_Granite.xlsx of the clone, and so is the file of rock 2, `test,outcome_2`,
+which may have more columns: the answers of other models, 0 or 1, each under its name. Recordings are data/Shake_Table_Response/TestNNN.txt: a header, then time
 [s] and acceleration of the table [g] in the first two of eight columns, 800 a second. Recordings that are absent are left
 out."""
 
@@ -30,6 +31,7 @@ class Test:
     day: str
     motion: str
     outcome: int | None  # 1: rock 1 overturned
+    pgv_over_pga: float  # as published [s]
     pga: float = 0.0  # [g]
     pgv: float = 0.0  # [m/s]
     duration: float = 0.0  # [s]
@@ -43,19 +45,40 @@ class Unusable(Exception):
     """A file of the data that cannot be used, with the reason."""
 
 
+def check_columns(rows, path, needed):
+    missing = needed - set(rows.fieldnames or ())
+    if missing:
+        raise Unusable(f"{path}, line 1: has no column {', '.join(sorted(missing))}")
+
+
+def answer_in(row, column, rows, path):
+    """0 or 1."""
+    if row[column] not in ("0", "1"):
+        raise Unusable(f"{path}, line {rows.line_num}: {column} = {row[column]!r} is neither 0 nor 1")
+    return int(row[column])
+
+
+def answers_of_rock_2(path, tests):
+    """By the name of its column, `outcome_2` and those of other models: 0 or 1 for each test."""
+    with open(path, encoding="utf-8", newline="") as file:
+        rows = csv.DictReader(file)
+        check_columns(rows, path, {"test", "outcome_2"})
+        columns = [name for name in rows.fieldnames if name != "test"]
+        known = {int(row["test"]): [answer_in(row, column, rows, path) for column in columns] for row in rows}
+    absent = [test.number for test in tests if test.number not in known]
+    if absent:
+        raise Unusable(f"{path}: has no test {absent[0]}")
+    return {column: [known[test.number][k] for test in tests] for k, column in enumerate(columns)}
+
+
 def tests_in(folder):
     """The tests of `tests.csv` in the order of their numbers."""
     path = pathlib.Path(folder) / "tests.csv"
     with open(path, encoding="utf-8", newline="") as file:
         rows = csv.DictReader(file)
-        missing = {"test", "date", "motion", "outcome_1"} - set(rows.fieldnames or ())
-        if missing:
-            raise Unusable(f"{path}, line 1: has no column {', '.join(sorted(missing))}")
-        tests = []
-        for row in rows:
-            if row["outcome_1"] not in ("0", "1"):
-                raise Unusable(f"{path}, line {rows.line_num}: outcome_1 = {row['outcome_1']!r} is neither 0 nor 1")
-            tests.append(Test(int(row["test"]), row["date"], row["motion"], int(row["outcome_1"])))
+        check_columns(rows, path, {"test", "date", "motion", "pgv_over_pga_s", "outcome_1"})
+        tests = [Test(int(row["test"]), row["date"], row["motion"], answer_in(row, "outcome_1", rows, path),
+                      float(row["pgv_over_pga_s"])) for row in rows]
     numbers = [test.number for test in tests]
     if len(set(numbers)) < len(numbers):
         raise Unusable(f"{path}: has a test twice")
@@ -89,13 +112,13 @@ def recorded(path):
     return numpy.array(values)
 
 
-def filtered(values):
-    """Without its mean, and without what is above CUT_OFF: every KEPT-th value. The filter has no phase."""
+def filtered(values, kept=KEPT):
+    """Without its mean, and without what is above CUT_OFF: every `kept`-th value. The filter has no phase."""
     mirrored = numpy.concatenate([values, values[::-1]]) - values.mean()
     spectrum = numpy.fft.rfft(mirrored)
     frequency = numpy.fft.rfftfreq(len(mirrored), STEP)
     smooth = numpy.fft.irfft(spectrum / (1.0 + (frequency / CUT_OFF) ** (2 * ORDER)), len(mirrored))
-    return smooth[: len(values) : KEPT]
+    return smooth[: len(values) : kept]
 
 
 def peak_velocity(acceleration, gravity=9.81, lowest=0.25):

@@ -28,8 +28,8 @@ def main(folder):
     recordings.mkdir(parents=True, exist_ok=True)
     with open(pathlib.Path(folder) / "tests.csv", "w", encoding="utf-8", newline="") as file:
         rows = csv.writer(file)
-        rows.writerow(["test", "date", "motion", "outcome_1"])
-        rows.writerows([number, day, "sine pulse", outcome] for number, day, _, outcome in TESTS)
+        rows.writerow(["test", "date", "motion", "pgv_over_pga_s", "outcome_1"])
+        rows.writerows([number, day, "sine pulse", 0.16 if number % 2 else 0.02, outcome] for number, day, _, outcome in TESTS)
     for number, _, peak, _ in TESTS:
         times = [data.STEP * k for k in range(int(END / data.STEP))]
         lines = [f"{t:.5f}\t{acceleration(t, peak):.6f}\t{t:.5f}\t0\t{t:.5f}\t0\t{t:.5f}\t0\t\r\n" for t in times]

@@ -109,9 +109,13 @@ def groups(predicted, tests, key, order=lambda test: test.number):
             for name, (n, k, e, v) in found.items()]
 
 
+def runs_in(results):
+    return Folder(os.environ.get("ROCKING", TOP / "build/release/rocking"), pathlib.Path(results))
+
+
 def measure(folder, results):
     """All runs and scores."""
-    runs = Folder(os.environ.get("ROCKING", TOP / "build/release/rocking"), pathlib.Path(results))
+    runs = runs_in(results)
     different = data.check_digests(folder)
     if different:
         print(f"not the recordings of the commit: {', '.join(different[:5])}{', ...' if different[5:] else ''}", file=sys.stderr)

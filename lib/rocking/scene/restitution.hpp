@@ -77,8 +77,8 @@ class RateRatios {
   /// where they differ; with doubt() behind it.
   [[nodiscard]] std::string text() const;
 
-  /// That a number given as e is likely a measured ratio of the rates: it is so large, or what it leaves is below 0.85 of
-  /// Housner's ratio. Absent: it is not.
+  /// That a number given as e is likely a measured ratio of the rates: it lies among these, from 0.67 of Housner's ratio to
+  /// 1, or what it leaves is below 0.85 of Housner's ratio. Absent: it is not.
   [[nodiscard]] std::optional<std::string> doubt() const;
 
  private:
@@ -88,8 +88,9 @@ class RateRatios {
     NumberRange housner;
   };
   std::array<OfEdge, 2> edges_;  ///< where the left edge lands, and the right one
-  NumberRange bare_;             ///< e that are given as numbers
-  NumberRange share_;            ///< of Housner's ratio that they leave, of blocks that go on over their other edge
+  NumberRange share_;        ///< of Housner's ratio that e leave which are given as numbers, of blocks that go on over
+                             ///< their other edge
+  NumberRange like_ratios_;  ///< those of these e that lie among measured ratios
 };
 
 }  // namespace rocking

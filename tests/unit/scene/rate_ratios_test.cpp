@@ -28,15 +28,23 @@ std::string plan_of_block(const std::string& restitution, const std::string& wid
 
 // sin^2(psi) = 0.1225/2.6825, so that 1 - 1.5 sin^2(psi) = 0.93150 and 1 - 1.5 (1 + e) sin^2(psi) = 0.868 for e = 0.93.
 TEST(RateRatios, AreThoseThatFollowFromTheRestitution) {
-  EXPECT_THAT(
-      plan_of_block("0.93"),
-      AllOf(HasSubstr("e = 0.93: 0.868 of the tilt rate survives"), HasSubstr("(Housner's ratio: 0.932)"),
-            Not(HasSubstr("0.85")), HasSubstr("So large an e was not measured"), HasSubstr("{\"rate_ratio\": 0.93}")));
+  EXPECT_THAT(plan_of_block("0.93"),
+              AllOf(HasSubstr("e = 0.93: 0.868 of the tilt rate survives"), HasSubstr("(Housner's ratio: 0.932)"),
+                    Not(HasSubstr("0.85 of")), HasSubstr("as large as measured ratios of the rates"),
+                    HasSubstr("{\"rate_ratio\": 0.93}")));
   EXPECT_THAT(plan_of_block("0.0"),
               AllOf(HasSubstr("e = 0: 0.932 of the tilt rate survives"), Not(HasSubstr("If your number"))));
   EXPECT_THAT(plan_of_block(R"({ "rate_ratio": 0.9 })"), HasSubstr(": 0.9 of the tilt rate survives"));
   EXPECT_THAT(plan_of_block("\"jy25\""),
               AllOf(HasSubstr("e = 0.932: 0.868 of the tilt rate survives"), Not(HasSubstr("If your number"))));
+}
+
+// Ratios from 0.67 of Housner's, 0.624 here, to 1 were measured. As e they may be meant, too: of a slender block 0.97 and 0.95 of
+// Housner's ratio were found, which are e = 0.41 and 0.68 here.
+TEST(RateRatios, AreDoubtedFromTheLeastThatWasMeasured) {
+  EXPECT_THAT(plan_of_block("0.63"), HasSubstr("{\"rate_ratio\": 0.63}"));
+  EXPECT_THAT(plan_of_block("0.62"), Not(HasSubstr("If your number")));
+  EXPECT_THAT(plan_of_block("1.0"), Not(HasSubstr("as large as measured")));
 }
 
 // B/H = 1/2: sin^2(psi) = 0.2, Housner's ratio is 0.7.

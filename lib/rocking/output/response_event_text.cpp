@@ -14,6 +14,7 @@
 #include "rocking/fields/written_types.hpp"
 #include "rocking/input/line_problems.hpp"
 #include "rocking/scene/check_condition.hpp"
+#include "rocking/scene/restitution.hpp"
 
 namespace rocking {
 namespace {
@@ -155,23 +156,30 @@ ResponseEvent in_units_of_balance(const ResponseEvent& event, const std::vector<
     throw base::InputError({"events", event_text(event), std::move(reason), std::move(remedy)});
   };
   constexpr double degree = std::numbers::pi / 180.0;
-  const double unit = event.asked->unit == TiltUnit::deg ? degree : 1.0;
-  std::optional<double> psi;
+  const double tilt = event.asked->value * (event.asked->unit == TiltUnit::deg ? degree : 1.0);
+  NumberRange angles;  // psi of all sides
+  bool are_drawn = false, are_sides_alike = true;
   for (const Condition& condition : conditions) {
-    const dynamics::Geometry block = dynamics::geometry_of(mean_block(condition.scene));
-    for (const dynamics::Edge& edge : block.edges) {
-      if (!psi) psi = edge.shape_angle;
-      if (is_drawn(condition.scene.block) || edge.shape_angle != *psi) {
-        refuse("is not one share of balance: the blocks of the run, or their sides, have several angles psi",
-               "ask for it in psi, or make a run for each block");
-      }
-    }
+    const auto edges = dynamics::geometry_of(mean_block(condition.scene)).edges;
+    for (const dynamics::Edge& edge : edges) angles.add(edge.shape_angle);
+    are_drawn = are_drawn || is_drawn(condition.scene.block);
+    are_sides_alike = are_sides_alike && edges.front().shape_angle == edges.back().shape_angle;
   }
-  const double share = event.asked->value * unit / psi.value();
-  if (share > 1.0) {
-    refuse("lies beyond balance, which this block has at " + base::significant(*psi / degree, 4) +
-               " deg = " + base::significant(*psi, 4) + " rad",
+  const auto shown = [](double number) { return base::significant(number, 3); };
+  const double share = tilt / angles.least, least_share = tilt / angles.largest;
+  if (least_share > 1.0) {
+    refuse("lies beyond balance, which this block has at " + base::significant(angles.largest / degree, 4) +
+               " deg = " + base::significant(angles.largest, 4) + " rad",
            "ask for less, or for overturning");
+  }
+  if (are_drawn || angles.least != angles.largest) {
+    refuse("is not one share of balance: the blocks of the run, or their sides, have several angles psi",
+           "ask for it in psi, as `tilt > " + shown(share > 1.0 ? least_share : share) + " psi`: it is " +
+               shown(share) +
+               (share == least_share ? " psi of the mean block"
+                                     : " psi of the side that balances at the least tilt, " + shown(least_share) +
+                                           " psi of that at the largest") +
+               (are_drawn || !are_sides_alike ? "" : "; or make a run for each block"));
   }
   return {EventName::tilt, share, event.asked};
 }

@@ -15,6 +15,10 @@
 namespace rocking {
 namespace {
 
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
 ResponseEvent event_in(std::string_view text) {
   const auto found = read_event(text);
   const auto* event = std::get_if<ResponseEvent>(&found);
@@ -84,10 +88,21 @@ TEST(ResponseEvent, OfATiltInDegreesIsAShareOfTheBalanceOfTheBlock) {
     }
     return "";
   };
-  EXPECT_THAT(complaint("tilt > 50 deg"), ::testing::HasSubstr("beyond balance, which this block has at 14.04 deg"));
+  EXPECT_THAT(complaint("tilt > 50 deg"), HasSubstr("beyond balance, which this block has at 14.04 deg"));
   document["sweep"] = Json::parse(R"([{"parameter": "/block/width_m", "values": [1, 2]}])");
-  EXPECT_THAT(complaint("tilt > 5 deg"), ::testing::HasSubstr("have several angles psi"));
+  // Of blocks of 1 m and 2 m, which balance at 14.04 and 26.57 degrees, 5 degrees are 0.356 and 0.188 psi.
+  EXPECT_THAT(complaint("tilt > 5 deg"),
+              AllOf(HasSubstr("have several angles psi"), HasSubstr("as `tilt > 0.356 psi`"),
+                    HasSubstr("0.188 psi of that at the largest"), HasSubstr("make a run for each block")));
+  EXPECT_THAT(complaint("tilt > 20 deg"), AllOf(HasSubstr("as `tilt > 0.753 psi`"), HasSubstr("it is 1.42 psi")));
+  EXPECT_THAT(complaint("tilt > 30 deg"), HasSubstr("at 26.57 deg"));
   EXPECT_EQ(complaint("tilt > 0.5 psi"), "");
+  document.erase("sweep");
+  document["block"]["width_m"] = Json::parse(R"({"uniform": [0.9, 1.1]})");
+  EXPECT_THAT(complaint("tilt > 5 deg"),
+              AllOf(HasSubstr("0.356 psi of the mean block"), Not(HasSubstr("a run for each"))));
+  document["block"] = Json::parse(R"({"edges_m": [0.5, 0.25], "centre_height_m": 2, "radius_of_gyration_m": 1.2})");
+  EXPECT_THAT(complaint("tilt > 5 deg"), AllOf(HasSubstr("as `tilt > 0.702 psi`"), Not(HasSubstr("a run for each"))));
 }
 
 TEST(ResponseEvent, IsSaidInTheWordsOfItsOwnKind) {

@@ -3,6 +3,7 @@
 #include "rocking/output/provenance.hpp"
 #include "rocking/output/stats_fields.hpp"
 #include "rocking/studies/fragility/fields.hpp"
+#include "rocking/studies/fragility/words.hpp"
 
 namespace rocking {
 
@@ -87,6 +88,11 @@ const StructType& fields_of(const AnnualRate*) {
           "rate of the first point of the hazard curve where it is above one a year, which needs "
           "a look [1/year]",
           Rule{.above = 0.0}, WithoutValue::omitted),
+      derived<[](const AnnualRate& rate) {
+        std::vector<std::string> warnings = hazard_warnings(rate);
+        return warnings.empty() ? std::nullopt : std::optional(std::move(warnings));
+      }>("warnings", "what the hazard curve lacks, and that it or the event is too frequent to be believed", {},
+         WithoutValue::omitted),
       field<&Rate::by_level>("by_level", "disaggregation by intensity"),
       field<&Rate::in_years>("in_years", "probabilities of the event, with `--years`", {}, WithoutValue::omitted),
   };

@@ -79,13 +79,6 @@ std::string record_share_text(const SuiteRate& rate) {
   return text;
 }
 
-/// What is missing at the weak end of the hazard curve.
-std::string beginning_text(const AnnualRate& rate) {
-  if (!(rate.probability_at_first > 0.001)) return "";
-  return "at the lowest intensity of the hazard curve the probability is " + per_cent(rate.probability_at_first) +
-         " %; weaker shaking is not counted: begin the hazard curve at lower intensities\n";
-}
-
 std::string level_warnings(const SuiteRate& rate) {
   std::string text;
   if (!rate.do_estimates_agree()) {
@@ -199,24 +192,36 @@ std::string extrapolated_hazard_in_words(const AnnualRate& rate) {
          (rate.extrapolated_hazard > 0.0 ? "; without it: " + rate_text(rate.within_hazard) + " per year" : "");
 }
 
-std::string frequency_in_words(const AnnualRate& rate) {
-  std::string text;
+std::vector<std::string> hazard_doubts(const AnnualRate& rate) {
+  std::vector<std::string> doubts;
+  if (rate.probability_at_first > 0.001) {
+    doubts.push_back("at the lowest intensity of the hazard curve the probability is " +
+                     per_cent(rate.probability_at_first) +
+                     " %; weaker shaking is not counted: begin the hazard curve at lower intensities");
+  }
   if (rate.frequent_hazard) {
-    text = "the hazard curve states " + significant(*rate.frequent_hazard, 3) +
-           " exceedances a year at its first intensity: check the kind and the unit of its columns";
+    doubts.push_back("the hazard curve states " + significant(*rate.frequent_hazard, 3) +
+                     " exceedances a year at its first intensity: check the kind and the unit of its columns");
   }
   if (rate.value > most_frequent_event) {
-    text += (text.empty() ? "" : "; ") + std::string("the event would happen ") + rate_text(rate.value) +
-            " times a year, as of no object that stands today: check the block, the units and the hazard curve";
+    doubts.push_back(
+        "the event would happen " + rate_text(rate.value) +
+        " times a year, as of no object that stands today: check the block, the units and the hazard curve");
   }
-  return text;
+  return doubts;
+}
+
+std::vector<std::string> hazard_warnings(const AnnualRate& rate) {
+  std::vector<std::string> warnings = hazard_doubts(rate);
+  if (rate.extrapolated_hazard > most_extrapolated_hazard)
+    warnings.push_back(extrapolated_hazard_in_words(rate) + "; continue the hazard curve");
+  return warnings;
 }
 
 std::string annual_rate_warnings(const AnnualRate& rate) {
-  const bool is_extrapolated = rate.extrapolated_hazard > most_extrapolated_hazard;
-  const std::string frequency = frequency_in_words(rate);
-  return beginning_text(rate) + (frequency.empty() ? "" : "warning: " + frequency + '\n') +
-         (is_extrapolated ? "warning: " + extrapolated_hazard_in_words(rate) + "; continue the hazard curve\n" : "");
+  std::string text;
+  for (const std::string& warning : hazard_warnings(rate)) text += "warning: " + warning + '\n';
+  return text;
 }
 
 std::string annual_rate_warnings(const SuiteRate& rate) {

@@ -153,10 +153,13 @@ std::string value_and_interval(double value, const stats::Interval& interval) {
   return significant(value, 3) + ' ' + interval_in_words(interval);
 }
 
-/// How much of the rate, if there is one, the hazard curve does not give.
+/// How much of the rate, if there is one, the hazard curve does not give, and what needs a look.
 std::string beyond_the_hazard(const ReportedSuite& reported) {
   const AnnualRate* rate = rate_of(reported);
-  return rate == nullptr || !(rate->value > 0.0) ? "" : ' ' + extrapolated_hazard_in_words(*rate) + '.';
+  if (rate == nullptr || !(rate->value > 0.0)) return "";
+  std::string text = ' ' + extrapolated_hazard_in_words(*rate) + '.';
+  for (const std::string& doubt : hazard_doubts(*rate)) text += " Warning: " + doubt + '.';
+  return text;
 }
 
 /// Which of several options is described, with its rate; the headline has that of the only one.

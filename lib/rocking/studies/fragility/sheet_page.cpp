@@ -203,9 +203,14 @@ std::string limits(const SheetContent& sheet) {
     return suite.rate->chosen.extrapolated_hazard > most_extrapolated_hazard;
   });
   return "<h2>Limits of the data</h2>\n" +
-         paragraph(
-             true, "A look is needed: ",
-             by_option(sheet, [](const ReportedSuite& suite) { return frequency_in_words(suite.rate->chosen); })) +
+         paragraph(true, "A look is needed: ",
+                   by_option(sheet,
+                             [](const ReportedSuite& suite) {
+                               std::string text;
+                               for (const std::string& doubt : hazard_doubts(suite.rate->chosen))
+                                 text += (text.empty() ? "" : "; ") + doubt;
+                               return text;
+                             })) +
          paragraph(is_far, "From beyond the last point of the hazard curve: ",
                    by_option(sheet,
                              [](const ReportedSuite& suite) {

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <algorithm>
+#include <string>
+#include <vector>
 
 #include "rocking/look/table.hpp"
 #include "rocking/look/text_table.hpp"
@@ -78,8 +80,11 @@ void add_unresolved(const Levels& levels, std::size_t step, look::Table& table) 
 [[nodiscard]] std::string annual_rate_warnings(const AnnualRate& rate);
 [[nodiscard]] std::string annual_rate_warnings(const SuiteRate& rate);
 
-/// A hazard curve, or an event, that is too frequent to be believed without a look; empty: neither.
-[[nodiscard]] std::string frequency_in_words(const AnnualRate& rate);
+/// What needs a look, a sentence each: a hazard curve that begins too late, and one, or an event, that is too frequent to be
+/// believed.
+[[nodiscard]] std::vector<std::string> hazard_doubts(const AnnualRate& rate);
+/// The same, and a hazard curve that ends too early.
+[[nodiscard]] std::vector<std::string> hazard_warnings(const AnnualRate& rate);
 
 /// `1.2 % of the rate comes from beyond the last point of the hazard curve; without it: 4.9e-4 per year`.
 [[nodiscard]] std::string extrapolated_hazard_in_words(const AnnualRate& rate);

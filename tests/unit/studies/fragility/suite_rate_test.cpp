@@ -9,6 +9,7 @@
 #include "rocking/stats/fit_suite.hpp"
 #include "rocking/stats/normal_law.hpp"
 #include "rocking/stats/suite_bootstrap.hpp"
+#include "rocking/studies/fragility/fields.hpp"
 #include "rocking/studies/fragility/fragility.hpp"
 #include "rocking/studies/fragility/shares_and_hazard.hpp"
 #include "rocking/studies/fragility/words.hpp"
@@ -59,12 +60,15 @@ TEST(SuiteRate, OfAHazardCurveThatEndsBelowUpliftIsNotSaidToBeThatOfTheLevels) {
 
 TEST(SuiteRate, ThatIsTooFrequentToBeBelievedNeedsALook) {
   HazardCurve often = hazard();
-  EXPECT_EQ(frequency_in_words(annual_rate(whole_curve(), often).chosen), "");
+  EXPECT_THAT(hazard_doubts(annual_rate(whole_curve(), often).chosen), IsEmpty());
   for (HazardPoint& point : often.points) point.rate *= 1e4;
   const AnnualRate rate = annual_rate(whole_curve(), often).chosen;
   EXPECT_EQ(rate.frequent_hazard, often.points.front().rate);
   EXPECT_THAT(annual_rate_warnings(rate), AllOf(HasSubstr("warning: the hazard curve states"),
                                                 HasSubstr("times a year, as of no object that stands")));
+  const Json written = type_of<AnnualRate>().json(&rate);
+  ASSERT_EQ(written.at("warnings").size(), hazard_warnings(rate).size());
+  EXPECT_THAT(written["warnings"][0].get<std::string>(), HasSubstr("the hazard curve states"));
 }
 
 // Below the levels the probability is their first share at most, where the law does not give more, and above them 1.

@@ -168,6 +168,7 @@ static Figure profile_figure(const InferReport& report) {
     figure.description += (figure.description.empty() ? "Estimates: " : "; ") + unknown_in_words(unknown);
   }
   figure.description += ".\nIdentified: " + identified_in_words(report) + ".\nFit: " + fit_in_words(report) + '.';
+  if (const auto too_few = too_few_realisations(report)) figure.description += "\nWarning: " + *too_few + '.';
   figure.caption = "Likelihood of the counts over the largest one";
   if (report.unknowns.size() > 1) figure.caption += ", at each value the largest over the other unknowns";
   figure.caption +=

@@ -97,6 +97,10 @@ namespace rocking {
 /// `deviance 5.7, p = 0.58: the estimate explains the counts`.
 [[nodiscard]] std::string fit_in_words(const InferReport& report);
 
+/// That the errors of the realisations, which may be alike in all conditions, outweigh the tests in the limits of the intervals
+/// and of the region (lib/docs/infer.md), and how many realisations would do. Absent: they do not, or there is no design.
+[[nodiscard]] std::optional<std::string> too_few_realisations(const InferReport& report);
+
 /// Whether the tests can tell the unknowns: `no, these tests cannot tell: ...`.
 [[nodiscard]] std::string identified_in_words(const InferReport& report);
 

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 
 #include "rocking/figures/sweep_view.hpp"
 #include "rocking/output/parameter_text.hpp"
@@ -38,6 +40,31 @@ bool is_tested(const InferReport& report) {
 
 bool explains_counts(const InferReport& report) { return report.fit->p_value > 1.0 - report.confidence; }
 
+std::optional<std::string> too_few_realisations(const InferReport& report) {
+  if (report.design.empty() || report.design.front().counts.size() < report.tests.size()) return std::nullopt;
+  constexpr double negligible = 0.3;  // three conditions with a tenth as many tests as realisations
+  const auto sum = [](const std::vector<std::uint64_t>& counts) {
+    return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
+  };
+  double share = 0.0, tests = 0.0;
+  std::uint64_t realisations = 0;
+  for (std::size_t c = 0; c < report.tests.size(); ++c) {
+    const auto of_tests = static_cast<double>(report.tests.size() * sum(report.tests[c].counts));
+    const std::uint64_t at_point = sum(report.design.front().counts[c]);
+    if (of_tests <= share * static_cast<double>(at_point)) continue;
+    share = of_tests / static_cast<double>(at_point);
+    tests = of_tests;
+    realisations = at_point;
+  }
+  if (!(share > 1.0)) return std::nullopt;
+  return "the errors of " + counted(realisations, "realisation") + " of a condition, which may be alike in all " +
+         std::to_string(report.tests.size()) + ", have up to " + significant(share, 2) +
+         " times the variance of the tests: intervals and region are wider than the tests need, and the region may say "
+         "nothing; from " +
+         std::to_string(static_cast<std::uint64_t>(std::ceil(tests / negligible))) +
+         " realisations on they matter little";
+}
+
 std::string fit_in_words(const InferReport& report) {
   const double p = report.fit->p_value;
   const std::string fit = "deviance " + significant(report.fit->statistic, 3) + ", p = " + significant(p, 2);
@@ -50,6 +77,8 @@ std::string fit_in_words(const InferReport& report) {
 
 std::string identified_in_words(const InferReport& report) {
   const std::string& reason = report.identified.reason_why_not;
+  const auto too_few = too_few_realisations(report);
+  const std::string warning = too_few ? "warning: " + *too_few + '\n' : "";
   if (!reason.empty()) return "no, " + reason;
   return report.unknowns.size() == 1 ? "yes, the interval ends within the range of the unknown"
                                      : "yes, all intervals end within the ranges of the unknowns";
@@ -149,12 +178,15 @@ std::string infer_table(const InferReport& report) {
            effort;
   }
   const std::string& reason = report.identified.reason_why_not;
+  const auto too_few = too_few_realisations(report);
+  const std::string warning = too_few ? "warning: " + *too_few + '\n' : "";
   std::string answers = explains_counts(report) ? "" : fit_in_words(report) + '\n';
   for (const ReportedUnknown& unknown : report.unknowns) {
     answers += answer_in_words(unknown) + ", with " + level_text(report.confidence) + " % confidence\n";
   }
-  return answers + '\n' + unknowns_table(report) + (reason.empty() ? "" : reason + "\n") + "\n" + tests_table(report) +
-         "fit: " + fit_in_words(report) + "\n" + never_simulated(report) + candidates_table(report) + effort;
+  return answers + '\n' + unknowns_table(report) + (reason.empty() ? "" : reason + "\n") + warning + "\n" +
+         tests_table(report) + "fit: " + fit_in_words(report) + "\n" + never_simulated(report) +
+         candidates_table(report) + effort;
 }
 
 }  // namespace rocking

@@ -19,6 +19,7 @@ using rocking::analysis::Layer;
 using rocking::analysis::LayerKind;
 using rocking::analysis::Panel;
 using rocking::analysis::Table;
+using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -110,6 +111,24 @@ TEST(InferFigures, SayWhetherTheTestsCanTellAndFit) {
   EXPECT_THAT(figure_named("infer_profile", report).description, HasSubstr("Identified: no, these tests cannot tell"));
   EXPECT_THAT(figure_named("infer_profile", report).subtitle, Not(HasSubstr("0.3")));
   EXPECT_THAT(figure_named("infer_fit", report).description, HasSubstr("p = 0.04: no value of the unknowns explains"));
+}
+
+// Each of 245 conditions has the same random numbers: the errors of 50 realisations may be alike in all of them.
+TEST(InferFigures, SayThatRealisationsAreTooFewForManyConditionsOfOneTest) {
+  InferReport report = two_unknowns();
+  rocking::ReportedTests test = report.tests.front();
+  test.counts = {1, 0};
+  report.tests.assign(245, test);
+  report.design = {{.at = {0.5, 0.5}, .counts = std::vector<std::vector<std::uint64_t>>(245, {20, 30})}};
+  const auto found = rocking::too_few_realisations(report);
+  ASSERT_TRUE(found);
+  EXPECT_THAT(*found, AllOf(HasSubstr("the errors of 50 realisations of a condition"), HasSubstr("alike in all 245"),
+                            HasSubstr("4.9 times the variance of the tests"), HasSubstr("from 817 realisations on")));
+  EXPECT_THAT(figure_named("infer_profile", report).description, HasSubstr("Warning: the errors of 50 realisations"));
+  EXPECT_THAT(rocking::infer_table(report), HasSubstr("warning: the errors of 50 realisations"));
+  EXPECT_THAT(rocking::infer_document().text(report), HasSubstr("\"too_few_realisations\": \"" + *found));
+  report.design.front().counts.assign(245, {400, 417});
+  EXPECT_EQ(rocking::too_few_realisations(report), std::nullopt);
 }
 
 // Cells end halfway to the next points of the grid; the first and last end at their points.

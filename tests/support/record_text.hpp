@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <sstream>
 #include <string>
@@ -17,6 +19,23 @@ inline std::string peer_values(const std::vector<double>& values, std::size_t co
     if ((i + 1) % columns == 0 || i + 1 == values.size()) text += '\n';
   }
   return text;
+}
+
+/// A motion that looks like a recorded one: noise through two filters under an envelope, at rest at both ends.
+inline std::vector<double> noise(unsigned seed, std::size_t count = 2000, double peak = 3.0) {
+  std::vector<double> values(count);
+  double one = 0.0, two = 0.0, largest = 0.0;
+  for (std::size_t i = 0; i < count; ++i) {
+    seed = seed * 1664525U + 1013904223U;
+    const double white = static_cast<double>(seed >> 8U) / 8388608.0 - 1.0;
+    one += 0.3 * (white - one);
+    two += 0.02 * (one - two);
+    const double at = static_cast<double>(i) / static_cast<double>(count);
+    values[i] = (one - two) * std::pow(std::sin(std::acos(-1.0) * at), 2.0);
+    largest = std::max(largest, std::abs(values[i]));
+  }
+  for (double& value : values) value *= peak / largest;
+  return values;
 }
 
 /// Lines of a time and a value, times a factor.

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <span>
 
@@ -41,6 +42,7 @@ class GeonetReader final : public ChannelReader {
     compare(lines, numbers, is_corrected);
     compare_duration(numbers, header);
     auto found = channel(component_in_line(lines[12]), header, 10, text);
+    found.origin = record_in(first);
     for (std::size_t i = 4; i < 6 && is_corrected; ++i) {
       const auto others = checked_count(numbers.at(3, i), problems_);
       static_cast<void>(take_numbers(others.value_or(0), 10, text));
@@ -68,6 +70,16 @@ class GeonetReader final : public ChannelReader {
   void compare_duration(const Numbers& numbers, const EvenHeader& header) {
     const std::string_view duration = numbers.at(6, 3);
     if (duration.find_first_of("123456789") != std::string_view::npos) expect_duration(duration, header, 0.01);
+  }
+
+  /// Of `Corrected accelerogram 20110221_235142_HSES_20 GNS Science` the third word: time of the earthquake and station, alike
+  /// in both volumes.
+  static std::string record_in(std::string_view line) {
+    std::vector<std::string_view> words;
+    split_fields(line, words);
+    constexpr std::size_t separators = 2;
+    const bool is_code = words.size() > 2 && std::ranges::count(words[2], '_') >= separators;
+    return is_code ? std::string(words[2]) : std::string();
   }
 
   /// `Component S90E  Longitudinal Accelerometer Axis`.

@@ -112,6 +112,7 @@ std::optional<GroundMotion> read_chosen(const std::vector<RecordChannel>& channe
   auto motion = read_even_samples(chosen.samples, chosen.header, how.gravity, lines);
   if (!motion) return std::nullopt;
   motion->component = chosen.component.empty() && channels.size() > 1 ? choice.label(*place) : chosen.component;
+  motion->origin = chosen.origin;
   for (std::size_t i = 0; i < channels.size() && channels.size() > 1; ++i) {
     motion->components.push_back(choice.label(i));
   }

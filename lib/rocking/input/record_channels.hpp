@@ -14,6 +14,7 @@ namespace rocking {
 
 struct RecordChannel {
   std::string component = {};  ///< as its header names it; empty: it does not
+  std::string origin = {};     ///< earthquake and station, as GroundMotion::origin
   EvenHeader header = {};
   std::string_view samples = {};  ///< its lines of numbers
   std::size_t line = 0;           ///< of the file, above them

@@ -1,7 +1,10 @@
 // Files that hold several components of a record: GeoNet, COSMOS, CSMIP, and AFAD's older layout. All are invented.
 
 #include <algorithm>
+#include <cmath>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -10,7 +13,9 @@
 #include "rocking/input/ground_motion_files.hpp"
 #include "rocking/input/record_component.hpp"
 #include "rocking/input/record_formats.hpp"
+#include "rocking/input/repeated_records.hpp"
 #include "support/read_record.hpp"
+#include "support/record_text.hpp"
 
 namespace record_channels {
 namespace {
@@ -20,6 +25,7 @@ using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::SizeIs;
 
 constexpr double gravity_of_test = 9.81;
 
@@ -363,6 +369,66 @@ TEST(CsmipFile, IsRefusedWhereItIsNotWhole) {
   EXPECT_THAT(problem_of(csmip(true, "L", ".1", "  0.020  1.000  0.010  1.000  0.030  1.000\r\n")).reason,
               HasSubstr("is earlier than the time of the previous sample"));
   EXPECT_THAT(problem_of(csmip(false, "L", ".1", " 7 spectra\r\n")).reason, HasSubstr("does not say how many"));
+}
+
+// --- One channel in two states of processing
+
+/// Accelerations [cm/s2] as a reader of a spreadsheet would see them.
+std::vector<std::string> written(const std::vector<double>& values) {
+  std::vector<std::string> text;
+  for (const double value : values) text.push_back(std::to_string(value).substr(0, 8));
+  return text;
+}
+
+std::vector<RepeatedRecord> repeated(const std::string& former, const std::string& later) {
+  std::vector<std::shared_ptr<const GroundMotion>> motions;
+  for (const std::string& text : {former, later}) {
+    auto motion = read_record(text, reading());
+    motion.name = "r" + std::to_string(motions.size());
+    motions.push_back(std::make_shared<const GroundMotion>(std::move(motion)));
+  }
+  return repeated_records(motions);
+}
+
+/// A processed record, and what the recorder wrote: with an offset, a drift, and noise of its own.
+struct TwoVolumes {
+  std::vector<double> two = support::noise(5, 3000, 90.0), one = two;
+  explicit TwoVolumes(double noise) {
+    const std::vector<double> own = support::noise(8, two.size(), noise);
+    for (std::size_t i = 0; i < one.size(); ++i) one[i] += 1.5 + 4.0 * std::sin(2e-3 * static_cast<double>(i)) + own[i];
+  }
+};
+
+TEST(VolumesOfOneChannel, AreToldByTheirCorrelationWhereTheHeaderIsNotRead) {
+  const TwoVolumes volumes(15.0);
+  const auto as_cosmos = [](const std::vector<double>& values) {
+    std::string text = cosmos({}, written(values));
+    return text.replace(text.find("approx 1 "), 9, "approx 30 ");
+  };
+  EXPECT_THAT(repeated(as_cosmos(volumes.one), as_cosmos(volumes.two)), SizeIs(1));
+  const auto points = [](const std::vector<double>& values) {
+    return std::to_string(values.size()) +
+           " Accelerogram points at 100 pts/sec in units of cm/sec2.  Format: (8f9.4)\r\n" +
+           fields(written(values), 9, 8);
+  };
+  const auto as_csmip = [&points](const std::vector<double>& values) {
+    std::string text = csmip(true, "H1", "0", points(values));
+    return text.replace(text.find("Points =  3"), 11, "Points =  " + std::to_string(values.size()));
+  };
+  EXPECT_THAT(repeated(as_csmip(volumes.one), as_csmip(volumes.two)), SizeIs(1));
+  EXPECT_THAT(repeated(as_csmip(volumes.one), as_csmip(support::noise(6, 3000, 90.0))), IsEmpty());
+}
+
+TEST(VolumesOfOneChannel, AreToldByTheTimeAndTheStationInTheHeaderOfGeonet) {
+  const TwoVolumes volumes(80.0);
+  const std::string one = geonet("N28W", "0", written(volumes.one)),
+                    two = geonet("N28W", "0", written(volumes.two), true);
+  const auto found = repeated(one, two);
+  ASSERT_THAT(found, SizeIs(1));
+  EXPECT_THAT(found[0].why, HasSubstr("the same earthquake, station and component"));
+  EXPECT_THAT(repeated(one, geonet("S62W", "0", written(volumes.two), true)), IsEmpty()) << "of another component";
+  std::string elsewhere = two;
+  EXPECT_THAT(repeated(one, elsewhere.replace(elsewhere.find("NONE"), 4, "HERE")), IsEmpty()) << "of another station";
 }
 
 // --- AFAD

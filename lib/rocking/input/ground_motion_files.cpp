@@ -70,6 +70,29 @@ std::optional<std::string> velocity_at_end(const std::vector<dynamics::GroundMot
          "and long periods are not those of the earthquake";
 }
 
+/// What a motion has that records have not, and that another unit than the one that is taken would explain.
+void warn_of_units(GroundMotion& motion) {
+  constexpr double most_usual_g = 5.0;                                     // the strongest records reach 4.4 g
+  constexpr double longest_usual_step = 0.1, shortest_usual_record = 1.0;  // [s]
+  constexpr std::size_t most_in_a_pulse = 1000;
+  const double duration = motion.samples.back().time - motion.samples.front().time;
+  const double step = duration / static_cast<double>(motion.samples.size() - 1);
+  const double peak = peak_acceleration(motion.samples);
+  if (step > longest_usual_step) {
+    motion.warnings.push_back("has a sample in " + base::significant(step, 3) +
+                              " s, which is unusual: time steps are in seconds, 1 ms is 0.001");
+  }
+  if (duration < shortest_usual_record && motion.samples.size() > most_in_a_pulse) {
+    motion.warnings.push_back("has " + std::to_string(motion.samples.size()) + " samples in " +
+                              base::significant(duration, 3) +
+                              " s, which is unusual: times and time steps are in seconds");
+  }
+  if (peak > most_usual_g) {
+    motion.warnings.push_back("has a peak of " + base::significant(peak, 3) +
+                              " g before it is scaled; recorded ground motions reach 4 g: check \"units\"");
+  }
+}
+
 }  // namespace
 
 const GroundMotionFiles::File& GroundMotionFiles::file(const std::string& name) {
@@ -102,6 +125,7 @@ GroundMotionFiles::Reading GroundMotionFiles::read(const GroundMotionReading& ho
     warn_of_vertical(*vertical, *motion);
   }
   if (!motion) return reading;
+  warn_of_units(*motion);
   if (const auto why = velocity_at_end(motion->samples, how.gravity)) motion->warnings.push_back(*why);
   samples_ += motion->samples.size();
   if (samples_ > most_samples_held) {

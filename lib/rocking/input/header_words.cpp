@@ -60,9 +60,12 @@ bool is_value(std::string_view text) {
          !text.starts_with("10^") && !text.starts_with("10**") && !text.starts_with("1e") && !text.starts_with("1E");
 }
 
-/// `10^-2`, `x10^-2` or `milli`, which a unit may follow.
+/// `10^-2`, `x10^-2`, `1/100` or `milli`, which a unit may follow.
 bool is_power(std::string_view word) {
   if (begins_with_word(word, "milli") || begins_with_word(word, "centi")) return true;
+  const std::size_t bar = word.find('/');
+  if (bar != std::string_view::npos && is_number_field(word.substr(0, bar)) && is_number_field(word.substr(bar + 1)))
+    return true;
   if (word.starts_with('x')) word.remove_prefix(1);
   return word.starts_with("10^") || word.starts_with("10**");
 }
@@ -71,6 +74,17 @@ bool is_power(std::string_view word) {
 bool begins_factor(std::string_view word) {
   return word == "x" || word == "times" || word.starts_with('*') || (word.starts_with('/') && word.size() > 1) ||
          word.starts_with("\u00D7");
+}
+
+/// Whether a factor stands at the beginning of `text`, behind a unit in brackets: `/10`, ` x 1000`.
+bool is_multiplied(std::string_view text) {
+  text = without_blanks_before(text);
+  constexpr std::array<std::string_view, 5> signs{"*", "/", "x", "times", "\u00D7"};
+  const auto* const sign =
+      std::ranges::find_if(signs, [text](std::string_view each) { return text.starts_with(each); });
+  if (sign == signs.end()) return false;
+  text = without_blanks_before(text.substr(sign->size()));
+  return !text.empty() && std::isdigit(static_cast<unsigned char>(text.front())) != 0;
 }
 
 /// The unit at the beginning of `text`: the longest one of its first words.
@@ -145,13 +159,17 @@ std::vector<StatedUnit> units_among_words(std::string_view line) {
   const auto take = [&found](std::string_view text) {
     const WrittenUnit unit = unit_written(text);
     const bool is_with_second =
-        unit.kind == UnitKind::acceleration || unit.kind == UnitKind::velocity || unit.kind == UnitKind::scaled;
+        unit.kind == UnitKind::acceleration || unit.kind == UnitKind::velocity || has_factor(unit.kind);
     if (is_with_second && !is_value(text)) found.push_back({text, unit});
     return is_with_second;
   };
   std::string rest(line);
   for (const std::string_view text : in_brackets(line)) {
-    if (take(text)) std::fill_n(rest.begin() + (text.data() - line.data()), text.size(), ' ');
+    if (!take(text)) continue;
+    const auto place = static_cast<std::size_t>(text.data() - line.data());
+    std::fill_n(rest.begin() + static_cast<std::ptrdiff_t>(place), text.size(), ' ');
+    if (is_multiplied(line.substr(place + text.size() + 1)))
+      found.push_back({trimmed(line.substr(place - 1)), {.kind = UnitKind::scaled}});
   }
   std::vector<std::string_view> words;
   split_fields(rest, words);
@@ -166,7 +184,7 @@ std::vector<StatedUnit> units_among_words(std::string_view line) {
     if ((goes_on || first < place) && unit_written(alone).kind == UnitKind::acceleration) {
       const WrittenUnit unit = unit_written(line.substr(first, last - first));
       found.push_back({line.substr(first, last - first),
-                       unit.kind == UnitKind::acceleration ? unit : WrittenUnit{.kind = UnitKind::scaled}});
+                       unit.kind == UnitKind::unknown ? WrittenUnit{.kind = UnitKind::scaled} : unit});
     } else {
       static_cast<void>(take(alone));
     }

@@ -46,7 +46,8 @@ bool labels_number(std::string_view line, std::size_t place) {
 
 /// Whether a line states a factor other than 1.
 bool states_factor(std::string_view line) {
-  constexpr std::array<std::string_view, 5> words{"factor", "multiplier", "scale", "multiplied by", "divided by"};
+  constexpr std::array<std::string_view, 8> words{"factor",     "multiplier", "scale",         "multiplied by",
+                                                  "divided by", "scaled by",  "normalised by", "normalized by"};
   return std::ranges::any_of(words, [line](std::string_view word) {
     const auto number = number_after(line, word);
     double factor = 1.0;
@@ -122,9 +123,9 @@ std::string_view spectrum_in(const std::vector<std::string_view>& heads) {
 std::optional<double> per_second_in(std::string_view line, bool is_head) {
   constexpr std::array<std::string_view, 6> of_ms{"ms",          "msec",         "msecs",
                                                   "millisecond", "milliseconds", "millisekunden"};
-  constexpr std::array<std::string_view, 3> of_us{"us", "usec", "microseconds"};
+  constexpr std::array<std::string_view, 5> of_us{"us", "usec", "microseconds", "\u00B5s", "\u03BCs"};
   constexpr std::array<std::string_view, 4> before{"time", "t", "zeit", "in"};
-  const std::string text = apart(line);
+  const std::string text = is_head ? blanked(apart(line), "/") : apart(line);
   std::vector<std::string_view> words;
   split_fields(text, words);
   for (std::size_t i = 0; i < words.size(); ++i) {
@@ -167,9 +168,12 @@ void LinesAboveColumns::add_units(std::string_view line, bool is_head, Statement
     const bool is_letter = unit.unit.kind == UnitKind::acceleration && trimmed(unit.text).size() == 1;
     return !is_head && (labels_number(text, place + unit.text.size()) || (is_letter && !is_stated_letter(text, place)));
   });
-  for (const StatedUnit& unit : units_stated(text)) found.push_back(unit);
+  for (const StatedUnit& unit : units_stated(text)) {
+    if (unit.unit.kind == UnitKind::unknown && speaks_of_unit(unit.text)) statement.unclear = trimmed(unit.text);
+    found.push_back(unit);
+  }
   for (const StatedUnit& unit : found) {
-    if (unit.unit.kind == UnitKind::scaled) statement.unclear = trimmed(unit.text);
+    if (has_factor(unit.unit.kind)) statement.unclear = trimmed(unit.text);
     if (unit.unit.kind != UnitKind::acceleration) continue;
     const RecordUnit one = unit.unit.acceleration;
     if (std::ranges::find(statement.units, one) == statement.units.end()) statement.units.push_back(one);
@@ -221,7 +225,16 @@ void LinesAboveColumns::take_head(std::string_view head, RecordColumn column, Li
                              " above the column that is taken for \"" + std::string(name_of(column)) + '"',
                          "put the names in \"columns\" in the order of the file");
   }
-  if (column == RecordColumn::time) times_per_second_ = per_second_in(head, true).value_or(times_per_second_);
+  if (column == RecordColumn::time) {
+    constexpr std::array<std::string_view, 10> longer{"min", "mins", "minute", "minutes", "h",
+                                                      "hr",  "hrs",  "hour",   "hours",   "days"};
+    times_per_second_ = per_second_in(head, true).value_or(times_per_second_);
+    if (has_any_word(blanked(head, "/"), longer)) {
+      problems.reject_file("has the head " + brief(Json(std::string(trimmed(head)))) +
+                               " above its times, which are read in s or ms only",
+                           "give them in s");
+    }
+  }
   if (column != RecordColumn::horizontal && column != RecordColumn::vertical) return;
   std::vector<std::string_view> texts = in_brackets(head);
   const bool is_word = trimmed(head).find_first_of(" \t") == std::string_view::npos;
@@ -230,19 +243,27 @@ void LinesAboveColumns::take_head(std::string_view head, RecordColumn column, Li
     const WrittenUnit unit = unit_written(text);
     if (!of_heads_.is_empty()) return;
     if (unit.kind == UnitKind::acceleration) of_heads_.units.push_back(unit.acceleration);
-    const bool is_unclear = unit.kind == UnitKind::scaled || (unit.kind == UnitKind::unknown && speaks_of_unit(text));
+    const bool is_unclear = has_factor(unit.kind) || (unit.kind == UnitKind::unknown && speaks_of_unit(text));
     if (is_unclear) of_heads_.unclear = trimmed(text);
   }
 }
 
-void LinesAboveColumns::check_unit(std::optional<RecordUnit> asked, LineProblems& problems) const {
+void LinesAboveColumns::check_unit(std::optional<RecordUnit> asked, LineProblems& problems) {
   const Statement& stated = statement();
   const std::string where = of_heads_.is_empty() ? " in a comment" : " above its numbers";
   if (!stated.unclear.empty()) {
-    if (asked) return;
-    return problems.reject_file(
-        "states the unit " + brief(Json(stated.unclear)) + where + ", which is not known",
-        "give \"units\", one of " + record_units_in_words() + "; multiply the numbers by their factor first");
+    const std::string found = "states the unit " + brief(Json(stated.unclear)) + where + ", ";
+    if (!asked) {
+      problems.reject_file(found + "which is not known",
+                           "give \"units\", one of " + record_units_in_words() +
+                               "; multiply the numbers by their factor first, and correct what is stated");
+    } else if (unit_written(stated.unclear).kind == UnitKind::multiple) {
+      problems.reject_file(found + "which is not that of \"units\", \"" + std::string(name_of(*asked)) + '"',
+                           "multiply the numbers by their factor, and correct what is stated");
+    } else {
+      warning_ = found + "which is not known; \"units\", " + std::string(name_of(*asked)) + ", is taken for it";
+    }
+    return;
   }
   std::string list;
   for (const RecordUnit unit : stated.units) list += (list.empty() ? "" : " and ") + std::string(name_of(unit));

@@ -23,6 +23,8 @@ class LinesAboveColumns {
 
   /// The unit of accelerations that the last line of text states, or else the others and comments. After check().
   [[nodiscard]] std::optional<RecordUnit> stated_unit() const;
+  /// That a unit which is stated cannot be read, beside the one that was asked for; empty: none is. After check().
+  [[nodiscard]] const std::string& warning() const { return warning_; }
   /// How many units of its times a second holds: 1000 where these are in ms. After check().
   [[nodiscard]] double times_per_second() const { return times_per_second_; }
   /// The component that a line names, by the code of its sensor or beside the word `component`; empty: none.
@@ -38,7 +40,7 @@ class LinesAboveColumns {
   void take_text(std::string_view words);
   static void add_units(std::string_view line, bool is_head, Statement& statement);
   void take_head(std::string_view head, RecordColumn column, LineProblems& problems);
-  void check_unit(std::optional<RecordUnit> asked, LineProblems& problems) const;
+  void check_unit(std::optional<RecordUnit> asked, LineProblems& problems);
   [[nodiscard]] const Statement& statement() const { return of_heads_.is_empty() ? of_remarks_ : of_heads_; }
 
   std::string heads_;              ///< the last line of text, or the last comment above the numbers
@@ -46,7 +48,7 @@ class LinesAboveColumns {
   std::string remarks_;            ///< all other lines and comments
   std::string_view other_motion_;  ///< in a line of text: `velocity` or `displacement` in place of accelerations
   Statement of_heads_, of_remarks_;
-  std::string component_;
+  std::string component_, warning_;
   double times_per_second_ = 1.0;
 };
 

@@ -49,6 +49,7 @@ class ColumnsReader {
     motion_.component = above_.component();
     motion_.unit_is_assumed = !how_.unit && !above_.stated_unit();
     if (motion_.unit_is_assumed) motion_.warnings.push_back(unit_assumed(unit_));
+    if (!above_.warning().empty()) motion_.warnings.push_back(above_.warning());
     return std::move(motion_);
   }
 

@@ -134,6 +134,7 @@ class PeerHeader {
   void take(const StatedUnit& found, std::optional<RecordUnit>& known) {
     switch (found.unit.kind) {
       case UnitKind::time: return;
+      case UnitKind::multiple:
       case UnitKind::scaled:
       case UnitKind::unknown:
         return problems_.reject_line(found.text, "is not a known unit of acceleration",

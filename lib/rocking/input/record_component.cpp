@@ -82,6 +82,9 @@ std::string beside_component(std::string_view line) {
   const std::vector<std::string> words = words_in(line);
   for (std::size_t i = 0; i < words.size(); ++i) {
     if (words[i] != "COMPONENT" && words[i] != "COMP") continue;
+    const bool is_numbered = i + 1 < words.size() && words[i + 1].size() == 1 && is_digit(words[i + 1].front());
+    if (is_numbered && std::ranges::find(words, "VERTICAL") != words.end())
+      return "VERTICAL";  // component 3 (vertical)
     if (i + 1 < words.size() && (is_vertical(words[i + 1]) || is_horizontal(words[i + 1]))) return words[i + 1];
     if (i > 0 && (is_vertical(words[i - 1]) || is_horizontal(words[i - 1]))) return words[i - 1];
   }

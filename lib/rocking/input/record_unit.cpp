@@ -117,7 +117,7 @@ WrittenUnit times(double factor, RecordUnit unit) {
       return {.kind = UnitKind::acceleration, .acceleration = other};
     }
   }
-  return {.kind = UnitKind::scaled};
+  return {.kind = UnitKind::multiple};
 }
 
 /// Whether a factor stands behind a unit of acceleration: `g*1000`, `m/s2 x 0.01`, `g/1000`.

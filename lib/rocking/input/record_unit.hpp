@@ -42,8 +42,14 @@ namespace rocking {
   return 0.0254;
 }
 
-/// What a unit in a header measures. `scaled`: an acceleration with a factor that makes none of the known units of it.
-enum class UnitKind : std::uint8_t { acceleration, scaled, velocity, displacement, time, unknown };
+/// What a unit in a header measures. `multiple`: a unit of acceleration with a factor before it that makes none of the known
+/// ones, `0.1 g`; `scaled`: with a factor behind it, of the unit or of the numbers.
+enum class UnitKind : std::uint8_t { acceleration, multiple, scaled, velocity, displacement, time, unknown };
+
+/// Whether it is a unit of acceleration with a factor that makes none of the known ones.
+[[nodiscard]] constexpr bool has_factor(UnitKind kind) {
+  return kind == UnitKind::multiple || kind == UnitKind::scaled;
+}
 
 struct WrittenUnit {
   UnitKind kind = UnitKind::unknown;

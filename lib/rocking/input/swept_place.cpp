@@ -129,7 +129,11 @@ std::string read_swept_place(FieldReader& in, const Json& experiment) {
       for (const std::string_view key : all_strengths) known.push_back("/excitation/" + std::string(key));
     }
     const auto nearest = nearest_word(pointer, known);
-    const std::string example = kind == Recorded::name ? "/excitation/pga_g" : known.empty() ? "/seed" : known.back();
+    const auto of_excitation = std::ranges::find_if(
+        known, [](const std::string& place) { return place.starts_with("/excitation/") && !place.ends_with("/kind"); });
+    const std::string example = kind == Recorded::name         ? "/excitation/pga_g"
+                                : of_excitation != known.end() ? *of_excitation
+                                                               : "/block/width_m";
     const std::string otherwise =
         nearest ? "did you mean \"" + *nearest + "\"?" : "give a place of the file, such as \"" + example + '"';
     in.reject("parameter", {"is not a value of this file that a sweep may change",

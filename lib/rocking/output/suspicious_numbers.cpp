@@ -2,7 +2,6 @@
 #include <array>
 #include <cmath>
 #include <numeric>
-#include <set>
 #include <string_view>
 
 #include "rocking/dynamics/impact.hpp"
@@ -17,8 +16,7 @@
 namespace rocking {
 namespace {
 
-constexpr double most_usual_g = 5.0;  // the strongest records reach 4.4 g, of which a suite may scale some
-constexpr double longest_usual_step_s = 0.1;
+constexpr double most_usual_g = 5.0;  // the strongest records reach 4.4 g
 constexpr double largest_usual_angle = 4.0 * 3.15;
 constexpr std::string_view lengths = "lengths are in metres: 45 cm are 0.45, 45 mm 0.045";
 constexpr std::string_view strongest =
@@ -202,33 +200,14 @@ void look_at_parts(const Scene& scene, Suspicions& found) {
   }
 }
 
-void look_at_record(const GroundMotion& motion, Suspicions& found) {
-  const auto& samples = motion.samples;
-  const double step = (samples.back().time - samples.front().time) / static_cast<double>(samples.size() - 1);
-  const auto size = [](const dynamics::GroundMotionSample& sample) { return std::abs(sample.horizontal); };
-  const double peak = size(*std::ranges::max_element(samples, {}, size));
-  if (step > longest_usual_step_s) {
-    found.add("/excitation", ": " + motion.name + " has a sample in " + significant(step, 3) +
-                                 " s, which is unusual: time steps are in seconds, 1 ms is 0.001");
-  }
-  if (peak > most_usual_g) {
-    found.add("/excitation", ": " + motion.name + " has a peak of " + significant(peak, 3) +
-                                 " g before it is scaled; recorded ground motions reach 4 g: check \"units\"");
-  }
-}
-
 }  // namespace
 
 std::vector<std::string> suspicious_numbers(const Experiment& experiment) {
   Suspicions found;
-  std::set<const GroundMotion*> seen;
   for (const Condition& condition : experiment.conditions) {
     look_at_numbers(condition.scene, found);
     look_at_parts(condition.scene, found);
     if (!look_at_impacts(condition.scene, found)) look_at_restitution(condition.scene, found);
-    const auto* recorded = std::get_if<Recorded>(&condition.scene.excitation);
-    if (recorded == nullptr || !recorded->ground_motion || !seen.insert(recorded->ground_motion.get()).second) continue;
-    if (recorded->ground_motion->samples.size() > 1) look_at_record(*recorded->ground_motion, found);
   }
   return found.texts(experiment.conditions.size());
 }

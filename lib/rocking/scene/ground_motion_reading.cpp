@@ -72,11 +72,13 @@ Refusal sample_falls_back(std::string_view previous) {
 
 std::optional<Refusal> refuse_acceleration(double acceleration, double unit) {
   if (std::abs(acceleration) <= rules::largest_acceleration / unit) return std::nullopt;
-  return Refusal{"exceeds 1e6 m/s^2 in absolute value", "give accelerations in m/s^2"};
+  return Refusal{
+      "exceeds 1e6 m/s^2 in absolute value",
+      "check \"units\", m/s^2 without it; if it marks a missing sample, fill the gap, or cut the record before it"};
 }
 
 std::optional<Refusal> refuse_samples(const Samples& samples) {
-  if (samples.empty()) return Refusal{"contains no sample", "give one line for each sample"};
+  if (samples.empty()) return Refusal{"contains no sample", "give one line of numbers, without text, for each sample"};
   if (samples.size() == 1) {
     return Refusal{"contains only one sample", "give at least two: the motion is linear between samples"};
   }

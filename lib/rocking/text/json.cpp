@@ -116,7 +116,7 @@ class DocumentBuilder final : public nlohmann::json_sax<Json> {
       return true;
     }
     const std::string_view before = text_.substr(0, std::min(place, text_.size()));
-    const std::size_t comma = before.find_last_not_of("0123456789");
+    const std::size_t comma = before.find_last_not_of("0123456789.eE+-");
     const bool is_digit_before = comma != std::string_view::npos && comma > 0 && before[comma] == ',' &&
                                  std::isdigit(static_cast<unsigned char>(before[comma - 1])) != 0;
     const bool is_digit_behind = comma != std::string_view::npos && comma + 1 < text_.size() &&

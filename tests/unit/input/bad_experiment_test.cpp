@@ -247,6 +247,65 @@ TEST(BadExperiment, MeetsPainleveSoonerWithTheInertiaAboutTheEdge) {
   EXPECT_THAT(problems[0].remedy, HasSubstr("1.66667"));
 }
 
+// What word processors, spreadsheets and people of other languages write.
+TEST(BadExperiment, OfCharactersThatAreNotJsonSaysWhichToWrite) {
+  const std::string text = least_experiment().dump();
+  const auto problem = [](const std::string& document) {
+    try {
+      static_cast<void>(experiment_in(document));
+    } catch (const base::InputError& error) {
+      return error.problems().front();
+    }
+    return base::Problem{};
+  };
+  const auto replaced = [&text](const std::string& from, const std::string& to) {
+    std::string changed = text;
+    return changed.replace(changed.find(from), from.size(), to);
+  };
+  for (const char* quoted : {"\u201Cblock\u201D", "\u201Eblock\u201C", "\u00ABblock\u00BB", "\u2018block\u2019"}) {
+    EXPECT_THAT(problem(replaced("\"block\"", quoted)).reason, HasSubstr("a curly quotation mark")) << quoted;
+  }
+  EXPECT_THAT(problem(replaced("\"block\"", "'block'")).remedy, HasSubstr("write double ones"));
+  for (const char* number : {"4,25", "0,5", "-1,5e-3"}) {
+    EXPECT_THAT(
+        problem(R"({"format": "rocking.experiment/1", "block": {"height_m": )" + std::string(number) + "}}").remedy,
+        HasSubstr("write a point"))
+        << number;
+  }
+  const base::Problem sheet = problem(std::string("PK\x03\x04\x14\0\x06\0", 8));
+  EXPECT_THAT(sheet.reason, HasSubstr("looks like a zip archive"));
+  EXPECT_THAT(sheet.remedy, HasSubstr("as text in UTF-8"));
+}
+
+TEST(BadExperiment, WithAKeyThatStandsElsewhereSaysWhere) {
+  const auto problems = problems_of(with(least_experiment(), "/until", R"({"half_width": 0.02})"));
+  ASSERT_EQ(problems.size(), 1U);
+  EXPECT_EQ(problems[0].remedy, "it stands under /realisations");
+}
+
+// The place that a remedy names can be swept: an experiment that follows it is valid.
+TEST(BadExperiment, NamesAPlaceOfASweepThatMayBeSwept) {
+  for (const char* place : {"/excitation/amplitud", "/excitation/acceleration", "/blok/width_m", "/x"}) {
+    const Json sweep = {{{"parameter", place}, {"values", {1.0}}}};
+    const auto problems = problems_of(with(least_experiment(), "/sweep", sweep.dump()));
+    ASSERT_EQ(problems.size(), 1U) << place;
+    const std::string& remedy = problems[0].remedy;
+    const std::size_t begin = remedy.find('"') + 1;
+    Json followed = sweep;
+    followed[0]["parameter"] = remedy.substr(begin, remedy.find('"', begin) - begin);
+    EXPECT_THAT(problems_of(with(least_experiment(), "/sweep", followed.dump())), ::testing::IsEmpty()) << remedy;
+  }
+}
+
+TEST(BadExperiment, OfNumbersThatAreNoneIsNotToldToOmitQuotes) {
+  for (const char* value : {"\"nan\"", "\"NaN\"", "\"inf\"", "\"-inf\"", "\"Infinity\""}) {
+    const auto problems = problems_of(with(least_experiment(), "/block/width_m", value));
+    ASSERT_EQ(problems.size(), 1U);
+    EXPECT_EQ(problems[0].reason, "is not a finite number");
+    EXPECT_THAT(problems[0].remedy, ::testing::Not(HasSubstr("quotes")));
+  }
+}
+
 TEST(BadExperiment, NamesTheFlagThatReplacedTheKey) {
   const auto problems = problems_of(example_experiment(), {.seed = "0xz", .realisations = "many"});
   ASSERT_EQ(problems.size(), 2U);

@@ -19,7 +19,12 @@ namespace rocking::nothing_guessed {
 namespace {
 
 using ::testing::AllOf;
+using ::testing::AnyOf;
+using ::testing::Contains;
 using ::testing::HasSubstr;
+using ::testing::Not;
+
+using support::noise;
 
 constexpr double g = 10.0;
 
@@ -36,23 +41,6 @@ Read read(const std::string& text, const GroundMotionReading& how = {}) {
   Read found{read_ground_motion(text, with_name, problems), ""};
   if (!problems.empty()) found.complaint = base::InputError(problems).what();
   return found;
-}
-
-/// A motion that looks like a recorded one: noise through two filters under an envelope, at rest at both ends.
-std::vector<double> noise(unsigned seed, std::size_t count = 2000, double peak = 3.0) {
-  std::vector<double> values(count);
-  double one = 0.0, two = 0.0, largest = 0.0;
-  for (std::size_t i = 0; i < count; ++i) {
-    seed = seed * 1664525U + 1013904223U;
-    const double white = static_cast<double>(seed >> 8U) / 8388608.0 - 1.0;
-    one += 0.3 * (white - one);
-    two += 0.02 * (one - two);
-    const double at = static_cast<double>(i) / static_cast<double>(count);
-    values[i] = (one - two) * std::pow(std::sin(std::acos(-1.0) * at), 2.0);
-    largest = std::max(largest, std::abs(values[i]));
-  }
-  for (double& value : values) value *= peak / largest;
-  return values;
 }
 
 std::string column(const std::vector<double>& values) {
@@ -117,6 +105,13 @@ TEST(TimesThatAreNoSeconds, AreReadWhereTheirUnitIsStated) {
     EXPECT_EQ(found.motion->time_step, 0.005) << above;
     EXPECT_EQ(found.motion->samples[3].time, 0.015) << above;
   }
+  EXPECT_EQ(read(timed(noise(1), 5.0, "t/ms a/(m/s^2)\n"), {.columns = columns}).motion.value().time_step, 0.005);
+  EXPECT_EQ(read(timed(noise(1), 4096.0, "t [\u00B5s],a\n"), {.columns = columns}).motion.value().time_step, 0.004096);
+  for (const char* above : {"Time [min];a [g]\n", "t/h a/g\n", "hours,g\n"}) {
+    EXPECT_THAT(read(timed(noise(1), 0.01 / 60.0, above), {.columns = columns}).complaint,
+                HasSubstr("above its times, which are read in s or ms only"))
+        << above;
+  }
   EXPECT_EQ(read(timed(noise(1), 5.0, "# time [ms], acceleration [m/s2]\n")).motion.value().time_step, 0.005);
   for (const char* remark : {"# sampled every 5 ms\n", "# Ms = 6.9, MS 6.9\n"}) {
     EXPECT_EQ(read(timed(noise(1), 0.005, remark)).motion.value().time_step, 0.005) << remark;
@@ -146,6 +141,32 @@ TEST(UnitsWithAFactor, AreReadOrRefusedAndNeverAssumed) {
     EXPECT_THAT(unit_of(std::string(head) + '\n' + text, here), HasSubstr("which is not known; give \"units\""))
         << head;
   }
+}
+
+TEST(UnitsWithAFactor, BesideAUnitThatIsAskedForAreRefusedOrTold) {
+  const std::vector<RecordColumn> columns{RecordColumn::time, RecordColumn::horizontal};
+  const std::string numbers = "0;0\n0.01;2\n0.02;-1\n";
+  for (const char* head : {"t;a [0.1g]", "t;a [100 m/s2]", "t;0.5g"}) {
+    EXPECT_THAT(read(std::string(head) + '\n' + numbers, {.unit = RecordUnit::g, .columns = columns}).complaint,
+                AllOf(HasSubstr("which is not that of \"units\", \"g\""), HasSubstr("correct what is stated")))
+        << head;
+  }
+  for (const char* head : {"t;a [counts]", "t;g*1000", "t;a [g/1000]", "t;m/s2 with scale factor 0.01", "t;a (mV)",
+                           "t;a [cm/s2] x 1000", "t;a (g)/10", "t;a in 1/100 g", "t;a (g) scaled by 9.81"}) {
+    const std::string text = std::string(head) + '\n' + numbers;
+    EXPECT_THAT(unit_of(text, {.columns = columns}), HasSubstr("which is not known; give \"units\"")) << head;
+    const Read found = read(text, {.unit = RecordUnit::mg, .columns = columns});
+    ASSERT_TRUE(found.motion) << head << ": " << found.complaint;
+    EXPECT_EQ(found.motion->unit, "mg");
+    EXPECT_THAT(found.motion->warnings,
+                Contains(AllOf(HasSubstr("which is not known"), HasSubstr("mg, is taken for it"))))
+        << head;
+  }
+  EXPECT_THAT(read("# in units of 0.1 g\n" + numbers, {.unit = RecordUnit::g}).complaint,
+              HasSubstr("which is not that of \"units\""));
+  EXPECT_THAT(unit_of("# units: counts\n" + numbers), HasSubstr("\"counts\" above its numbers, which is not known"));
+  EXPECT_THAT(read(numbers + "# units: counts\n", {.unit = RecordUnit::g}).motion.value().warnings,
+              ::testing::ElementsAre(HasSubstr("\"counts\" in a comment, which is not known")));
 }
 
 TEST(UnitsWithAFactor, InCommentsAreReadByTheSameRule) {
@@ -212,12 +233,24 @@ class Records : public ::testing::Test {
   std::map<std::string, std::string> files_;
 };
 
+TEST_F(Records, AreToldWhereAnotherUnitWouldExplainThem) {
+  files_ = {{"usual.txt", timed(noise(1, 2000, 9.0), 0.01)},
+            {"strong.txt", timed(noise(1, 2000, 90.0), 0.01)},
+            {"coarse.txt", timed(noise(1), 0.2)},
+            {"short.txt", timed(noise(1), 0.0004)}};
+  EXPECT_THAT(warnings({"usual.txt"}, 0),
+              Not(Contains(AnyOf(HasSubstr("before it is scaled"), HasSubstr("which is unusual")))));
+  EXPECT_THAT(warnings({"strong.txt"}, 0), Contains(HasSubstr("has a peak of 9.17 g before it is scaled")));
+  EXPECT_THAT(warnings({"coarse.txt"}, 0), Contains(HasSubstr("has a sample in 0.2 s")));
+  EXPECT_THAT(warnings({"short.txt"}, 0), Contains(HasSubstr("has 2000 samples in 0.8 s")));
+}
+
 TEST_F(Records, OfBoreholesDoNotStandBesideThoseOfTheSurface) {
   files_ = {{"a.EW1", knet("2", noise(1))}, {"a.EW2", knet("5", noise(2))}, {"b.EW2", knet("5", noise(3), "B")}};
   EXPECT_THAT(complaint({"a.EW1", "a.EW2", "b.EW2"}), AllOf(HasSubstr("\"a.EW1\": is of a sensor in a borehole"),
                                                             HasSubstr("\"a.EW2\" of one at the surface")));
   EXPECT_EQ(complaint({"a.EW2", "b.EW2"}), "");
-  EXPECT_THAT(warnings({"a.EW1"}, 0), ::testing::Contains(HasSubstr("of a sensor in a borehole")));
+  EXPECT_THAT(warnings({"a.EW1"}, 0), Contains(HasSubstr("of a sensor in a borehole")));
 }
 
 TEST_F(Records, AreVerticalByTheCodeOfTheirSensor) {
@@ -226,8 +259,9 @@ TEST_F(Records, AreVerticalByTheCodeOfTheirSensor) {
             {"x.BHZ.dat", column(noise(3))},
             {"IV.NRC..HNZ.D.txt", column(noise(4))},
             {"c.txt", "# channel IV.NRC..HHZ\n" + column(noise(5))},
-            {"d.txt", "# channel IV.NRC..HHN\n" + column(noise(6))}};
-  for (const char* name : {"ST01_HNZ.txt", "x.BHZ.dat", "IV.NRC..HNZ.D.txt", "c.txt"}) {
+            {"d.txt", "# channel IV.NRC..HHN\n" + column(noise(6))},
+            {"e.txt", "# component 3 (vertical)\n" + column(noise(7))}};
+  for (const char* name : {"ST01_HNZ.txt", "x.BHZ.dat", "IV.NRC..HNZ.D.txt", "c.txt", "e.txt"}) {
     EXPECT_THAT(complaint({"a.txt", name}, R"(, "time_step_s": 0.01)"), HasSubstr("is a vertical component by its"))
         << name;
   }
@@ -243,10 +277,9 @@ TEST_F(Records, WarnOfAHorizontalComponentThatIsTakenForTheVerticalOne) {
     const auto motion = files.motion({.name = name, .vertical_name = vertical}, problems);
     return motion ? motion->warnings : std::vector<std::string>{"not read"};
   };
-  EXPECT_THAT(warnings("a.EW2", "a.EW2"),
-              ::testing::Contains(HasSubstr("is a horizontal component by its header (E-W)")));
-  EXPECT_THAT(warnings("a.at2", "a.at2"), ::testing::Contains(HasSubstr("horizontal component by its header (000)")));
-  EXPECT_THAT(warnings("a.EW2", "v.UD2"), ::testing::Not(::testing::Contains(HasSubstr("horizontal component"))));
+  EXPECT_THAT(warnings("a.EW2", "a.EW2"), Contains(HasSubstr("is a horizontal component by its header (E-W)")));
+  EXPECT_THAT(warnings("a.at2", "a.at2"), Contains(HasSubstr("horizontal component by its header (000)")));
+  EXPECT_THAT(warnings("a.EW2", "v.UD2"), Not(Contains(HasSubstr("horizontal component"))));
 }
 
 TEST_F(Records, AreToldWhereTheyAreLikelyOneRecordTwice) {
@@ -266,10 +299,10 @@ TEST_F(Records, AreToldWhereTheyAreLikelyOneRecordTwice) {
             {"offset.txt", timed(offset, 0.01)},  {"other.txt", timed(noise(2, 4000), 0.01)}};
   for (const char* copy : {"scaled.txt", "padded.txt", "cut.txt", "back.txt", "fine.txt", "offset.txt"}) {
     EXPECT_THAT(warnings({"other.txt", "one.txt", copy}, 2),
-                ::testing::Contains(HasSubstr("is likely the record \"one.txt\" once more")))
+                Contains(HasSubstr("is likely the record \"one.txt\" once more")))
         << copy;
   }
-  EXPECT_THAT(warnings({"one.txt", "other.txt"}, 1), ::testing::Not(::testing::Contains(HasSubstr("once more"))));
+  EXPECT_THAT(warnings({"one.txt", "other.txt"}, 1), Not(Contains(HasSubstr("once more"))));
 }
 
 TEST_F(Records, OfOneChannelInTwoStatesOfProcessingAreToldByTheirHeaders) {
@@ -277,9 +310,8 @@ TEST_F(Records, OfOneChannelInTwoStatesOfProcessingAreToldByTheirHeaders) {
   std::vector<double> mixed;
   for (std::size_t i = 0; i < one.size(); ++i) mixed.push_back(one[i] + 0.8 * two[i]);
   files_ = {{"a.EW", knet("E-W", one)}, {"b.EW", knet("E-W", mixed)}, {"c.EW", knet("E-W", mixed, "XYZ9")}};
-  EXPECT_THAT(warnings({"a.EW", "b.EW"}, 1),
-              ::testing::Contains(HasSubstr("the same earthquake, station and component")));
-  EXPECT_THAT(warnings({"a.EW", "c.EW"}, 1), ::testing::Not(::testing::Contains(HasSubstr("once more"))));
+  EXPECT_THAT(warnings({"a.EW", "b.EW"}, 1), Contains(HasSubstr("the same earthquake, station and component")));
+  EXPECT_THAT(warnings({"a.EW", "c.EW"}, 1), Not(Contains(HasSubstr("once more"))));
 }
 
 TEST_F(Records, ThatEndInMotionAreToldAndHaveNoPgvToSweep) {
@@ -287,7 +319,7 @@ TEST_F(Records, ThatEndInMotionAreToldAndHaveNoPgvToSweep) {
   for (double& value : offset) value += 0.05;
   cut.resize(950);
   files_ = {{"a.txt", timed(noise(1), 0.01)}, {"offset.txt", timed(offset, 0.01)}, {"cut.txt", timed(cut, 0.01)}};
-  EXPECT_THAT(warnings({"offset.txt"}, 0), ::testing::Contains(HasSubstr("% of its PGV")));
+  EXPECT_THAT(warnings({"offset.txt"}, 0), Contains(HasSubstr("% of its PGV")));
   EXPECT_THAT(complaint({"offset.txt"}, R"(, "pgv_m_s": 0.4)"),
               HasSubstr("needs the PGV of offset.txt, which ends with"));
 }

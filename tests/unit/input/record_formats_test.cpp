@@ -552,6 +552,44 @@ TEST(OtherFile, OfRspMatchCanBeReadOnceItsSecondLineSaysWhatItIs) {
   EXPECT_EQ(motion.samples[2].time, 0.02);
 }
 
+// SLIST has samples alone, TSPAIR a time before each.
+TEST(TimeseriesFile, OfObspyStatesItsRateUnitAndChannel) {
+  const std::string head = "TIMESERIES IV_NRC__HNE_D, 5 samples, 200 sps, 2016-08-24T01:36:30.000000, ";
+  const std::string list = head + "SLIST, FLOAT, M/S**2\n1.5\t-2.5\t3\n0\t0.5\n";
+  std::string pairs = head + "TSPAIR, FLOAT, CM/S**2\n";
+  for (const char* line :
+       {"30.000000  150\n", "30.005000  -250\n", "30.010000  300\n", "30.015000  0\n", "30.020000  50\n"}) {
+    pairs += std::string("2016-08-24T01:36:") + line;
+  }
+  for (const std::string& text : {list, pairs}) {
+    const GroundMotion motion = read_record(text);
+    EXPECT_EQ(motion.format, "timeseries");
+    EXPECT_EQ(motion.time_step, 0.005);
+    EXPECT_EQ(motion.component, "HNE");
+    EXPECT_FALSE(motion.unit_is_assumed);
+    ASSERT_EQ(motion.samples.size(), 5U);
+    EXPECT_DOUBLE_EQ(motion.samples[1].horizontal, -2.5 / gravity_of_test);
+    EXPECT_DOUBLE_EQ(motion.samples[4].horizontal, 0.5 / gravity_of_test);
+  }
+  EXPECT_THAT(problem_of(head + "SLIST, INTEGER, COUNTS\n1 2 3 4 5\n").remedy, HasSubstr("remove_response"));
+  EXPECT_THAT(problem_of(head + "SLIST, FLOAT, M/S\n1 2 3 4 5\n").reason, HasSubstr("is no unit of acceleration"));
+  EXPECT_THAT(problem_of(list + list).reason, HasSubstr("holds several segments"));
+  EXPECT_THAT(problem_of(head + "SLIST, FLOAT, M/S**2\n1 2\n").reason, HasSubstr("declares 5"));
+}
+
+TEST(ColumnsFile, OfManyNumbersALineSaysWhatWouldDo) {
+  const base::Problem problem = problem_of("1 2 3 4 5 6 7 8\n1 2 3 4 5 6 7 8\n");
+  EXPECT_THAT(problem.reason, HasSubstr("likely accelerations that run on from line to line"));
+  EXPECT_THAT(problem.remedy, HasSubstr("put a line NPTS= 4000, DT= .01 SEC above them"));
+}
+
+TEST(ColumnsFile, MayHaveQuotesAroundItsNumbersAndFortransExponents) {
+  const GroundMotion motion = read_record("\"0.00\",\"0.01\"\n\"0.01\",\"1.2D-02\"\n0.02,1.2d-2\n0.03,-1.2E-2\n");
+  ASSERT_EQ(motion.samples.size(), 4U);
+  EXPECT_DOUBLE_EQ(motion.samples[1].horizontal, 0.012 / gravity_of_test);
+  EXPECT_DOUBLE_EQ(motion.samples[2].horizontal, 0.012 / gravity_of_test);
+}
+
 TEST(ColumnsFile, OfVelocitiesIsRefused) {
   auto how = reading();
   how.columns = {RecordColumn::time, RecordColumn::horizontal};

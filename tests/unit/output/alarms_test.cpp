@@ -95,6 +95,7 @@ TEST(SuspiciousNumbers, AreThoseOfAnotherUnitThanThatOfTheirKey) {
     std::string key, value, usual, told;
   };
   for (const Slip& slip : std::vector<Slip>{
+           {"/block/height_m", "45", "4.5", "lengths are in metres: 45 cm are 0.45, 45 mm 0.045"},
            {"/block/height_m", "1900", "1.9", "/block/height_m = 1900: above 30 m, which is unusual: lengths are in m"},
            {"/block/height_m", R"({"uniform": [1800, 2000]})", "29", "uniform from 1800 to 2000: above 30 m"},
            {"/excitation/phase_rad", "90", "1.5708", "90 degrees are 1.571"},
@@ -165,21 +166,6 @@ TEST(SuspiciousNumbers, AreThoseOfASquatBlockAndWhatItDoesThen) {
   EXPECT_THAT(
       suspicious_numbers(least_with({{"/block/width_m", "0.9"}, {"/block/height_m", "1.0"}, {"/restitution", "0.9"}})),
       ElementsAre(AllOf(HasSubstr("/restitution: An impact leaves -"), Not(HasSubstr("squat")))));
-}
-
-TEST(SuspiciousNumbers, AreThoseOfARecordInMillisecondsOrOfAnotherUnit) {
-  Experiment experiment = experiment_in(support::least_experiment().dump());
-  const auto told = [&](double step, double peak) {
-    GroundMotion motion;
-    for (int i = 0; i < 9; ++i)
-      motion.samples.push_back({.time = step * i, .horizontal = i == 4 ? -peak : 0.0, .vertical = 0.0});
-    motion.name = "a.txt";
-    experiment.conditions[0].scene.excitation = Recorded{.ground_motion = std::make_shared<const GroundMotion>(motion)};
-    return suspicious_numbers(experiment);
-  };
-  EXPECT_THAT(told(0.02, 0.5), IsEmpty());
-  EXPECT_THAT(told(5.0, 0.5), ElementsAre(HasSubstr("a.txt has a sample in 5 s")));
-  EXPECT_THAT(told(0.02, 9.0), ElementsAre(HasSubstr("a.txt has a peak of 9 g")));
 }
 
 TEST(ForeseenClamps, OccurAsOftenAsTheirLawsSay) {

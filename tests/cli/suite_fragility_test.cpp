@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
@@ -66,6 +67,23 @@ TEST_F(SuiteFragility, KeepsTheNamesOfRecords) {
   ASSERT_EQ(curve["records"].size(), names.size());
   std::ranges::sort(names);
   for (std::size_t k = 0; k < records; ++k) EXPECT_EQ(curve["records"][k]["name"], names[k]);
+}
+
+// Bootstraps draw records by their number: they number them by their names.
+TEST_F(SuiteFragility, DoesNotDependOnTheOrderInWhichItsRecordsAreListed) {
+  std::vector<Json> curves;
+  for (const std::vector<std::size_t>& order : {std::vector<std::size_t>{0, 1, 2, 3, 4}, {3, 0, 4, 2, 1}}) {
+    Json listed = experiment();
+    listed["excitation"]["suite"] = Json::array();
+    for (const std::size_t k : order) listed["excitation"]["suite"].push_back("records/r" + std::to_string(k) + ".at2");
+    write("e.json", listed.dump());
+    std::filesystem::remove_all(folder_ / "out");
+    run();
+    curves.push_back(fragility("--hazard hazard.csv --per-record")["curves"][0]);
+    curves.back().erase("run");
+  }
+  ASSERT_TRUE(curves[0].contains("annual_rate"));
+  EXPECT_EQ(curves[0].dump(1), curves[1].dump(1));
 }
 
 TEST_F(SuiteFragility, RanksTheMeasuresOfIntensityByDispersion) {

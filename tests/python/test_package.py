@@ -51,6 +51,8 @@ class Errors(unittest.TestCase):
                 rocking.validate(changed(restitution=value))
             self.assertIn("/restitution", caught.exception.pointer)
             self.assertNotIn("line", str(caught.exception))
+            self.assertRegex(str(caught.exception), "not a finite number|must be")
+            self.assertNotIn("quotes", str(caught.exception))
 
     def test_missing_files_are_oserrors(self):
         with self.assertRaises(FileNotFoundError):

@@ -107,11 +107,29 @@ def logistic(points, outcomes, iterations=50, penalty=1e-6):
     return beta
 
 
+def logistic_of(points, outcomes):
+    """Gives the predictions of the regression at points."""
+    beta = logistic(points, outcomes)
+    return lambda at: (1.0 / (1.0 + numpy.exp(-(beta[0] + numpy.asarray(at) @ beta[1:])))).tolist()
+
+
+def difference_interval(one, other, outcomes, clusters, repetitions=1000, seed=1):
+    """Difference of the Brier scores of two predictions, and its 95 % interval by resampling whole clusters."""
+    more = (numpy.asarray(one) - outcomes) ** 2 - (numpy.asarray(other) - outcomes) ** 2
+    groups = {}
+    for i, cluster in enumerate(clusters):
+        groups.setdefault(cluster, []).append(i)
+    generator, found = random.Random(seed), []
+    for _ in range(repetitions):
+        chosen = [i for group in generator.choices(list(groups.values()), k=len(groups)) for i in group]
+        found.append(float(more[chosen].mean()))
+    return [float(more.mean()), *map(float, numpy.percentile(found, [2.5, 97.5]))]
+
+
 def logistic_by_day(points, outcomes, days):
     """Predictions for each day of the regression over all other days."""
     points, predicted = numpy.asarray(points, float), numpy.zeros(len(outcomes))
     for day in sorted(set(days)):
         left_out = numpy.array([d == day for d in days])
-        beta = logistic(points[~left_out], numpy.asarray(outcomes)[~left_out])
-        predicted[left_out] = 1.0 / (1.0 + numpy.exp(-(beta[0] + points[left_out] @ beta[1:])))
+        predicted[left_out] = logistic_of(points[~left_out], numpy.asarray(outcomes)[~left_out])(points[left_out])
     return predicted.tolist()

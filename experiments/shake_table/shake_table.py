@@ -1,11 +1,13 @@
 #!/usr/bin/env python3
-"""Predicts 490 shake-table tests with two rocks, and compares the first rock with what happened.
+"""Predicts 490 shake-table tests with two rocks, and compares them with what happened.
 
-usage: shake_table.py FOLDER RESULTS      runs everything; FOLDER has the public data (data.py), RESULTS is written
-       shake_table.py --check             whether shake_table.md follows from shake_table.json, in reports/experiments
+usage: shake_table.py FOLDER RESULTS [OUTCOMES]  runs everything; FOLDER has the public data, OUTCOMES is the file of rock 2
+                                                 (both as in data.py), RESULTS is written
+       shake_table.py --check                    whether shake_table.md follows from shake_table.json, in reports/experiments
 
-Writes shake_table.json, shake_table.md, the figures and shake_table_rock_2.csv into RESULTS. With --publish after RESULTS they are
-written into reports/experiments. A run that was stopped goes on. Takes about ten minutes on two cores.
+Writes shake_table.json, shake_table.md, the figures and shake_table_rock_2.csv into RESULTS; with --publish at the end into
+reports/experiments. What short_pulses.py wrote into RESULTS stands in the page, too. A run that was stopped goes on. Takes about
+ten minutes on two cores.
 """
 
 import csv
@@ -30,6 +32,7 @@ EDGES = ("/block/edges_m/0/lognormal/mean", "/block/edges_m/1/lognormal/mean")
 GRAVITY = 9.81
 
 
+SHORT = 0.03  # [s]: PGV/PGA of short pulses, below it
 STRENGTHS = (0.0, 0.1, 0.15, 0.2, 0.3, 0.5, 1.0, math.inf)  # [g]
 DURATIONS = (0.0, 25.0, 35.0, 45.0, math.inf)  # [s]
 
@@ -87,8 +90,7 @@ def with_edges(document, fit):
     return found
 
 
-def scored(predicted, tests):
-    outcomes = [test.outcome for test in tests]
+def scored(predicted, outcomes, tests):
     clusters = [(test.day, test.motion) for test in tests]
     return {"scores": {name: score(predicted, outcomes) for name, score in scores.SCORES.items()},
             "intervals": scores.cluster_intervals(predicted, outcomes, clusters),
@@ -96,24 +98,44 @@ def scored(predicted, tests):
             "bins": [vars(b) | {"holds": b.holds} for b in scores.calibration(predicted, outcomes)]}
 
 
-def groups(predicted, tests, key, order=lambda test: test.number):
+def groups(predicted, outcomes, tests, key, order=lambda test: test.number):
     """Tests, overturned ones, and how many were expected, by a key."""
     found = {}
-    for p, test in sorted(zip(predicted, tests), key=lambda pair: order(pair[1])):
+    for p, outcome, test in sorted(zip(predicted, outcomes, tests), key=lambda each: order(each[2])):
         row = found.setdefault(key(test), [0, 0, 0.0, 0.0])
         row[0] += 1
-        row[1] += test.outcome
+        row[1] += outcome
         row[2] += p
         row[3] += p * (1.0 - p)
     return [{"group": name, "tests": n, "overturned": k, "expected": e, "deviation": math.sqrt(v)}
             for name, (n, k, e, v) in found.items()]
 
 
+def by_pulse(predicted, outcomes, tests):
+    return groups(predicted, outcomes, tests, lambda test: class_of(test.pgv_over_pga, (0.0, SHORT, math.inf), "s"),
+                  lambda test: test.pgv_over_pga)
+
+
+def rock_2_scored(path, predicted, tests, points):
+    """The prediction of rock 2 and what stands beside it, scored. Nothing is fitted to the outcomes of rock 2."""
+    answers = data.answers_of_rock_2(path, tests)
+    outcomes, first = answers.pop("outcome_2"), [test.outcome for test in tests]
+    beside = {"logistic": scores.logistic_of(points, first)(points), "rock_1": list(map(float, first)),
+              "base_rate": [sum(outcomes) / len(outcomes)] * len(outcomes),
+              **{name: list(map(float, answer)) for name, answer in answers.items()}}
+    return {"overturned": sum(outcomes), **scored(predicted, outcomes, tests),
+            "beside": {name: {"scores": {key: score(p, outcomes) for key, score in scores.SCORES.items()},
+                              "brier_more": scores.difference_interval(p, predicted, outcomes, [test.day for test in tests])}
+                       for name, p in beside.items()},
+            "by_day": groups(predicted, outcomes, tests, lambda test: test.day),
+            "by_pulse": by_pulse(predicted, outcomes, tests)}
+
+
 def runs_in(results):
     return Folder(os.environ.get("ROCKING", TOP / "build/release/rocking"), pathlib.Path(results))
 
 
-def measure(folder, results):
+def measure(folder, results, rock_2):
     """All runs and scores."""
     runs = runs_in(results)
     different = data.check_digests(folder)
@@ -141,27 +163,34 @@ def measure(folder, results):
         # Each test is predicted by the numbers inferred from the other half of the days.
         "inferred": [by_halves[0 if test.day in halves[1] else 1][test.file] for test in tests],
     }
-    facts = {"tests": len(tests), "overturned": sum(test.outcome for test in tests), "different_files": len(different),
+    outcomes = [test.outcome for test in tests]
+    facts = {"tests": len(tests), "overturned": sum(outcomes), "different_files": len(different),
              "days": [sorted(half) for half in halves], "fits": fits,
-             "models": {name: scored(predicted, tests) for name, predicted in models.items()},
-             "by_day": {name: groups(models[name], tests, lambda test: test.day) for name in ("untuned", "inferred")},
-             "by_motion": groups(models["inferred"], tests, lambda test: test.motion),
-             "by_strength": groups(models["inferred"], tests, lambda test: class_of(test.pga, STRENGTHS, "g"),
+             "models": {name: scored(predicted, outcomes, tests) for name, predicted in models.items()},
+             "by_day": {name: groups(models[name], outcomes, tests, lambda test: test.day) for name in ("untuned", "inferred")},
+             "by_motion": groups(models["inferred"], outcomes, tests, lambda test: test.motion),
+             "by_strength": groups(models["inferred"], outcomes, tests, lambda test: class_of(test.pga, STRENGTHS, "g"),
                                    lambda test: test.pga),
-             "by_duration": groups(models["inferred"], tests, lambda test: class_of(test.duration, DURATIONS, "s"),
+             "by_duration": groups(models["inferred"], outcomes, tests, lambda test: class_of(test.duration, DURATIONS, "s"),
                                    lambda test: test.duration),
+             "by_pulse": by_pulse(models["inferred"], outcomes, tests),
              "predicted": {test.file[:-4]: {name: models[name][i] for name in ("untuned", "inferred")}
                            for i, test in enumerate(tests)}}
     rows = [[test.number, f"{second[test.file]:.4f}"] for test in tests]
+    predicted = [float(p) for _, p in rows]
+    facts["rock_2"] = {"expected": sum(predicted), **(rock_2_scored(rock_2, predicted, tests, points) if rock_2 else {})}
+    short_pulses = runs.path / "short_pulses.json"
+    if short_pulses.exists():
+        facts["short_pulses"] = json.loads(short_pulses.read_text(encoding="utf-8"))
     return facts, models, tests, rows
 
 
-def write(folder, results, target):
-    facts, models, tests, second = measure(folder, results)
+def write(folder, results, rock_2, target):
+    facts, models, tests, second = measure(folder, results, rock_2)
     target.mkdir(parents=True, exist_ok=True)
-    rock_2 = "test,probability\n" + "".join(f"{number},{p}\n" for number, p in second)
-    (target / "shake_table_rock_2.csv").write_text(rock_2, encoding="ascii")
-    facts["rock_2"] = {"sha256": hashlib.sha256(rock_2.encode()).hexdigest(), "expected": sum(float(p) for _, p in second)}
+    table = "test,probability\n" + "".join(f"{number},{p}\n" for number, p in second)
+    (target / "shake_table_rock_2.csv").write_text(table, encoding="ascii")
+    facts["rock_2"]["sha256"] = hashlib.sha256(table.encode()).hexdigest()
     (target / "shake_table.json").write_text(json.dumps(facts, indent=1) + "\n", encoding="utf-8")
     (target / "shake_table.md").write_text(text.page(facts), encoding="utf-8")
     text.draw(facts, models, tests, target)
@@ -173,10 +202,12 @@ def main(arguments):
         if page.read_text(encoding="utf-8") != text.page(json.loads((PUBLISHED / "shake_table.json").read_text())):
             sys.exit(f"{page} does not follow from shake_table.json")
         return
-    if len(arguments) not in (2, 3) or arguments[2:] not in ([], ["--publish"]):
+    is_published = arguments[-1:] == ["--publish"]
+    files = arguments[:-1] if is_published else arguments
+    if len(files) not in (2, 3) or any(name.startswith("--") for name in files):
         sys.exit(__doc__)
     try:
-        write(arguments[0], arguments[1], PUBLISHED if arguments[2:] else pathlib.Path(arguments[1]))
+        write(*files[:2], files[2] if files[2:] else None, PUBLISHED if is_published else pathlib.Path(files[1]))
     except (data.Unusable, OSError) as error:
         sys.exit(f"shake_table.py: {error}")
 

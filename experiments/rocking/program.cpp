@@ -208,6 +208,7 @@ ExitCode carry_out_command_line(int argc, const char* const* argv, const Process
     app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return static_cast<ExitCode>(app.exit(error));  // --help, --version
+    if (const auto gone = explain_gone_flag(words)) return fail(ExitCode::bad_input, *gone);
     const auto explanation = explain_unknown_word(app, words);
     return fail(ExitCode::usage,
                 fmt::format("{}\nTry `{} --help`.", explanation.value_or(error.what()), called_command(app, words)));

@@ -94,6 +94,17 @@ std::optional<std::string> explain_unknown_word(const CLI::App& app, const std::
   return std::nullopt;
 }
 
+std::optional<std::string> explain_gone_flag(const std::vector<std::string>& words) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 1> gone{
+      {{"--metadata", "measures of intensity are compared by their dispersion and AIC, without it"}}};
+  for (const std::string& word : words) {
+    for (const auto& [flag, instead] : gone) {
+      if (word.substr(0, word.find('=')) == flag) return fmt::format("{} is gone: {}", flag, instead);
+    }
+  }
+  return std::nullopt;
+}
+
 CLI::Validator one_of(std::vector<std::string> words) {
   const std::string list = fmt::format("{}", fmt::join(words, ","));
   const auto check = [words = std::move(words)](const std::string& written) -> std::string {

@@ -13,6 +13,9 @@ namespace rocking::program {
 [[nodiscard]] std::optional<std::string> explain_unknown_word(const CLI::App& app,
                                                               const std::vector<std::string>& words);
 
+/// What to do in place of a flag that is gone, if the words name one.
+[[nodiscard]] std::optional<std::string> explain_gone_flag(const std::vector<std::string>& words);
+
 /// `rocking run` where the words name that command, otherwise `rocking`.
 [[nodiscard]] std::string called_command(const CLI::App& app, const std::vector<std::string>& words);
 

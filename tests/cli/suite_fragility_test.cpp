@@ -210,10 +210,8 @@ TEST_F(SuiteFragility, TakesOneMotionToo) {
   ASSERT_EQ(found["incremental"][0]["records"].size(), 1U);
   EXPECT_EQ(found["incremental"][0]["records"][0]["levels"], found["incremental"][0]["levels"]);
   // What is known of suites only is refused.
-  write("metadata.csv", "file,magnitude\nr4.at2,6\n");
   for (const auto& [flags, code] :
-       {std::pair{"--metadata metadata.csv", 65}, std::pair{"--hazard hazard.csv --suggest", 64},
-        std::pair{"--hazard hazard.csv --sheet sheet.html", 65}}) {
+       {std::pair{"--hazard hazard.csv --suggest", 64}, std::pair{"--hazard hazard.csv --sheet sheet.html", 65}}) {
     const auto refused = rocking(std::string("fragility out ") + flags);
     EXPECT_EQ(refused.exit_code, code) << flags;
     EXPECT_THAT(refused.errors, HasSubstr("suite of ground motions")) << flags;
@@ -221,28 +219,11 @@ TEST_F(SuiteFragility, TakesOneMotionToo) {
   EXPECT_EQ(rocking("report out --format html --hazard hazard.csv").exit_code, 64);
 }
 
-TEST_F(SuiteFragility, SaysWhichMeasuresAreSufficient) {
-  run();
-  std::string metadata = "file,magnitude,distance_km\n";
-  for (std::size_t k = 0; k < records; ++k) {
-    metadata += "r" + std::to_string(k) + ".at2," + std::to_string(5.5 + 0.4 * static_cast<double>(k)) + ",20\n";
-  }
-  write("metadata.csv", metadata);
-  const Json answer = fragility("--metadata metadata.csv");
-  for (const Json& measure : answer["curves"][0]["measures"]) {
-    EXPECT_TRUE(measure.contains("by_magnitude")) << measure.dump();
-    EXPECT_FALSE(measure.contains("by_distance")) << "all distances are equal: " << measure.dump();
-  }
-  EXPECT_THAT(rocking("fragility out --metadata metadata.csv").output, HasSubstr("p (magnitude)"));
-  EXPECT_FALSE(fragility()["curves"][0]["measures"][0].contains("by_magnitude"));
-  write("metadata.csv", "file,magnitude\nr0.at2,6\n");
-  const auto incomplete = rocking("fragility out --metadata metadata.csv");
-  EXPECT_EQ(incomplete.exit_code, 65);
-  EXPECT_THAT(incomplete.errors, AllOf(HasSubstr("r3.at2"), HasSubstr("has no line")));
-}
-
 TEST_F(SuiteFragility, RefusesBadFlagsAndHazardCurves) {
   run();
+  const auto gone = rocking("fragility out --metadata metadata.csv");
+  EXPECT_EQ(gone.exit_code, 65);
+  EXPECT_THAT(gone.errors, HasSubstr("dispersion")) << "what to use instead";
   EXPECT_EQ(rocking("fragility out --peak-tilt 0").exit_code, 64);
   EXPECT_EQ(rocking("fragility out --peak-tilt much").exit_code, 64);
   const auto absent = rocking("fragility out --hazard absent.csv");

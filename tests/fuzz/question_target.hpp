@@ -197,11 +197,6 @@ class QuestionTarget {
       rare.records = choose_.list(2, [&] { return RareOfCurve::OfRecord{.name = choose_.text(), .level = level()}; });
       return rare;
     });
-    question.metadata = choose_.list(3, [&] {
-      const auto number = [&] { return choose_.number(); };
-      return RecordMetadata{
-          .file = choose_.text(), .magnitude = choose_.maybe(number), .distance_km = choose_.maybe(number)};
-    });
     const RunFragility found = fragility(of.experiment, of.run, question, execution_);
     for (const ShownCurve& shown : found.curves) {
       if (shown.rate) expect_rate(*shown.rate, *question.hazard);

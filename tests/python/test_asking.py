@@ -49,7 +49,7 @@ class EveryStudy(unittest.TestCase):
                           "hazard": [hazard, of_suite, [of_suite, of_suite]], "event": ["overturning", "tilt > 0.5"],
                           "peak_tilt": [0.5, [0.3, 0.6]], "years": [50, [1, 50]], "survived": [100.0], "ida": [True],
                           "imt": ["PGA"], "site": [(10, 45)], "statistic": ["mean"], "joint_hazard": [cells],
-                          "surface": [["pga_g", "sa_p_g"], ["pga_g"]], "metadata": [{"file": ["r0.txt"], "magnitude": [6]}]},
+                          "surface": [["pga_g", "sa_p_g"], ["pga_g"]]},
             "compare": {"first": [run, TINY, part], "second": [run, suite]},
             "bifurcation": {"source": [STILL, TINY], "realisation": [0, 3]},
             "orbits": {"source": [STILL], "periods": [1], "no_branches": [True], "from": [3.9], "to": [4.0]},

@@ -33,21 +33,20 @@ INSTANTIATE_TEST_SUITE_P(All, Sampler,
                            return name;
                          });
 
-// 500 seeds: a p-value whose law is wrong by 0.15 anywhere is detected. At n = 1000 that of Jarque-Bera is wrong by
-// 0.015.
+// 500 seeds: a p-value whose law is wrong by 0.15 anywhere is detected.
 TEST_P(Sampler, GivesEveryTestUniformPValuesOverManySeeds) {
   FalseAlarms alarms;
   const auto found = uniformities(500, [](std::uint64_t seed) { return check_of(GetParam(), seed, 1000); });
-  ASSERT_EQ(found.size(), 16U);
+  ASSERT_EQ(found.size(), 15U);
   for (std::size_t i = 0; i < found.size(); ++i) EXPECT_GT(found[i], alarms.level()) << "p-value " << i;
 }
 
-// 19 p-values: moments, correlations, tests of fit and tails. That of the squares is 1.5 times too small so far out.
+// 18 p-values: moments, correlations, tests of fit and tails. That of the squares is 1.5 times too small so far out.
 TEST_P(Sampler, PassesEveryTestInALargeSample) {
   FalseAlarms alarms;
   const NormalCheck check = check_of(GetParam(), 2012, large);
   const std::vector<double> p_values = p_values_of(check);
-  ASSERT_EQ(p_values.size(), 19U);
+  ASSERT_EQ(p_values.size(), 18U);
   for (std::size_t i = 0; i < p_values.size(); ++i) EXPECT_GT(p_values[i], alarms.level()) << "p-value " << i;
 }
 
@@ -122,24 +121,21 @@ std::vector<double> trials_of(const std::vector<Word>& words, std::size_t n, std
 }
 
 // The table of reports/evidence/intervals.md was made from a million other samples and is accurate to 2 %. Here 20000
-// samples detect a deviation of 20 % at 0.05 and of 50 % at 0.001. The last comparison is the twin: with its nominal
-// p-value Jarque-Bera fails.
+// samples detect a deviation of 20 % at 0.05 and of 50 % at 0.001. The last comparison is the twin: its
+// nominal p-value fails.
 TEST(TestsOfShape, AreAsFarOffInSmallSamplesAsTheirTableSays) {
   FalseAlarms alarms;
-  const auto p_values = trials_of({{jarque_bera, 0.05, 0.0421},
-                                   {jarque_bera, 0.001, 0.00803},
-                                   {dagostino_pearson, 0.05, 0.0555},
-                                   {dagostino_pearson, 0.001, 0.00407},
-                                   {jarque_bera, 0.001, 0.001}},
-                                  100, 20000);
-  for (std::size_t i = 0; i < 4; ++i) EXPECT_GT(p_values[i], alarms.level()) << i;
-  EXPECT_LT(p_values[4], false_alarm);
+  const auto p_values = trials_of(
+      {{dagostino_pearson, 0.05, 0.0555}, {dagostino_pearson, 0.001, 0.00407}, {dagostino_pearson, 0.001, 0.001}}, 100,
+      20000);
+  for (std::size_t i = 0; i < 2; ++i) EXPECT_GT(p_values[i], alarms.level()) << i;
+  EXPECT_LT(p_values[2], false_alarm);
 }
 
 // At the size of Jeong & Yang's (2012) samples: 2000 samples distinguish 0.05 from 0.09.
 TEST(TestsOfShape, KeepTheirWordAtTwentyThousand) {
   FalseAlarms alarms;
-  const auto p_values = trials_of({{jarque_bera, 0.05, 0.05}, {dagostino_pearson, 0.05, 0.05}}, 20000, 2000);
+  const auto p_values = trials_of({{dagostino_pearson, 0.05, 0.05}}, 20000, 2000);
   for (const double p : p_values) EXPECT_GT(p, alarms.level());
 }
 

@@ -49,13 +49,6 @@ struct HazardReading {
   std::optional<std::string> statistic = std::nullopt;  ///< `mean`, `quantile-0.84`
 };
 
-/// What is known of the earthquake of a record.
-struct RecordMetadata {
-  std::string file;                   ///< as in the experiment, or its last part
-  std::optional<double> magnitude;    ///< moment magnitude [-]
-  std::optional<double> distance_km;  ///< > 0
-};
-
 /// What is wrong with a point of a hazard curve.
 struct HazardFault {
   double HazardPoint::*number;  ///< of the point

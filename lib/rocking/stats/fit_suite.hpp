@@ -54,11 +54,4 @@ struct SuiteFit {
 /// By maximum likelihood. Absent where the likelihood has no maximum or does not rise.
 [[nodiscard]] std::optional<PooledLaw> fit_pooled(const SuiteLevels& suite);
 
-/// The law of a suite with ln median = a + slope c, with the number c of each record, by maximum likelihood. The test
-/// compares the root of twice the gain of ln likelihood with Student's distribution with (records - 2) degrees of freedom.
-///
-/// Absent with fewer than four records, where the numbers are equal, or without a law.
-[[nodiscard]] std::optional<SuiteCovariate> suite_covariate(const SuiteLevels& suite,
-                                                            const std::vector<double>& numbers);
-
 }  // namespace rocking::stats

@@ -132,12 +132,6 @@ struct PooledLaw {
   double deviance = 0.0;  ///< from a probability of its own at each intensity
 };
 
-/// How the capacities of records depend on a number of each record.
-struct SuiteCovariate {
-  double slope = 0.0;    ///< change of ln capacity with the number
-  double p_value = 1.0;  ///< of the slope 0
-};
-
 /// Laws of bootstrap samples: each draws as many records as there are, with replacement, and keeps all trials of a
 /// record together. Valid whatever the dependence of trials of one record. Where levels have records of their own, it draws
 /// within each set of records with the same levels.

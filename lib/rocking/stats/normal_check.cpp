@@ -79,7 +79,6 @@ std::optional<NormalCheck> check_normal(const NormalSamples& samples, const Norm
                      .skewness = tested_shape(moments->skewness, 0.0, skewness_score, sample.size()),
                      .kurtosis = tested_shape(moments->kurtosis, 3.0, kurtosis_score, sample.size()),
                      .correlations = correlations(samples, law),
-                     .jarque_bera = jarque_bera(sample),
                      .dagostino_pearson = dagostino_pearson(sample),
                      .anderson_darling = anderson_darling(sample, law),
                      .kolmogorov_smirnov = kolmogorov_smirnov(sample, law),
@@ -107,8 +106,7 @@ std::vector<double> p_values_of(const NormalCheck& check) {
   std::vector<double> p_values{check.mean.p_value, check.standard_deviation.p_value, check.skewness.test.p_value,
                                check.kurtosis.test.p_value};
   for (const CorrelationTest& correlation : check.correlations) p_values.push_back(correlation.test.p_value);
-  for (const TestOfFit* test :
-       {&check.jarque_bera, &check.dagostino_pearson, &check.anderson_darling, &check.kolmogorov_smirnov}) {
+  for (const TestOfFit* test : {&check.dagostino_pearson, &check.anderson_darling, &check.kolmogorov_smirnov}) {
     p_values.push_back(test->p_value);
   }
   for (const TailCount& tail : check.tails) p_values.push_back(tail.p_value);

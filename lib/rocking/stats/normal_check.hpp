@@ -90,7 +90,6 @@ struct NormalCheck {
   ShapeTest skewness;
   ShapeTest kurtosis;
   std::vector<CorrelationTest> correlations;  ///< with p-values that hold for large samples
-  TestOfFit jarque_bera;
   TestOfFit dagostino_pearson;
   TestOfFit anderson_darling;
   TestOfFit kolmogorov_smirnov;

@@ -19,13 +19,6 @@ namespace rocking::stats {
 /// Source: Anscombe & Glynn (1983), Biometrika 70, 227-234.
 [[nodiscard]] double kurtosis_score(double kurtosis, std::size_t n);
 
-/// Test for a normal law with any mean and sigma: n/6 (g1^2 + (b2 - 3)^2/4), compared with chi-squared of 2 degrees.
-///
-/// Needs n >= 4, not all equal. The p-value is that of the limit n = infinity, which is approached slowly: the error is
-/// 0.003 at n = 20000 and 0.016 at 1000, and small p-values are wrong by factors (table in
-/// reports/evidence/intervals.md). Source: Jarque & Bera (1987), Int. Stat. Rev. 55, 163-172.
-[[nodiscard]] TestOfFit jarque_bera(std::span<const double> sample);
-
 /// Test for a normal law with any mean and sigma: K^2 = Z(g1)^2 + Z(b2)^2, compared with chi-squared of 2 degrees. The
 /// transformed moments are close to normal also for small n.
 ///

@@ -118,17 +118,12 @@ TEST_F(Questions, AboutFragilityHaveNumbersInRange) {
   const auto ask = [&](const FragilityQuestion& question) {
     static_cast<void>(fragility(experiment_, done, question));
   };
-  expect_refused<FragilityQuestion>(
-      {}, ask,
-      {{[](auto& q) {
-          q.peak_tilts = {0.5, nan};
-        },
-        "peak_tilts/1 = nan"},
-       {[](auto& q) { q.peak_tilts = {0.0}; }, "peak_tilts/0 = 0"},
-       {[](auto& q) { q.metadata = {{.file = "a", .magnitude = nan, .distance_km = {}}}; },
-        "metadata/0/magnitude = nan"},
-       {[](auto& q) { q.metadata = {{.file = "a", .magnitude = {}, .distance_km = -1.0}}; },
-        "metadata/0/distance_km = -1"}});
+  expect_refused<FragilityQuestion>({}, ask,
+                                    {{[](auto& q) {
+                                        q.peak_tilts = {0.5, nan};
+                                      },
+                                      "peak_tilts/1 = nan"},
+                                     {[](auto& q) { q.peak_tilts = {0.0}; }, "peak_tilts/0 = 0"}});
 }
 
 TEST_F(Questions, AboutRareEventsHaveRepetitionsThatCanBe) {

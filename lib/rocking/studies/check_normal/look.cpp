@@ -54,13 +54,6 @@ std::string nearness_line(const std::string& name, const stats::ShapeTest& shape
          significant(shape.nearness[1].distance, 3) + ", as found here: in " + per_cent(shape.nearness[1]) + '\n';
 }
 
-// The table of reports/evidence/intervals.md: at 1000 numbers a p-value of 0.001 means 0.003, at 20000 it means
-// 0.0011.
-std::string jarque_bera_line(const stats::NormalCheck& check) {
-  if (check.n >= 10'000) return "";
-  return "The Jarque-Bera p-value is valid for large samples only: below 10000 numbers use D'Agostino-Pearson\n";
-}
-
 /// With the value of the distribution.
 std::string shape_name(const std::string& name, const stats::ShapeTest& shape, double normal) {
   return name + " (" + significant(shape.of_law.value_or(normal), 5) + ')';
@@ -153,9 +146,8 @@ std::string check_normal_summary(const SamplerCheck& check) {
   text += correlations_table(found) + '\n';
   text += table_of(
       {"test of fit", "statistic", "p-value", "result"},
-      {test_row("Jarque-Bera", found.jarque_bera), test_row("D'Agostino-Pearson", found.dagostino_pearson),
-       test_row("Anderson-Darling", found.anderson_darling), test_row("Kolmogorov-Smirnov", found.kolmogorov_smirnov)});
-  text += jarque_bera_line(found);
+      {test_row("D'Agostino-Pearson", found.dagostino_pearson), test_row("Anderson-Darling", found.anderson_darling),
+       test_row("Kolmogorov-Smirnov", found.kolmogorov_smirnov)});
   text += '\n' + table_of({"tails", "count", "expected", "p-value", "result"},
                           {tail_row(found.tails[0]), tail_row(found.tails[1]), tail_row(found.tails[2])});
   return text + '\n' + smallest_line(found) + '\n' + bars(found.histogram);

@@ -112,7 +112,6 @@ static const StructType& fields_of(const NormalCheck*) {
       field<&NormalCheck::correlations>("correlations",
                                         "mean products of the scores of numbers that should be independent; p-values "
                                         "of large samples"),
-      field<&NormalCheck::jarque_bera>("jarque_bera", "test of skewness and kurtosis"),
       field<&NormalCheck::dagostino_pearson>("dagostino_pearson", "test of skewness and kurtosis"),
       field<&NormalCheck::anderson_darling>("anderson_darling", "test of the whole distribution"),
       field<&NormalCheck::kolmogorov_smirnov>("kolmogorov_smirnov", "test of the whole distribution"),

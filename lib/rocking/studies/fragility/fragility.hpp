@@ -30,9 +30,9 @@ inline constexpr double fragility_significance = 0.05;
 /// Bootstrap samples of the records of a suite, and of the test of its law.
 inline constexpr std::uint64_t suite_samples = 499;
 
-/// The curve of a group that is a suite. `seed`: of the bootstraps. `metadata`: of its records, in any order; empty: none.
+/// The curve of a group that is a suite. `seed`: of the bootstraps.
 [[nodiscard]] SuiteCurve suite_curve(const StripeGroup& group, const ResponseEvent& event, std::uint64_t seed,
-                                     const std::vector<RecordMetadata>& metadata = {}, const base::ManyParts& how = {});
+                                     const base::ManyParts& how = {});
 
 /// Its parts, at most: bootstrap samples, parameters, records and measures of intensity.
 [[nodiscard]] std::uint64_t parts_of_suite_curve(const StripeGroup& group);
@@ -50,7 +50,7 @@ inline constexpr std::uint64_t suite_samples = 499;
                                                  const base::ManyParts& how = {});
 
 /// The curves of a run from its stripes: for each group, for each event. Throws base::InputError if the hazard curve is one
-/// of another intensity, or if metadata are given without a suite or not for each of its records, and base::Stopped if
+/// of another intensity, and base::Stopped if
 /// it is asked to stop. Uses `threads`, `stop_requested` and `on_progress` of
 /// the options; progress counts parts of about equal work, most of them bootstrap samples.
 [[nodiscard]] RunFragility run_fragility(const Experiment& experiment, const std::vector<StripeGroup>& groups,
@@ -94,9 +94,8 @@ struct BlockCurve {
                                                    std::optional<IntensityMeasure> measure = std::nullopt);
 
 /// The measures by growing dispersion of the law of the suite; of equal ones the one with the smaller deviance first.
-/// Without measures: empty. `metadata`: of every record of the stripes, or empty. A measure is a part.
+/// Without measures: empty. A measure is a part.
 [[nodiscard]] std::vector<RankedMeasure> ranked_measures(const std::vector<Stripe>& stripes, const ResponseEvent& event,
-                                                         const std::vector<RecordMetadata>& metadata = {},
                                                          const base::ManyParts& how = {});
 
 /// Of the text of a file with this name; otherwise as those of question.hpp.

@@ -214,14 +214,13 @@ struct RareOfCurve {
 
 /// What is asked of a run.
 struct FragilityQuestion {
-  std::vector<ResponseEvent> events = {};     ///< of which the probability is asked; empty: overturning
-  std::vector<double> peak_tilts = {};        ///< also the probability that abs(Theta) exceeds each; > 0
-  std::optional<HazardCurve> hazard = {};     ///< gives the mean annual rates
-  std::vector<double> years = {};             ///< also the probabilities within these times; > 0
-  std::vector<RareOfCurve> rare = {};         ///< small probabilities of the same blocks under the same motions
-  bool incremental = false;                   ///< also the peak tilt against intensity for each record
-  std::vector<RecordMetadata> metadata = {};  ///< of the records of suites; gives how sufficient measures are
-  std::vector<std::string> surface = {};      ///< two of surface_measure_names: also the surface of suites over both
+  std::vector<ResponseEvent> events = {};  ///< of which the probability is asked; empty: overturning
+  std::vector<double> peak_tilts = {};     ///< also the probability that abs(Theta) exceeds each; > 0
+  std::optional<HazardCurve> hazard = {};  ///< gives the mean annual rates
+  std::vector<double> years = {};          ///< also the probabilities within these times; > 0
+  std::vector<RareOfCurve> rare = {};      ///< small probabilities of the same blocks under the same motions
+  bool incremental = false;                ///< also the peak tilt against intensity for each record
+  std::vector<std::string> surface = {};   ///< two of surface_measure_names: also the surface of suites over both
   std::optional<JointHazard> joint_hazard = std::nullopt;  ///< of these two; gives the annual rate of the surface
 };
 
@@ -266,11 +265,6 @@ struct SheetNotes {
 /// are missing, if the experiment has no text, or if the file is none, and std::system_error where it cannot be read.
 [[nodiscard]] ROCKING_API std::vector<RareOfCurve> rare_levels(const std::filesystem::path& file,
                                                                const Experiment& experiment);
-
-/// Reads magnitudes and distances of records, for `FragilityQuestion::metadata`: lines of `file`, `magnitude`,
-/// `distance_km`, of which the first names the columns. Throws base::InputError with the place of each fault, and
-/// std::system_error where the file cannot be read.
-[[nodiscard]] ROCKING_API std::vector<RecordMetadata> record_metadata(const std::filesystem::path& file);
 
 /// Reads rates of occurrence over two measures: lines of both and `annual_rate`, of which the first names the columns.
 /// `measures`: as they are asked for, x and y. Throws base::InputError with the line of a fault, and std::system_error

@@ -7,7 +7,6 @@
 #include "rocking/base/error.hpp"
 #include "rocking/base/number_text.hpp"
 #include "rocking/input/read_hazard.hpp"
-#include "rocking/input/read_record_metadata.hpp"
 #include "rocking/scene/check_condition.hpp"
 #include "rocking/store/store.hpp"
 #include "rocking/studies/fragility/fragility.hpp"
@@ -167,8 +166,8 @@ void add_rare(const std::vector<RareOfCurve>& all, SuiteCurve& curve) {
 void add_curve(const StripeGroup& group, const ResponseEvent& event, const FragilityQuestion& question,
                const base::ManyParts& how, RunFragility& run) {
   if (group.is_suite()) {
-    ShownSuite& shown = run.suites.emplace_back(
-        ShownSuite{.curve = suite_curve(group, event, run.experiment.seed, question.metadata, how)});
+    ShownSuite& shown =
+        run.suites.emplace_back(ShownSuite{.curve = suite_curve(group, event, run.experiment.seed, how)});
     add_rare(question.rare, shown.curve);
     if (!question.surface.empty()) {
       shown.surface = fragility_surface(group, shown.curve, question.surface, question.joint_hazard,
@@ -261,9 +260,6 @@ RunFragility run_fragility(const Experiment& experiment, const std::vector<Strip
     for (ShownCurve& shown : run.curves) shown.rate->in_years = in_years(*shown.rate, question.years);
     for (ShownSuite& shown : run.suites) shown.rate->chosen.in_years = in_years(shown.rate->chosen, question.years);
   }
-  if (!question.metadata.empty() && run.suites.empty()) {
-    throw base::InputError({"metadata", "", "needs a suite of ground motions", "omit it, or give a run of a suite"});
-  }
   if (!question.surface.empty() && run.suites.empty()) {
     throw base::InputError({"surface", "", "needs a suite of ground motions", "omit it, or give a run of a suite"});
   }
@@ -303,15 +299,6 @@ void check(const FragilityQuestion& question) {
     for (std::size_t k = 0; k < rare.records.size(); ++k) {
       check_level(rare.records[k].level, place + "/records/" + std::to_string(k) + "/level", check);
     }
-  }
-  for (std::size_t i = 0; i < question.metadata.size(); ++i) {
-    const auto& [file, magnitude, distance_km] = question.metadata[i];
-    const std::string place = "metadata/" + std::to_string(i);
-    check.expect(std::isfinite(magnitude.value_or(0.0)), place + "/magnitude", base::shortest(magnitude.value_or(0.0)),
-                 "must be a number");
-    const double distance = distance_km.value_or(1.0);
-    check.expect(distance > 0.0 && std::isfinite(distance), place + "/distance_km", base::shortest(distance),
-                 "must be positive");
   }
   const std::vector<std::string>& measures = question.surface;
   check.expect(measures.empty() || (measures.size() == 2 && measures[0] != measures[1]), "surface", "",
@@ -354,10 +341,6 @@ HazardCurve hazard_curve(const std::filesystem::path& file, const HazardReading&
 
 HazardCurve hazard_curve_in(std::string_view text, const std::string& name, const HazardReading& reading) {
   return read_hazard(text, name, reading);
-}
-
-std::vector<RecordMetadata> record_metadata(const std::filesystem::path& file) {
-  return read_record_metadata(read_file(file, most_metadata_bytes), file.string());
 }
 
 }  // namespace rocking

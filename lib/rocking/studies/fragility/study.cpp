@@ -10,7 +10,6 @@
 #include "rocking/base/number_text.hpp"
 #include "rocking/fields/container_types.hpp"
 #include "rocking/input/read_hazard.hpp"
-#include "rocking/input/read_record_metadata.hpp"
 #include "rocking/output/ground_motion_facts.hpp"
 #include "rocking/output/parameter_text.hpp"
 #include "rocking/studies/fragility/figure.hpp"
@@ -73,7 +72,6 @@ struct RunsQuestion {
   std::optional<std::string> imt;
   std::vector<double> site;  ///< longitude and latitude [degrees]; empty: not asked for
   std::optional<std::string> statistic;
-  std::optional<std::string> metadata;
   std::optional<std::string> rare;  ///< folder of rare.json, or the file
   std::optional<std::string> joint_hazard;
   std::optional<std::string> sheet;
@@ -110,10 +108,6 @@ const StructType& fields_of(const RunsQuestion*) {
       asked(field<&Type::statistic>(
                 "statistic", "With --hazard: mean or quantile-0.84, or as the file says it, where it has several"),
             {.names = "--statistic", .letter = "NAME", .needs = "--hazard"}),
-      asked(field<&Type::metadata>("metadata_file",
-                                   "Magnitudes and distances of the records (CSV: file, magnitude, distance_km): says "
-                                   "which measures of intensity are sufficient"),
-            {.names = "--metadata", .letter = "FILE"}),
       asked(
           field<&Type::rare>("rare_file",
                              "Folder with the rare.json of `rocking rare` for lower intensities of the same block and "
@@ -203,33 +197,15 @@ void check(const Subject& subject, RunsQuestion& question) {
                                              .statistic = question.statistic}));
   }
   if (!question.branches.empty()) question.question.hazard = question.branches.front();
-  if (const auto& file = question.metadata) {
-    question.question.metadata = read_record_metadata(subject.files(*file, most_metadata_bytes), *file);
-  }
   if (const auto& file = question.joint_hazard) {
     question.question.joint_hazard =
         joint_hazard(subject.files(*file, most_hazard_bytes), *file, question.question.surface);
   }
 }
 
-/// What the experiment says of its records, as a table that selects them does; empty if it says nothing.
-std::vector<RecordMetadata> metadata_in(const Experiment& experiment) {
-  std::vector<RecordMetadata> found;
-  for (const Condition& condition : experiment.conditions) {
-    const auto* recorded = std::get_if<Recorded>(&condition.scene.excitation);
-    if (recorded == nullptr || !recorded->ground_motion) return {};
-    if (!recorded->magnitude && !recorded->distance_km) continue;
-    const std::string& file = recorded->ground_motion->name;
-    if (std::ranges::find(found, file, &RecordMetadata::file) != found.end()) continue;
-    found.push_back({.file = file, .magnitude = recorded->magnitude, .distance_km = recorded->distance_km});
-  }
-  return found;
-}
-
 /// The question about a run, with the rare estimates of its curves.
 FragilityQuestion question_about(const Experiment& experiment, const RunsQuestion& asked, const FileSource& files) {
   FragilityQuestion question = asked.question;
-  if (question.metadata.empty()) question.metadata = metadata_in(experiment);
   if (!asked.rare) return question;
   const std::filesystem::path rare = *asked.rare;
   const std::string file = (std::filesystem::is_directory(rare) ? rare / "rare.json" : rare).string();
@@ -246,7 +222,7 @@ RunFragility curves_of(const NamedRun& run, const RunsQuestion& asked, const Fil
   } catch (const base::InputError& error) {
     const base::Problem& problem = error.problems().front();
     const bool is_of_question = problem.place.starts_with('/') || problem.place == "events";
-    if (!is_of_question) throw;                                         // of the hazard curve or the metadata
+    if (!is_of_question) throw;                                         // of the hazard curve
     throw UnfitQuestion(run.folder + ": " + base::to_string(problem));  // the run answers another question
   }
 }

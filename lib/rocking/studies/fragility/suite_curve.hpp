@@ -66,9 +66,7 @@ struct RecordCurve {
 struct RankedMeasure {
   IntensityMeasure measure = IntensityMeasure::pga;
   std::optional<double> median, dispersion, between_records, within_record;
-  std::optional<double> deviance;                     ///< -2 ln likelihood, without binomial coefficients
-  std::optional<stats::SuiteCovariate> by_magnitude;  ///< of the capacity in this measure; a sufficient one has none
-  std::optional<stats::SuiteCovariate> by_distance;   ///< the same with ln distance
+  std::optional<double> deviance;  ///< -2 ln likelihood, without binomial coefficients
   std::optional<double> aic;  ///< deviance + 2 times 3 parameters (Akaike 1974, IEEE Trans. Automat. Contr. 19, 716)
 };
 

@@ -125,22 +125,6 @@ static const StructType& fields_of(const RecordCurve*) {
   return fields;
 }
 
-static const StructType& covariate_fields() {
-  using Covariate = stats::SuiteCovariate;
-  static const StructType fields{
-      "SuiteCovariate",
-      field<&Covariate::slope>("slope", "change of ln capacity with the number"),
-      field<&Covariate::p_value>("p_value", "of the slope 0; above 0.05 the measure is taken as sufficient",
-                                 rule::share),
-  };
-  return fields;
-}
-
-template <>
-struct TypeOf<stats::SuiteCovariate> {
-  static const ValueType& get() { return covariate_fields(); }
-};
-
 static const StructType& fields_of(const RankedMeasure*) {
   using Ranked = RankedMeasure;
   static const StructType fields{
@@ -154,11 +138,6 @@ static const StructType& fields_of(const RankedMeasure*) {
       field<&Ranked::within_record>("within_record", "its part within a record", rule::not_negative),
       field<&Ranked::deviance>("deviance", "-2 ln likelihood, without binomial coefficients"),
       field<&Ranked::aic>("aic", "deviance + 6 (Akaike)"),
-      field<&Ranked::by_magnitude>("by_magnitude",
-                                   "with `--metadata`: dependence of the capacity on the magnitude of the records", {},
-                                   WithoutValue::omitted),
-      field<&Ranked::by_distance>("by_distance", "the same on the logarithm of their distance", {},
-                                  WithoutValue::omitted),
   };
   return fields;
 }

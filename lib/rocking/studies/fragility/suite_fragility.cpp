@@ -181,7 +181,7 @@ std::uint64_t parts_of_suite_curve(const StripeGroup& group) {
 }
 
 SuiteCurve suite_curve(const StripeGroup& group, const ResponseEvent& event, std::uint64_t seed,
-                       const std::vector<RecordMetadata>& metadata, const base::ManyParts& how) {
+                       const base::ManyParts& how) {
   ROCKING_EXPECT(group.is_suite());
   SuiteCurve curve;
   curve.subject = subject_of(group, event);
@@ -195,7 +195,7 @@ SuiteCurve suite_curve(const StripeGroup& group, const ResponseEvent& event, std
     curve.pooled->is_extrapolated = median < curve.levels.front().intensity || curve.levels.back().intensity < median;
   }
   curve.records = curves_of_records(group, event, seed, how);
-  curve.measures = ranked_measures(group.stripes, event, metadata, how);
+  curve.measures = ranked_measures(group.stripes, event, how);
   return curve;
 }
 

@@ -89,29 +89,14 @@ std::string record_table(const SuiteCurve& curve) {
 }
 
 std::string measure_table(const std::vector<RankedMeasure>& measures) {
-  const auto has = [&measures](auto RankedMeasure::*covariate) {
-    return std::ranges::any_of(measures, [&](const RankedMeasure& found) { return (found.*covariate).has_value(); });
-  };
-  const bool has_magnitude = has(&RankedMeasure::by_magnitude), has_distance = has(&RankedMeasure::by_distance);
   look::Table table{.title = "\nmeasures of intensity, smallest dispersion (most efficient) first"};
   add_columns(table, {"measure", "median", "dispersion", "between", "within", "deviance", "AIC"});
-  if (has_magnitude) add_columns(table, {"p (magnitude)"});
-  if (has_distance) add_columns(table, {"p (distance)"});
   for (const RankedMeasure& found : measures) {
     look::Row& row = table.rows.emplace_back(look::Row{std::string(to_string(found.measure))});
     for (const auto& each : {found.median, found.dispersion, found.between_records, found.within_record}) {
       row.push_back(number(each, 3));
     }
     for (const auto& each : {found.deviance, found.aic}) row.push_back(number(each, look::decimals(1)));
-    const auto p_of = [](const std::optional<stats::SuiteCovariate>& covariate) {
-      return covariate ? number(covariate->p_value, 2) : look::Cell();
-    };
-    if (has_magnitude) row.push_back(p_of(found.by_magnitude));
-    if (has_distance) row.push_back(p_of(found.by_distance));
-  }
-  if (has_magnitude || has_distance) {
-    table.notes =
-        "p: of no dependence of the capacity in this measure on the earthquake; below 0.05 it is not sufficient\n";
   }
   return to_terminal(table);
 }

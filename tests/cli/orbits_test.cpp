@@ -108,39 +108,6 @@ TEST_F(Orbits, AreFollowedOverTheSweptParameter) {
   EXPECT_TRUE(exists("figures/branches.tsv"));
 }
 
-TEST_F(Orbits, AreFollowedAtTheirBifurcationsOverASecondParameter) {
-  const auto outcome = rocking(
-      "orbits quick.json -q -o out --periods 3 --from 3.3 --to 6 --branches 6 --second-parameter "
-      "/excitation/frequency_ratio --second-from 9.8 --second-to 10.2");
-  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
-  EXPECT_THAT(outcome.output, HasSubstr("frequency_ratio"));
-  const std::string text = read("out/orbits.json");
-  EXPECT_EQ(objections("orbits", text), "");
-  const Json json = Json::parse(text);
-  EXPECT_EQ(json["second_parameter"], Json::parse(R"(["/excitation/frequency_ratio"])"));
-  ASSERT_FALSE(json["curves"].empty());
-  for (const Json& curve : json["curves"]) {
-    EXPECT_EQ(json["bifurcations"][curve["bifurcation"].get<std::size_t>()]["kind"], curve["kind"]);
-    for (const Json& point : curve["points"]) {
-      EXPECT_GE(point["second_value"].get<double>(), 9.8);
-      EXPECT_LE(point["second_value"].get<double>(), 10.2);
-      EXPECT_LE(point["residual"].get<double>(), 1e-10);
-      EXPECT_LE(point["test"].get<double>(), 1e-10);
-    }
-  }
-  EXPECT_EQ(rocking("report out/orbits.json -o figures").exit_code, 0);
-  EXPECT_TRUE(exists("figures/curves.tsv"));
-}
-
-TEST_F(Orbits, AreRefusedOverASecondParameterThatCannotBeFollowed) {
-  EXPECT_EQ(refused("quick.json --second-parameter /excitation/frequency_ratio"), 64);
-  EXPECT_EQ(refused("quick.json --second-from 9 --second-to 11"), 64);
-  EXPECT_EQ(refused("quick.json --second-parameter /initial/tilt --second-from 0 --second-to 1"), 64);
-  EXPECT_EQ(refused("quick.json --second-parameter /excitation/amplitude --second-from 1 --second-to 9"), 64);
-  EXPECT_EQ(refused("quick.json --second-parameter /excitation/frequency_ratio --second-from 11 --second-to 12"), 64);
-  EXPECT_EQ(refused("quick.json --no-branches --second-parameter /restitution --second-from 0 --second-to 1"), 64);
-}
-
 TEST_F(Orbits, AreNotFollowedWhereNoneOrNoNumberOfTheMotionIsSwept) {
   ASSERT_EQ(rocking("orbits quick.json -q -o none --periods 1 --no-branches").exit_code, 0);
   EXPECT_FALSE(Json::parse(read("none/orbits.json")).contains("branches"));

@@ -273,10 +273,6 @@ class QuestionTarget {
     request.to = choose_.maybe(number);
     request.most_points = choose_.whole();
     request.most_branches = choose_.whole();
-    request.second = choose_.list(2, [&] { return choose_.text(); });
-    request.second_from = choose_.maybe(number);
-    request.second_to = choose_.maybe(number);
-    request.most_curve_points = choose_.whole();
     check_request(experiment, request);
   }
 

@@ -152,38 +152,6 @@ std::function<std::optional<Condition>(double)> condition_family(const Experimen
   };
 }
 
-SecondParameter second_parameter(const Experiment& experiment, const std::vector<std::string>& pointers) {
-  const ConditionMaker family(experiment);
-  const auto refuse = [](const std::string& pointer, const std::string& reason, const std::string& remedy) {
-    throw base::InputError(
-        base::Problem{.place = "--second-parameter", .value = pointer, .reason = reason, .remedy = remedy});
-  };
-  for (const std::string& pointer : pointers) {
-    if (!family.number(pointer)) {
-      refuse(pointer, "is no number of the experiment", "give a JSON pointer such as /excitation/frequency_ratio");
-    }
-    const auto& swept = experiment.conditions.front().parameters;
-    if (!swept.empty() && swept.front().pointer == pointer) refuse(pointer, "is swept", "give another number");
-  }
-  const SecondParameter second{.pointers = pointers, .value = family.number(pointers.front()).value()};
-  if (pointers.size() > 1 && second.value == 0.0) {
-    refuse(pointers.front(), "is 0, and the others cannot keep their ratio to it", "give another one first");
-  }
-  return second;
-}
-
-std::function<std::optional<Condition>(double, double)> condition_plane(const Experiment& experiment,
-                                                                        const std::string& pointer,
-                                                                        const SecondParameter& second) {
-  return [family = ConditionMaker(experiment), pointer, second](double at_first, double at_second) {
-    std::vector<Parameter> values{{pointer, at_first}, {second.pointers.front(), at_second}};
-    for (std::size_t i = 1; i < second.pointers.size(); ++i) {
-      values.push_back({second.pointers[i], family.number(second.pointers[i]).value() * (at_second / second.value)});
-    }
-    return where_allowed(family, values);
-  };
-}
-
 ConditionReader::ConditionReader(const Json& experiment) : document_(without_suite(experiment)) {
   if (document_.is_null()) return;
   document_.erase("sweep");

@@ -48,21 +48,6 @@ class ConditionMaker {
 [[nodiscard]] std::function<std::optional<Condition>(double value)> condition_family(const Experiment& experiment,
                                                                                      const std::string& pointer);
 
-/// A second parameter of an experiment: the number at the first pointer; those at the others keep their ratio to it.
-struct SecondParameter {
-  std::vector<std::string> pointers;
-  double value = 0.0;  ///< in the experiment
-};
-
-/// The numbers at the pointers. Throws base::InputError if one is no number of the experiment, is the swept one, or if
-/// the first of several is 0.
-[[nodiscard]] SecondParameter second_parameter(const Experiment& experiment, const std::vector<std::string>& pointers);
-
-/// The experiment's condition at any values of its only swept number and of a second parameter; absent where a value is
-/// not allowed.
-[[nodiscard]] std::function<std::optional<Condition>(double first, double second)> condition_plane(
-    const Experiment& experiment, const std::string& pointer, const SecondParameter& second);
-
 /// Reads the conditions of a canonical experiment one by one, without looking at the files of ground motions.
 class ConditionReader {
  public:

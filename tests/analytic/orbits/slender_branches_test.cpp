@@ -92,54 +92,6 @@ TEST(SlenderOrbit, HasItsFoldAndItsLossOfSymmetryWhereTheClosedFormHasThem) {
   }
 }
 
-/// Curves of the bifurcations of the family's branch over the frequency ratio, between 0.9 and 1.1 of its own. The block
-/// and the rate ratio stay.
-std::vector<BifurcationCurve> curves_of(const Family& family, const BranchStudy& study, const ParameterRange& first) {
-  const Orbit start = with_multiplier(family, 0.85);
-  const CurveQuestion question{.conditions =
-                                   [start](double amplitude, double omega) {
-                                     Condition condition = slender(start, 1e5, {}, 0.0);
-                                     support::harmonic(condition.scene).amplitude = amplitude;
-                                     support::harmonic(condition.scene).frequency_ratio = omega;
-                                     return std::optional(condition);
-                                   },
-                               .ranges = {first, {.low = 0.9 * family.omega, .high = 1.1 * family.omega}},
-                               .second = family.omega,
-                               .most_points = 300};
-  return bifurcation_curves(question, study, {});
-}
-
-// The curves of the block differ from those of the limit as the bifurcations of a branch do.
-TEST(SlenderOrbit, HasItsCurvesOfFoldsAndLossesOfSymmetryWhereTheClosedFormHasThem) {
-  for (const Family& family : {Family{.r = 0.5, .omega = 5.0, .n = 1}, Family{.r = 0.7, .omega = 5.0, .n = 3},
-                               Family{.r = 0.9, .omega = 10.0, .n = 5}}) {
-    const ParameterRange range{.low = 0.5 * family.amplitude(family.x_fold()),
-                               .high = 2.0 * family.amplitude(family.x_symmetry())};
-    const std::vector<BifurcationCurve> curves = curves_of(family, branch_of(family), range);
-    ASSERT_EQ(curves.size(), 2U) << family.omega;
-    for (const BifurcationCurve& curve : curves) {
-      const bool is_fold = curve.kind == BifurcationKind::fold;
-      EXPECT_TRUE(is_fold || curve.kind == BifurcationKind::symmetry_breaking);
-      const std::string where = std::to_string(family.omega) + ' ' + std::string(to_string(curve.kind)) + " from " +
-                                std::to_string(curve.points.front().second_value) + " to " +
-                                std::to_string(curve.points.back().second_value);
-      EXPECT_EQ(to_string(curve.ends[0]), "range") << where;
-      EXPECT_EQ(to_string(curve.ends[1]), "range") << where;
-      EXPECT_NEAR(std::abs(curve.points.back().second_value - curve.points.front().second_value), 0.2 * family.omega,
-                  1e-12);
-      double largest = 0.0;
-      for (const BifurcationPoint& point : curve.points) {
-        const Family here{.r = family.r, .omega = point.second_value, .n = family.n};
-        const double exact = here.amplitude(is_fold ? here.x_fold() : here.x_symmetry());
-        largest = std::max(largest, std::abs(point.value - exact));
-        EXPECT_LE(point.orbit.residual, 1e-10);
-        EXPECT_LE(point.test, 1e-10);
-      }
-      EXPECT_LT(largest, 2e-8) << where;
-    }
-  }
-}
-
 /// Whether there is no impact in between: Theta > 0 throughout a half cycle.
 bool stays_on_its_side(const Orbit& orbit) {
   for (int i = 1; i < 200; ++i) {

@@ -223,8 +223,8 @@ TEST_F(Questions, OfOtherStudiesHaveNumbersInRange) {
   expect_refused<OrbitsRequest>({}, [&](const auto& request) { check_request(still, request); },
                                 {{[](auto& r) { r.longest = 13; }, "longest = 13"},
                                  {[](auto& r) { r.from = nan; }, "from = nan"},
-                                 {[](auto& r) { r.second_to = infinite; }, "second_to = inf"},
-                                 {[](auto& r) { r.most_curve_points = 0; }, "most_curve_points = 0"}});
+                                 {[](auto& r) { r.to = infinite; }, "to = inf"},
+                                 {[](auto& r) { r.most_points = 0; }, "most_points = 0"}});
   const CostRequest clocks{.elapsed_seconds = [] { return 0.0; }, .processor_seconds = [] { return 0.0; }};
   expect_refused<CostRequest>(clocks, [&](const auto& request) { check_request(still, request); },
                               {{[](auto& r) { r.seconds = nan; }, "seconds = nan"},

@@ -26,21 +26,20 @@ void check_condition_orbits(const OrbitsOfCondition& condition, const ReadingPla
   }
 }
 
-/// Calls `check` with each point, an orbit, of each entry of a list that has a period.
-template <class List, class PeriodOf>
-void check_points(const List& list, const ReadingPlace& place, PeriodOf period_of) {
+/// Reports a branch without points, and points that are not as long as its period.
+void check_points(const std::vector<OrbitBranch>& list, const ReadingPlace& place) {
   for (std::size_t i = 0; i < list.size(); ++i) {
     const ReadingPlace points = place.at(std::to_string(i)).at("points");
     if (list[i].points.empty()) points.reject(Json::array(), "must not be empty");
     for (std::size_t j = 0; j < list[i].points.size(); ++j) {
-      check_period(list[i].points[j].orbit, period_of(list[i]), points.at(std::to_string(j)));
+      check_period(list[i].points[j].orbit, list[i].period, points.at(std::to_string(j)));
     }
   }
 }
 
 void check_branches(const OrbitStudy& study, const ReadingPlace& place) {
   const auto& [branches, bifurcations, is_complete] = study.branches->study;
-  check_points(branches, place.at("branches"), [](const OrbitBranch& branch) { return branch.period; });
+  check_points(branches, place.at("branches"));
   for (std::size_t i = 0; i < branches.size(); ++i) {
     const ReadingPlace at = place.at("branches").at(std::to_string(i));
     if (branches[i].from) check_place(*branches[i].from, bifurcations.size(), at.at("from"));
@@ -59,17 +58,6 @@ void check_branches(const OrbitStudy& study, const ReadingPlace& place) {
   }
 }
 
-void check_curves(const OrbitStudy& study, const ReadingPlace& place) {
-  if (!study.branches) return place.at("curves").reject(Json(), "need the branches whose bifurcations they follow");
-  const auto& curves = study.curves->curves;
-  if (study.curves->pointers.empty()) place.at("second_parameter").reject(Json::array(), "must not be empty");
-  check_points(curves, place.at("curves"), [](const BifurcationCurve& curve) { return curve.orbits.period; });
-  for (std::size_t i = 0; i < curves.size(); ++i) {
-    check_place(curves[i].bifurcation, study.branches->study.bifurcations.size(),
-                place.at("curves").at(std::to_string(i)).at("bifurcation"));
-  }
-}
-
 }  // namespace
 
 void check_orbits_report(const OrbitsReport& report, const ReadingPlace& place) {
@@ -79,7 +67,6 @@ void check_orbits_report(const OrbitsReport& report, const ReadingPlace& place) 
     check_condition_orbits(study.conditions[i], place.at("conditions").at(std::to_string(i)));
   }
   if (study.branches) check_branches(study, place);
-  if (study.curves) check_curves(study, place);
 }
 
 }  // namespace rocking

@@ -34,21 +34,11 @@ struct FoundBranches {
   BranchStudy study;
 };
 
-/// The curves of bifurcations over the swept number and a second one.
-struct FoundCurves {
-  std::vector<std::string> pointers;  ///< of the second parameter; the numbers at the others keep their ratio
-  double value = 0.0;                 ///< of the second parameter, on the branches
-  ParameterRange range;               ///< of the second parameter
-  std::size_t most_points = 0;
-  std::vector<BifurcationCurve> curves;
-};
-
 /// What a search for periodic orbits has found.
 struct OrbitStudy {
   int longest = 0;                                       ///< largest period searched from the grid
   std::vector<OrbitsOfCondition> conditions;             ///< of the experiment
   std::optional<FoundBranches> branches = std::nullopt;  ///< absent where none were asked for, or nothing is swept
-  std::optional<FoundCurves> curves = std::nullopt;      ///< absent where none were asked for
 };
 
 /// The runs with a response (m,n), and how many of them an orbit backs.
@@ -70,31 +60,25 @@ struct OrbitsRequest {
   std::optional<double> to = {};     ///< largest value
   std::uint64_t most_points = 1000;  ///< of a branch
   std::uint64_t most_branches = 50;
-  /// JSON pointers of a second parameter, over which the folds, period doublings and losses of symmetry of the branches
-  /// are followed too; the numbers at the others keep their ratio to the first. Empty: none.
-  std::vector<std::string> second = {};
-  std::optional<double> second_from = {};  ///< smallest value of it; needed with `second`, as the next one
-  std::optional<double> second_to = {};    ///< largest value
-  std::uint64_t most_curve_points = 400;   ///< of a curve in each direction
 };
 
 /// Whether an experiment sweeps one number of the motion, with several values, so that branches can be followed.
 [[nodiscard]] ROCKING_API bool has_branches(const Experiment& experiment);
 
 /// Throws base::InputError if a condition is random or not harmonic, if a number of the request is out of range, or if
-/// branches or curves are asked for and nothing can be followed.
+/// branches are asked for and nothing can be followed.
 ROCKING_API void check_request(const Experiment& experiment, const OrbitsRequest& request);
 
-/// Periodic orbits, their branches and the curves of their bifurcations. Throws as check_request, and base::Stopped if
-/// it is asked to stop. Uses `threads`, `on_progress` and `stop` of the execution; progress counts conditions, then points
-/// of branches and curves, of which `all` is 0: how many there will be is not known.
+/// Periodic orbits and their branches. Throws as check_request, and base::Stopped if it is asked to stop. Uses `threads`,
+/// `on_progress` and `stop` of the execution; progress counts conditions, then points of branches, of which `all` is 0: how
+/// many there will be is not known.
 [[nodiscard]] ROCKING_API OrbitStudy orbits(const Experiment& experiment, const OrbitsRequest& request = {},
                                             const Execution& execution = {});
 
 /// The study as JSON text (`rocking.orbits/1`), the same bytes as `orbits.json` of the program.
 [[nodiscard]] ROCKING_API std::string orbits_text(const Experiment& experiment, const OrbitStudy& study);
 
-/// The study as the program prints it: orbits, branches, bifurcations, curves, and which response modes an orbit backs.
+/// The study as the program prints it: orbits, branches, bifurcations, and which response modes an orbit backs.
 [[nodiscard]] ROCKING_API std::string orbits_table(const OrbitStudy& study);
 
 }  // namespace rocking

@@ -147,8 +147,8 @@ static const StructType& fields_of(const Orbit*) {
       field<&Orbit::stability, &Stability::kind>("kind", "how motions nearby approach or leave it",
                                                  the_only<NamedType<OrbitKind, orbit_kind_names>>()),
       field<&Orbit::is_symmetric>("symmetric", "whether it is its own mirror image"),
-      field<&Orbit::mirror>("mirror", "place of its mirror image in the list; absent on branches and curves",
-                            rule::none, WithoutValue::omitted),
+      field<&Orbit::mirror>("mirror", "place of its mirror image in the list; absent on branches", rule::none,
+                            WithoutValue::omitted),
       field<&Orbit::found_by>("found_by",
                               "what the search started from: the `run`, a start of the `grid`, the `mirror` image of "
                               "another orbit, or by `continuation` a branch that passes the condition",
@@ -263,54 +263,6 @@ static const StructType& fields_of(const FoundBranches*) {
   return fields;
 }
 
-static const StructType& fields_of(const BifurcationPoint*) {
-  using Point = BifurcationPoint;
-  static const StructType fields{
-      "BifurcationPoint",
-      field<&Point::value>("value", "of the swept parameter"),
-      field<&Point::second_value>("second_value", "of the second parameter"),
-      inlined<&Point::orbit>(),
-      field<&Point::test>("test",
-                          "smallest singular value of M - I at a fold, of M + I else, where M is the derivative of the "
-                          "map whose `residual` is stated",
-                          rule::not_negative),
-  };
-  return fields;
-}
-
-static const StructType& fields_of(const BifurcationCurve*) {
-  using Curve = BifurcationCurve;
-  static const StructType fields{
-      "BifurcationCurve",
-      field<&Curve::bifurcation>("bifurcation", "place of the one from which the curve was followed"),
-      field<&Curve::kind>("kind", "of the bifurcation"),
-      field<&Curve::orbits, &OrbitFamily::period>("period", "of its orbits", at_least_one),
-      field<&Curve::orbits, &OrbitFamily::is_symmetric>("symmetric", "whether its orbits are"),
-      field<&Curve::ends>("ends",
-                          "why it ends before the first and behind the last point, as of a branch; `range`: of one of "
-                          "the two parameters; `contact_change`: the orbit's contacts become others"),
-      field<&Curve::points>("points", "orbits by arclength", the_only<LinesType<std::vector<BifurcationPoint>>>()),
-  };
-  return fields;
-}
-
-static const StructType& fields_of(const FoundCurves*) {
-  using Found = FoundCurves;
-  static const StructType fields{
-      "FoundCurves",
-      field<&Found::pointers>(
-          "second_parameter",
-          "JSON pointers of the second number over which bifurcations were followed; the numbers at "
-          "all but the first keep their ratio to it"),
-      field<&Found::value>("second_value", "of the second parameter, in the experiment and on the branches"),
-      field<&Found::range>("second_range", "smallest and largest value of the second parameter on curves"),
-      field<&Found::most_points>("most_curve_points", "largest number of points of a curve in each direction",
-                                 at_least_one),
-      field<&Found::curves>("curves", "of bifurcations over both parameters"),
-  };
-  return fields;
-}
-
 static const StructType& fields_of(const OrbitLabels*) {
   static const StructType fields{
       "OrbitLabels",
@@ -330,7 +282,6 @@ static const StructType& fields_of(const OrbitStudy*) {
           "labels", "which responses (m,n) of the runs an orbit backs"),
       field<&OrbitStudy::conditions>("conditions", "of the experiment"),
       inlined<&OrbitStudy::branches>(),
-      inlined<&OrbitStudy::curves>(),
   };
   return fields;
 }

@@ -56,30 +56,6 @@ FoundBranches followed(const Experiment& experiment, const OrbitsRequest& reques
           .study = branches_of(question, conditions, stop)};
 }
 
-/// The second parameter and its range, without the curves. Throws where they cannot be followed.
-FoundCurves curve_request(const Experiment& experiment, const OrbitsRequest& request) {
-  if (!request.branches) refuse("second", request.second.front(), "needs branches, whose bifurcations are followed");
-  if (!request.second_from || !request.second_to || !(*request.second_from < *request.second_to)) {
-    refuse("second_from", "",
-           "and the upper end of the range of the second parameter must be given, the first below the second");
-  }
-  for (const std::string& pointer : request.second) {
-    if (can_be_continued(pointer)) continue;
-    refuse("second", pointer,
-           "is no real number on which the motion depends continuously, such as /excitation/frequency_ratio or "
-           "/friction/static");
-  }
-  FoundCurves found{.pointers = request.second,
-                    .value = second_parameter(experiment, request.second).value,
-                    .range = {.low = *request.second_from, .high = *request.second_to},
-                    .most_points = request.most_curve_points,
-                    .curves = {}};
-  if (found.value >= found.range.low && found.value <= found.range.high) return found;
-  refuse("second_from", base::shortest(found.range.low),
-         "and " + base::shortest(found.range.high) + ", the range, must enclose the value of the experiment, " +
-             base::shortest(found.value));
-}
-
 /// In their order; progress counts conditions.
 std::vector<OrbitsOfCondition> orbits_of_conditions(const Experiment& experiment, int longest,
                                                     const OptionsOfExecution& asked) {
@@ -96,18 +72,6 @@ std::vector<OrbitsOfCondition> orbits_of_conditions(const Experiment& experiment
   return found;
 }
 
-std::vector<BifurcationCurve> followed_curves(const Experiment& experiment, const FoundBranches& branches,
-                                              const FoundCurves& asked, base::StopRequest stop,
-                                              const std::function<void()>& on_point) {
-  const SecondParameter second{.pointers = asked.pointers, .value = asked.value};
-  const CurveQuestion question{.conditions = condition_plane(experiment, branches.pointer, second),
-                               .ranges = {branches.range, asked.range},
-                               .second = asked.value,
-                               .most_points = asked.most_points,
-                               .on_point = on_point};
-  return bifurcation_curves(question, branches.study, stop);
-}
-
 }  // namespace
 
 bool has_branches(const Experiment& experiment) {
@@ -120,7 +84,6 @@ void check_request(const Experiment& experiment, const OrbitsRequest& request) {
   check_fields(request);
   check_orbits(experiment);
   if (request.branches) static_cast<void>(branch_question(experiment, request));
-  if (!request.second.empty()) static_cast<void>(curve_request(experiment, request));
 }
 
 OrbitStudy orbits(const Experiment& experiment, const OrbitsRequest& request, const Execution& execution) {
@@ -132,9 +95,6 @@ OrbitStudy orbits(const Experiment& experiment, const OrbitsRequest& request, co
     if (asked.options().on_progress) asked.options().on_progress(++points, 0);
   };
   if (request.branches) study.branches = followed(experiment, request, asked.stop(), on_point, study.conditions);
-  if (request.second.empty()) return study;
-  study.curves = curve_request(experiment, request);
-  study.curves->curves = followed_curves(experiment, *study.branches, *study.curves, asked.stop(), on_point);
   return study;
 }
 
@@ -166,20 +126,6 @@ const StructType& fields_of(const OrbitsRequest*) {
               "most_branches", "Largest number of branches; if there are more, the table and the key `complete` say so",
               Rule{.least = 1.0, .most = 1e5}),
           {.names = "--branches", .letter = "N"}),
-      asked(field<&Type::second>(
-                "second",
-                "JSON pointer of a second number, over which folds, doublings and losses of symmetry are followed; "
-                "of several pointers, the numbers at the others keep their ratio to the first"),
-            {.names = "--second-parameter", .letter = "POINTER..."}),
-      asked(field<&Type::second_from>("second_from",
-                                      "Smallest value of the second number; required with --second-parameter"),
-            {.names = "--second-from", .letter = "X"}),
-      asked(field<&Type::second_to>("second_to", "Largest value of it; required with --second-parameter"),
-            {.names = "--second-to", .letter = "X"}),
-      asked(field<&Type::most_curve_points>("most_curve_points",
-                                            "Largest number of points of such a curve in each direction",
-                                            Rule{.least = 1.0, .most = 1e6}),
-            {.names = "--curve-points", .letter = "N"}),
   };
   return fields;
 }
@@ -201,9 +147,6 @@ void check(const Subject& subject, OrbitsQuestion& question) {
   const bool has_range = request.from || request.to;
   if (has_range && !request.branches) throw UnfitQuestion("--from and --to limit branches; omit --no-branches");
   if (!has_range) request.branches = request.branches && has_branches(subject.experiment);
-  if (request.second.empty() && (request.second_from || request.second_to)) {
-    throw UnfitQuestion("--second-from and --second-to are the range of --second-parameter, which is missing");
-  }
   check_request(subject.experiment, request);
 }
 
@@ -217,9 +160,7 @@ Answer find(const Subject& subject, const OrbitsQuestion& question, const Circum
 std::vector<analysis::Figure> figures(const Json& document, std::span<const Json>) {
   const OrbitsReport report = orbits_document().read(document);
   if (!report.study.branches) return {};
-  std::vector<analysis::Figure> drawn{analysis::branch_figure(report)};
-  if (report.study.curves && !report.study.curves->curves.empty()) drawn.push_back(analysis::curve_figure(report));
-  return drawn;
+  return {analysis::branch_figure(report)};
 }
 
 constexpr StudyFunctions<OrbitsQuestion> functions{.check = check, .find = find, .then = then, .figures = figures};

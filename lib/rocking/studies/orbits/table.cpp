@@ -117,23 +117,6 @@ std::string bifurcations_table(const FoundBranches& found) {
   return '\n' + to_terminal(table);
 }
 
-/// A row for each curve.
-std::string curves_table(const FoundCurves& found, const FoundBranches& branches) {
-  if (found.curves.empty()) return "\nNo fold, period doubling or loss of symmetry to follow.\n";
-  look::Table table;
-  add_columns(table, {"curve", "branch", "orbits", "points", last_key(branches.pointer) + " from", "to",
-                      last_key(found.pointers.front()) + " from", "to", "ends"});
-  for (const BifurcationCurve& curve : found.curves) {
-    const auto [low, high] = std::ranges::minmax(curve.points, {}, &BifurcationPoint::value);
-    const auto [lower, higher] = std::ranges::minmax(curve.points, {}, &BifurcationPoint::second_value);
-    table.rows.push_back(
-        {std::string(to_string(curve.kind)), whole(branches.study.bifurcations[curve.bifurcation].branch),
-         mode_of(curve.points.front().orbit), whole(curve.points.size()), number(low.value, 8), number(high.value, 8),
-         number(lower.second_value, 8), number(higher.second_value, 8), both(curve.ends)});
-  }
-  return '\n' + to_terminal(table);
-}
-
 /// How many response modes (m,n) are backed by an orbit, and the conditions of those that are not.
 std::string labels_note(const OrbitStudy& study, Extent extent) {
   const OrbitLabels labels = labels_of(study);
@@ -158,7 +141,6 @@ std::string labels_note(const OrbitStudy& study, Extent extent) {
 std::string table_of(const OrbitStudy& study, Extent extent) {
   std::vector<std::string> tables;
   if (study.branches) tables = {branch_table(*study.branches), bifurcations_table(*study.branches)};
-  if (study.curves) tables.push_back(curves_table(*study.curves, *study.branches));
   const std::string answer = coexistence_in(study.conditions) + labels_note(study, extent) +
                              "other orbits may exist: the search is from a finite grid\n\n";
   std::string whole = answer + orbits_of_conditions(study.conditions);

@@ -37,10 +37,6 @@ Json orbits_example() {
   branches.most_points = 2;
   branches.study.branches = {{.period = 2, .points = {{.value = 0.5, .orbit = orbit}}, .from = 0}};
   branches.study.bifurcations = {{.error = 1e-9, .orbit = orbit}};
-  FoundCurves& curves = report.study.curves.emplace();
-  curves.pointers = {"/friction/static"};
-  curves.most_points = 2;
-  curves.curves = {{.orbits = {.period = 2}, .points = {{.value = 0.5, .orbit = orbit}}}};
   return Json::parse(orbits_document().text(report));
 }
 
@@ -56,8 +52,8 @@ std::string refusal(const Json& json) {
 TEST(OrbitsReport, IsReadWhereItsPlacesLeadToWhatTheyName) {
   const Json good = orbits_example();
   EXPECT_THAT(refusal(good), IsEmpty());
-  for (const char* place : {"/conditions/0/run/orbit", "/conditions/0/orbits/0/mirror", "/branches/0/from",
-                            "/bifurcations/0/branch", "/curves/0/bifurcation"}) {
+  for (const char* place :
+       {"/conditions/0/run/orbit", "/conditions/0/orbits/0/mirror", "/branches/0/from", "/bifurcations/0/branch"}) {
     Json bad = good;
     ASSERT_EQ(bad.at(Json::json_pointer(place)), 0) << place;
     bad[Json::json_pointer(place)] = 1;
@@ -67,8 +63,8 @@ TEST(OrbitsReport, IsReadWhereItsPlacesLeadToWhatTheyName) {
 
 TEST(OrbitsReport, RefusesOrbitsThatAreNotAsLongAsTheirPeriod) {
   const Json good = orbits_example();
-  for (const char* place : {"/conditions/0/orbits/0/points", "/branches/0/points/0/points",
-                            "/bifurcations/0/orbit/points", "/curves/0/points/0/points"}) {
+  for (const char* place :
+       {"/conditions/0/orbits/0/points", "/branches/0/points/0/points", "/bifurcations/0/orbit/points"}) {
     Json bad = good;
     bad[Json::json_pointer(place)].push_back({0.0, 0.0, 0.0});
     EXPECT_THAT(refusal(bad), HasSubstr(place));

@@ -77,7 +77,7 @@ class GeonetReader final : public ChannelReader {
   static std::string record_in(std::string_view line) {
     std::vector<std::string_view> words;
     split_fields(line, words);
-    constexpr std::size_t separators = 2;
+    constexpr std::ptrdiff_t separators = 2;
     const bool is_code = words.size() > 2 && std::ranges::count(words[2], '_') >= separators;
     return is_code ? std::string(words[2]) : std::string();
   }

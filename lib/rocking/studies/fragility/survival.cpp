@@ -179,7 +179,7 @@ Survival survival(const std::vector<BlockCurve>& blocks, double years, const std
   if (blocks.size() > 1) {
     const StripeGroup joint = joint_group(blocks, event);
     if (joint.is_suite()) {
-      all = &joint_of_suite.emplace(suite_curve(joint, {}, seed, {}, how));
+      all = &joint_of_suite.emplace(suite_curve(joint, {}, seed, how));
     } else {
       all = &joint_of_motion.emplace(fragility(joint, {}, seed, how));
     }

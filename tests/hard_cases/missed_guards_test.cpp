@@ -44,7 +44,8 @@ GroundMotion random_ground_motion(const Scene& scene, SplitMix& draw) {
   GroundMotion motion{.samples = {}, .has_vertical = draw.below(3) != 0};
   const dynamics::Geometry block = dynamics::geometry_of(mean_block(scene));
   const double period = 2.0 * std::numbers::pi / support::mean_frequency_ratio(scene) / block.frequency_parameter;
-  const double strongest = draw.uniform(0.05, 0.4);
+  const bool leaves_the_ground = draw.below(2) == 0;
+  const double strongest = leaves_the_ground ? draw.uniform(0.8, 2.0) : draw.uniform(0.05, 0.4);
   for (double time = 0.0; time < horizon_periods * period;) {
     motion.samples.push_back({time, block.shape_angle * draw.uniform(-1.0, 1.0), draw.uniform(-strongest, strongest)});
     if (draw.below(5) != 0) time += draw.uniform(0.05, 0.6) * period;
@@ -63,7 +64,7 @@ void throw_over(Scene& scene, SplitMix& draw) {
   scene.initial.slip_rate = -side * draw.uniform(2.0, 6.0);
 }
 
-/// Squat and slender blocks, all formulations, every effect on and off, tolerances over ten decades; every fourth base
+/// Squat and slender blocks, all formulations, every effect on and off, tolerances over ten decades; every second base
 /// motion is recorded, and every fourth friction belongs to the place.
 Condition random_condition(std::uint64_t number) {
   SplitMix draw(number);
@@ -74,7 +75,7 @@ Condition random_condition(std::uint64_t number) {
   condition.horizon = {.transient_periods = 4, .sampled_periods = horizon_periods - 4};
   scene.fluctuation.refreshes_per_period = std::array{1, 8, 100, 200}[static_cast<std::size_t>(draw.below(4))];
   if (draw.below(8) == 0) throw_over(scene, draw);
-  if (draw.below(4) == 0) {
+  if (draw.below(2) == 0) {
     const double frequency = support::mean_frequency_ratio(scene);
     scene.excitation = support::recorded_by(random_ground_motion(scene, draw), frequency, size_of(scene.excitation));
   }
@@ -149,8 +150,10 @@ TEST(GuardCrossing, IsNeverMissedInAMillionStepsOfRandomMotions) {
     ASSERT_EQ(tally.offences(), 0U) << "random_condition(" << number << ")\n" << spelled(tally);
   }
   for (std::size_t guard = 0; guard < guard_names.size(); ++guard) {
-    EXPECT_GE(tally.guards[guard].armed, watched_steps / 2'000) << spelled(tally);
-    EXPECT_GE(tally.guards[guard].fired, watched_steps / 50'000) << spelled(tally);
+    // A block seldom sticks off the ground, and not for long.
+    const bool is_rare = guard == static_cast<std::size_t>(dynamics::Guard::slip_presses);
+    EXPECT_GE(tally.guards[guard].armed, watched_steps / (is_rare ? 20'000 : 2'000)) << spelled(tally);
+    EXPECT_GE(tally.guards[guard].fired, watched_steps / (is_rare ? 100'000 : 50'000)) << spelled(tally);
   }
   EXPECT_GE(tally.ended_by_event, watched_steps / 10) << spelled(tally);
   expect_the_same_in_lanes(lanes::available_kernels().front(), conditions, outcomes);

@@ -65,6 +65,8 @@ struct ArmedGuards {
     return state.contact == ContactState::rock && has_friction && off_ground && !known.sticks_beyond_friction &&
            setting.inertia == setting.block.inertia;
   }
+  /// A block that lifts at its threshold and is off the ground has g = 0 then: nothing pushes it sideways.
+  [[nodiscard]] std::size_t waiting_zeros() const { return known.lift_is_flat ? 1 : 0; }
   [[nodiscard]] bool determinant_may_vanish() const { return slips() && determinant_can_vanish; }
   [[nodiscard]] double shape_angle() const { return setting.block.edge(state.side).shape_angle; }
   [[nodiscard]] double inertia() const { return setting.inertia; }
@@ -130,7 +132,7 @@ void visit_guards(const ArmedGuards& armed, const MotionSeries<double>& m, Wante
     const double load = armed.setting.block.load;
     visit_row(
         GuardRow<bool, std::size_t, std::size_t>{
-            .guard = Guard::slip_presses, .out_of_reach = false, .length = order + 1, .zeros = 0},
+            .guard = Guard::slip_presses, .out_of_reach = false, .length = order + 1, .zeros = armed.waiting_zeros()},
         [&](std::size_t k) {
           double sum = -load * (armed.vertical ? m.weight[k] : k == 0 ? 1.0 : 0.0);
           for (std::size_t i = 0; i <= k; ++i) sum += m.tilt_rate[i] * m.rate_cosine[k - i];

@@ -64,7 +64,7 @@ void throw_over(Scene& scene, SplitMix& draw) {
   scene.initial.slip_rate = -side * draw.uniform(2.0, 6.0);
 }
 
-/// Squat and slender blocks, all formulations, every effect on and off, tolerances over ten decades; every second base
+/// Squat and slender blocks, all formulations, every effect on and off, tolerances over ten decades; every fourth base
 /// motion is recorded, and every fourth friction belongs to the place.
 Condition random_condition(std::uint64_t number) {
   SplitMix draw(number);
@@ -75,7 +75,7 @@ Condition random_condition(std::uint64_t number) {
   condition.horizon = {.transient_periods = 4, .sampled_periods = horizon_periods - 4};
   scene.fluctuation.refreshes_per_period = std::array{1, 8, 100, 200}[static_cast<std::size_t>(draw.below(4))];
   if (draw.below(8) == 0) throw_over(scene, draw);
-  if (draw.below(2) == 0) {
+  if (draw.below(4) == 0) {
     const double frequency = support::mean_frequency_ratio(scene);
     scene.excitation = support::recorded_by(random_ground_motion(scene, draw), frequency, size_of(scene.excitation));
   }

@@ -125,18 +125,6 @@ TEST(OrbitStudies, HaveOrbitsWhoseMotionReturns) {
   }
 }
 
-TEST(OrbitStudies, RefuseCurvesThatCannotBeFollowed) {
-  const OrbitsRequest good{
-      .longest = 1, .branches = true, .second = {"/excitation/frequency_ratio"}, .second_from = 9.0, .second_to = 11.0};
-  for (const auto& spoil : {+[](OrbitsRequest& r) { r.branches = false; }, +[](OrbitsRequest& r) { r.second_to = {}; },
-                            +[](OrbitsRequest& r) { r.second = {"/horizon/sampled_periods"}; },
-                            +[](OrbitsRequest& r) { r.second_from = 10.5; }}) {
-    OrbitsRequest bad = good;
-    spoil(bad);
-    EXPECT_THROW(static_cast<void>(orbits(swept_experiment(), bad)), base::InputError);
-  }
-}
-
 TEST(Plans, HaveTheSizeOfARunAndItsTimeByTheClockOfTheCaller) {
   const Experiment experiment = drawn_experiment();
   const Plan alone = plan(experiment);

@@ -130,7 +130,7 @@ std::string rare_table(const RareReport& report) {
   }
   table.notes =
       "from, to: interval with " + level_text(highest) +
-      " % confidence; error: standard error over the probability; ancestors: first trajectories of a\nrepetition "
+      " % confidence; error: standard error over the probability; ancestors: first trajectories of\na repetition "
       "from which those with the event descend, median; work, plain sampling: simulated time in realisations\nto the "
       "horizon, by this method and by plain sampling for the same error.\n" +
       (has_unresolved ? "unresolved: probability of " + std::string(unresolved_words) + ".\n" : "") +

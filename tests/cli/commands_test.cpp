@@ -196,7 +196,6 @@ TEST_F(Command, CheckNormalSaysWhatASmallSkewnessIsWorth) {
   EXPECT_THAT(outcome.output,
               HasSubstr("skewness within 0.01: expected in 44 % of normal samples of this size; within "));
   EXPECT_THAT(outcome.output, HasSubstr("neighbouring realisations"));
-  EXPECT_THAT(outcome.output, Not(HasSubstr("use D'Agostino-Pearson")));
   for (const char* law : {"--law lognormal --mean 1e-60 --sigma 1e-61", "--mean 0 --sigma 1e-200"}) {
     const auto tiny = rocking(std::string("check-normal ") + law);
     EXPECT_EQ(tiny.exit_code, 64) << law;
@@ -205,7 +204,6 @@ TEST_F(Command, CheckNormalSaysWhatASmallSkewnessIsWorth) {
         << law;
   }
   EXPECT_EQ(rocking("check-normal --mean 0 --sigma 1e-60").exit_code, 0);
-  EXPECT_THAT(rocking("check-normal --n 9999").output, HasSubstr("below 10000 numbers use D'Agostino-Pearson"));
 }
 
 TEST_F(Command, ValidateTellsProblemsAsJsonToo) {

@@ -175,7 +175,8 @@ TEST_F(ExitCode, Is74ForAFolderThatCannotBeMade) {
 TEST_F(ExitCode, Is74ForAFolderThatCannotBeWrittenTo) {
   // The superuser may write everywhere, unless that capability is removed.
   const std::string powerless = geteuid() == 0 ? "setpriv --bounding-set=-dac_override " : "";
-  if (shell(powerless + "true").exit_code != 0) GTEST_SKIP() << "skipped: the superuser cannot give up a capability here";
+  if (shell(powerless + "true").exit_code != 0)
+    GTEST_SKIP() << "skipped: the superuser cannot give up a capability here";
   ASSERT_EQ(shell("mkdir out && chmod 500 out").exit_code, 0);
   const auto outcome = shell("exec " + powerless + "'" ROCKING_PROGRAM "' run quick.json -o out");
   EXPECT_EQ(outcome.exit_code, 74);

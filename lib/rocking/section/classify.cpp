@@ -1,12 +1,10 @@
 #include "rocking/section/classify.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <numbers>
-#include <numeric>
 #include <vector>
 
 #include "rocking/base/error.hpp"
@@ -138,9 +136,11 @@ std::optional<Classification> first_approached(const ClassifierInput& input, std
 }
 
 std::optional<Classification> approached_over_any_period(const ClassifierInput& input) {
-  std::array<int, longest_period> all{};
-  std::iota(all.begin(), all.end(), 1);
-  return first_approached(input, all);
+  std::vector<int> near;
+  for (int n = 1; n <= longest_period; ++n) {
+    if (may_approach_orbit(input.periods, n, input.resolution, input.thresholds)) near.push_back(n);
+  }
+  return first_approached(input, near);
 }
 
 PendingClassification classify_noise_free(const ClassifierInput& input) {
@@ -207,10 +207,14 @@ double share_held(std::span<const Period> periods, int n, double reach) {
 /// What the points of several clouds say without noise: where none acts on the motion, as on a block that does not slide,
 /// slow spirals and doublings look like clouds of a multiple of the period.
 std::optional<Classification> of_noise_free_points(const ClassifierInput& input, const Finding& finding) {
-  const Recurrence recurrence = find_recurrence(input.periods, input.resolution, input.thresholds);
+  Recurrence recurrence = find_recurrence(input.periods, input.resolution, input.thresholds);
+  const ResponseMode& mode = finding.classification.mode;
+  if (mode.kind == ResponseKind::periodic &&
+      !may_approach_orbit_of_divisor(input.periods, mode.periods, input.resolution, input.thresholds)) {
+    std::erase(recurrence.candidates, mode.periods);  // no other mode would be found
+  }
   auto found = recurrence.classification ? recurrence.classification : first_approached(input, recurrence.candidates);
-  const bool is_another =
-      found && found->mode.kind == ResponseKind::periodic && found->mode != finding.classification.mode;
+  const bool is_another = found && found->mode.kind == ResponseKind::periodic && found->mode != mode;
   if (!is_another) return std::nullopt;
   found->held = share_held(input.periods, found->mode.periods, input.thresholds.reach);
   return found;

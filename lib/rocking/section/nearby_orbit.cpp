@@ -47,6 +47,20 @@ std::vector<Deviation> deviations_from(const NearbyOrbit& orbit, std::span<const
   return deviations;
 }
 
+/// The last quarter of points of every n-th period, of which `deviations_from` gives the deviations.
+struct LastQuarter {
+  std::size_t first;  ///< period of its first point
+  std::size_t points;
+  std::size_t in_half;  ///< points in the last half
+};
+
+LastQuarter last_quarter(std::size_t periods, std::size_t n) {
+  const std::size_t all = (periods - 1) / n + 1;
+  const std::size_t in_half = all - all / 2;
+  const std::size_t points = in_half - in_half / 2;
+  return {.first = periods - 1 - (points - 1) * n, .points = points, .in_half = in_half};
+}
+
 /// Whether deviations go from cycle to cycle as the derivative takes them, to a share of how far they go.
 bool follow(std::span<const Deviation> deviations, const NearbyOrbit& orbit, double largest_share) {
   double missed = 0.0;
@@ -124,6 +138,27 @@ std::vector<PlanePoint> in_plane(const NearbyOrbit& orbit, std::size_t at_first,
 }
 
 }  // namespace
+
+bool may_approach_orbit(std::span<const Period> periods, int n, double resolution, const Thresholds& thresholds) {
+  const auto cycle = static_cast<std::size_t>(n);
+  const LastQuarter quarter = last_quarter(periods.size(), cycle);
+  double sum = 0.0;
+  for (std::size_t k = quarter.first; k + cycle < periods.size(); k += cycle) {
+    sum += square_of(difference(periods[k + cycle].point, periods[k].point));
+  }
+  const bool shows_approach = quarter.in_half >= thresholds.fewest_cycles;
+  const double arrived = thresholds.coincidence * resolution;
+  const double farthest = shows_approach ? std::max(thresholds.reach, arrived) : arrived;
+  return sum <= 4.0 * farthest * farthest * static_cast<double>(quarter.points);
+}
+
+bool may_approach_orbit_of_divisor(std::span<const Period> periods, int n, double resolution,
+                                   const Thresholds& thresholds) {
+  for (int divisor = 1; divisor < n; ++divisor) {
+    if (n % divisor == 0 && may_approach_orbit(periods, divisor, resolution, thresholds)) return true;
+  }
+  return false;
+}
 
 std::optional<Classification> approached_orbit(std::span<const Period> periods, int n, const OrbitSource& find_orbit,
                                                double resolution, const Thresholds& thresholds) {

@@ -29,6 +29,15 @@ struct NearbyOrbit {
 /// from the start. Absent if it does not converge, or if the map has no derivative there.
 using OrbitSource = std::function<std::optional<NearbyOrbit>(const StrobePoint& near, int periods)>;
 
+/// False if no orbit of period n can be so near the points that `approached_orbit` takes it, which is seen without a search:
+/// points that are within a distance of it in the mean square move by at most twice that from cycle to cycle.
+[[nodiscard]] bool may_approach_orbit(std::span<const Period> periods, int n, double resolution,
+                                      const Thresholds& thresholds);
+
+/// The same of an orbit whose period is a proper divisor of n.
+[[nodiscard]] bool may_approach_orbit_of_divisor(std::span<const Period> periods, int n, double resolution,
+                                                 const Thresholds& thresholds);
+
 /// The periodic response whose stable orbit noise-free points tend to. It is sought from a point that the motion passes at
 /// the end of the window, over `n` periods: the orbit may have a period that divides n. Absent if none is found, or if
 /// the points of the last half do not go from cycle to cycle as the map's derivative at the orbit says, or do not shrink.

@@ -74,6 +74,28 @@ TEST(NearbyOrbit, GivesNoLabelToASlowSpiralWhoseOrbitIsNotFound) {
   }
 }
 
+TEST(NearbyOrbit, IsSoughtWhereverItIsApproached) {
+  int approached = 0;
+  int not_sought = 0;
+  for (const double modulus : {0.7, 0.9, 0.97, 0.995}) {
+    for (const double size : {1e-3, 0.05, 0.3, 2.0}) {
+      for (int twelfths = 0; twelfths <= 12; ++twelfths) {
+        for (const int count : {60, 120, 480}) {
+          const Spiral spiral{.modulus = modulus, .turns = twelfths / 12.0};
+          const auto points = spiral.points(size, count);
+          const bool is_sought = may_approach_orbit(points, 1, resolution, Thresholds{});
+          if (!is_sought) ++not_sought;
+          if (!approached_orbit(points, 1, spiral.source(), resolution, Thresholds{})) continue;
+          ++approached;
+          EXPECT_TRUE(is_sought) << modulus << ", " << size << ", " << twelfths << "/12, " << count;
+        }
+      }
+    }
+  }
+  EXPECT_GT(approached, 100);
+  EXPECT_GT(not_sought, 20);
+}
+
 TEST(NearbyOrbit, IsNotApproachedByWhatTurnsAboutItForEver) {
   const Spiral believed{.modulus = 0.98, .turns = 1.0 / 3.0};
   for (const double modulus : {1.0, 0.998}) {

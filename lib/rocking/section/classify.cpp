@@ -211,7 +211,7 @@ std::optional<Classification> of_noise_free_points(const ClassifierInput& input,
   const ResponseMode& mode = finding.classification.mode;
   if (mode.kind == ResponseKind::periodic &&
       !may_approach_orbit_of_divisor(input.periods, mode.periods, input.resolution, input.thresholds)) {
-    std::erase(recurrence.candidates, mode.periods);  // no other mode would be found
+    std::erase(recurrence.candidates, mode.periods);  // the clouds say that already
   }
   auto found = recurrence.classification ? recurrence.classification : first_approached(input, recurrence.candidates);
   const bool is_another = found && found->mode.kind == ResponseKind::periodic && found->mode != mode;

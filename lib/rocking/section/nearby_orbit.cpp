@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <ranges>
 
 #include "rocking/base/natural_logarithm.hpp"
 #include "rocking/section/clouds.hpp"
@@ -45,20 +46,6 @@ std::vector<Deviation> deviations_from(const NearbyOrbit& orbit, std::span<const
     deviations.push_back(difference(periods[k].point, orbit.points.front()));
   }
   return deviations;
-}
-
-/// The last quarter of points of every n-th period, of which `deviations_from` gives the deviations.
-struct LastQuarter {
-  std::size_t first;  ///< period of its first point
-  std::size_t points;
-  std::size_t in_half;  ///< points in the last half
-};
-
-LastQuarter last_quarter(std::size_t periods, std::size_t n) {
-  const std::size_t all = (periods - 1) / n + 1;
-  const std::size_t in_half = all - all / 2;
-  const std::size_t points = in_half - in_half / 2;
-  return {.first = periods - 1 - (points - 1) * n, .points = points, .in_half = in_half};
 }
 
 /// Whether deviations go from cycle to cycle as the derivative takes them, to a share of how far they go.
@@ -141,15 +128,17 @@ std::vector<PlanePoint> in_plane(const NearbyOrbit& orbit, std::size_t at_first,
 
 bool may_approach_orbit(std::span<const Period> periods, int n, double resolution, const Thresholds& thresholds) {
   const auto cycle = static_cast<std::size_t>(n);
-  const LastQuarter quarter = last_quarter(periods.size(), cycle);
+  const std::size_t all = (periods.size() - 1) / cycle + 1;
+  const std::size_t last_half = all - all / 2;
+  const std::size_t last_quarter = last_half - last_half / 2;
+  const auto from_end = periods | std::views::reverse;
   double sum = 0.0;
-  for (std::size_t k = quarter.first; k + cycle < periods.size(); k += cycle) {
-    sum += square_of(difference(periods[k + cycle].point, periods[k].point));
+  for (std::size_t k = 0; k + 1 < last_quarter; ++k) {
+    sum += square_of(difference(from_end[k * cycle].point, from_end[(k + 1) * cycle].point));
   }
-  const bool shows_approach = quarter.in_half >= thresholds.fewest_cycles;
   const double arrived = thresholds.coincidence * resolution;
-  const double farthest = shows_approach ? std::max(thresholds.reach, arrived) : arrived;
-  return sum <= 4.0 * farthest * farthest * static_cast<double>(quarter.points);
+  const double farthest = last_half >= thresholds.fewest_cycles ? std::max(thresholds.reach, arrived) : arrived;
+  return sum <= 4.0 * farthest * farthest * static_cast<double>(last_quarter);
 }
 
 bool may_approach_orbit_of_divisor(std::span<const Period> periods, int n, double resolution,

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <ranges>
 
 #include "rocking/base/natural_logarithm.hpp"
 #include "rocking/section/clouds.hpp"
@@ -131,10 +130,10 @@ bool may_approach_orbit(std::span<const Period> periods, int n, double resolutio
   const std::size_t all = (periods.size() - 1) / cycle + 1;
   const std::size_t last_half = all - all / 2;
   const std::size_t last_quarter = last_half - last_half / 2;
-  const auto from_end = periods | std::views::reverse;
+  const auto point_from_end = [periods](std::size_t k) { return periods[periods.size() - 1 - k].point; };
   double sum = 0.0;
-  for (std::size_t k = 0; k + 1 < last_quarter; ++k) {
-    sum += square_of(difference(from_end[k * cycle].point, from_end[(k + 1) * cycle].point));
+  for (std::size_t k = cycle; k < last_quarter * cycle; k += cycle) {
+    sum += square_of(difference(point_from_end(k - cycle), point_from_end(k)));
   }
   const double arrived = thresholds.coincidence * resolution;
   const double farthest = last_half >= thresholds.fewest_cycles ? std::max(thresholds.reach, arrived) : arrived;

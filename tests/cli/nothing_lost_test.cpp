@@ -183,6 +183,14 @@ TEST_F(NothingIsLost, OfWhatIsSoundInADamagedStore) {
     const auto resumed = rocking("resume out -q");
     EXPECT_EQ(resumed.exit_code, 0);
     EXPECT_THAT(resumed.errors, AllOf(HasSubstr("intact and kept"), HasSubstr("out/damaged-1.sqlite")));
+    const auto mentions = [&](const std::string& condition) {
+      const auto first = resumed.errors.find(condition + ": realisations ");
+      return first != std::string::npos && resumed.errors.find(condition + ": ", first + 1) == std::string::npos;
+    };
+    EXPECT_TRUE(mentions("condition 2")) << resumed.errors;
+    if (place == 0.5) {
+      EXPECT_TRUE(mentions("condition 1")) << resumed.errors;
+    }
     EXPECT_EQ(read("out/damaged-1.sqlite").size(), read("whole/realisations.sqlite").size());
     expect_the_whole_of("out");
   }

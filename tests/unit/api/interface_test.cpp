@@ -206,6 +206,13 @@ TEST_F(Interface, RefusesARunThatNoCallHasReturned) {
   for (std::size_t i = 0; i < calls.size(); ++i) EXPECT_THROW(calls[i](), std::exception) << i;
 }
 
+TEST_F(Interface, ReadsTheBytesOfARunWithItsOwnExperiment) {
+  const std::string bytes = bytes_of(run(small_experiment()));
+  EXPECT_EQ(digest_of(run_of(small_experiment(), bytes)), digest_of(run(small_experiment())));
+  const Experiment other = small_experiment(R"(, "title": "another")");
+  EXPECT_THAT(refusal([&] { static_cast<void>(run_of(other, bytes)); }), HasSubstr("a run of another experiment"));
+}
+
 TEST_F(Interface, FollowsTheStepsOfADiagram) {
   const Experiment swept = small_experiment(R"(, "sweep": [{"parameter": "/excitation/amplitude", "values": [3, 1]}])");
   const auto found = bifurcation(swept, 2);
@@ -306,6 +313,9 @@ TEST_F(Interface, InfersUnknownsFromCountedTests) {
                                  .conditions = {{.parameters = {{"/excitation/amplitude", 4.0}}, .counts = {1, 4}}}}};
   const Inference found = infer_unknowns(experiment, request, {.threads = 2});
   ASSERT_TRUE(found.answer);
+  const std::vector<double>& shares = found.answer->predicted.at(0).shares;
+  const double deviance = 2.0 * (std::log(1.0 / (5.0 * shares.at(0))) + 4.0 * std::log(4.0 / (5.0 * shares.at(1))));
+  EXPECT_NEAR(found.answer->fit.statistic, deviance, 1e-9 * (1.0 + deviance));
   EXPECT_THAT(infer_unknowns_text(experiment, request, found), HasSubstr("rocking.infer/1"));
   request.earlier = found.design;
   EXPECT_EQ(infer_unknowns_text(experiment, request, infer_unknowns(experiment, request)),

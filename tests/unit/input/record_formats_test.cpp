@@ -544,7 +544,8 @@ INSTANTIATE_TEST_SUITE_P(
         OtherFile{"FILE     0 OF UNCORRECTED ACCELEROGRAM DATA OF VOLUME I:\n1 2\n", "Southern California", "PEER"},
         OtherFile{"matched to the target\n  4 0.0100  0\n .1 -.2\n .3 .4\n", "RSPMatch or eqsig",
                   "NPTS= 4, DT= 0.0100 SEC"},
-        OtherFile{"label\n4 0.01\n.1\n.2\n.3\n.4\n", "RSPMatch or eqsig", "\"units\""}));
+        OtherFile{"label\n4 0.01\n.1\n.2\n.3\n.4\n", "RSPMatch or eqsig", "\"units\""},
+        OtherFile{"the fewest samples\n2 0.01\n.1\n.2\n", "RSPMatch or eqsig", "NPTS= 2, DT= 0.01 SEC"}));
 
 TEST(OtherFile, OfRspMatchCanBeReadOnceItsSecondLineSaysWhatItIs) {
   const GroundMotion motion = read_record("label\nNPTS= 4, DT= 0.01 SEC\n.1\n.2\n.3\n.4\n");

@@ -276,6 +276,19 @@ TEST_F(Suite, HasEachSeriesOnceWhateverItsFormatUnitOrName) {
   EXPECT_EQ(refusal_of(experiment(R"(["one.at2", "six.at2", "seven.at2", "eight.at2"])")), "accepted");
 }
 
+TEST_F(Suite, TellsOfTheFirstFiveRepeatedSeries) {
+  std::string files = "[\"v.at2\"";
+  for (int i = 0; i < 7; ++i) {
+    const std::string name = std::to_string(i) + ".txt";
+    files_[name] = "0 0.3\n5 0.2\n" + std::string(static_cast<std::size_t>(i), '\n');
+    files += ", \"" + name + '"';
+  }
+  const std::string told = refusal_of(experiment(files + ']'));
+  std::size_t count = 0;
+  for (auto at = told.find("same series"); at != std::string::npos; at = told.find("same series", at + 1)) ++count;
+  EXPECT_EQ(count, 5U) << told;
+}
+
 // All constants have one shape, so that they are the same only if they are equal.
 TEST_F(Suite, MayHaveConstantsThatAreNearlyEqual) {
   files_["one.txt"] = "0 0.3\n6 0.3\n";

@@ -56,6 +56,15 @@ TEST(IntensityMeasures, OfASampledSineAreItsSums) {
   expect_close(found.pga_g, amplitude * std::cos(pi / n));  // no sample is at the peak: n is no multiple of 4
 }
 
+TEST(IntensityMeasures, AreNotChangedByStillness) {
+  const MotionSamples pulse{{0.0, 0.0, 0.0}, {0.1, 0.2, 0.0}, {0.2, 0.0, 0.0}};
+  const MotionSamples padded{{0.0, 0.0, 0.0}, {0.1, 0.2, 0.0}, {0.2, 0.0, 0.0}, {0.3, 0.0, 0.0}, {9.0, 0.0, 0.0}};
+  const auto found = intensity_measures(pulse, standard), of_padded = intensity_measures(padded, standard);
+  expect_close(found.cav_m_s, 0.02 * standard);
+  EXPECT_EQ(of_padded.cav_m_s, found.cav_m_s);
+  EXPECT_EQ(of_padded.arias_m_s, found.arias_m_s);
+}
+
 TEST(IntensityMeasures, OfAFineSineTendToThoseOfASine) {
   const int n = 400'000;  // the error is at most (2 pi/n)^2/6 < 1e-10
   const double a = 2.0;

@@ -12,18 +12,8 @@ using rocking::support::objections;
 using rocking::support::quick_experiment;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
-using ::testing::StartsWith;
 
-class Bifurcation : public rocking::support::ProgramTest {
- protected:
-  /// Returns the exit code; tests that no file was written.
-  int refused(const std::string& arguments) const {
-    const auto outcome = rocking("bifurcation " + arguments + " -o refused");
-    EXPECT_NE(outcome.errors, "");
-    EXPECT_FALSE(exists("refused")) << arguments;
-    return outcome.exit_code;
-  }
-};
+class Bifurcation : public rocking::support::ProgramTest {};
 
 TEST_F(Bifurcation, WritesPointsAndPrintsResponses) {
   const auto outcome = rocking("bifurcation quick.json -o out --realisation 2 --no-progress");
@@ -59,16 +49,6 @@ TEST_F(Bifurcation, GivesTheSameBytesOnAnyNumberOfThreadsAndPrintsThemAsJson) {
   EXPECT_NE(read("other/bifurcation.csv"), read("one/bifurcation.csv"));
 }
 
-TEST_F(Bifurcation, ReplacesFilesOnlyWhenTold) {
-  ASSERT_EQ(rocking("bifurcation quick.json -q -o out").exit_code, 0);
-  const auto refusal = rocking("bifurcation quick.json -q -o out --seed 9");
-  EXPECT_EQ(refusal.exit_code, 74);
-  EXPECT_THAT(refusal.errors, HasSubstr("--overwrite"));
-  const std::string before = read("out/bifurcation.csv");
-  EXPECT_EQ(rocking("bifurcation quick.json -q -o out --seed 9 --overwrite").exit_code, 0);
-  EXPECT_NE(read("out/bifurcation.csv"), before);
-}
-
 TEST_F(Bifurcation, IsNotDrawnWithAResponseThatDoesNotExist) {
   ASSERT_EQ(rocking("bifurcation quick.json -q -o out").exit_code, 0);
   Json file = Json::parse(read("out/bifurcation.json"));
@@ -93,22 +73,6 @@ TEST_F(Bifurcation, NamesTheFiguresOfAGridByTheirParameters) {
   EXPECT_TRUE(exists("drawn/bifurcation_friction_0.4_0.35.svg"));
   EXPECT_EQ(shell("rm out/bifurcation.json").exit_code, 0);
   EXPECT_EQ(rocking("bifurcation grid.json -o out -q").exit_code, 74);
-}
-
-TEST_F(Bifurcation, RefusesWhatItCannotDraw) {
-  Json lone = quick_experiment();
-  lone.erase("sweep");
-  write("lone.json", lone.dump());
-  write("pulse.txt", rocking::support::recorded_pulse());
-  write("recorded.json", rocking::support::recorded_experiment().dump());
-  EXPECT_EQ(refused("lone.json"), 65);
-  EXPECT_EQ(refused("recorded.json"), 65);
-  EXPECT_EQ(refused("absent.json"), 66);
-  EXPECT_EQ(refused("quick.json --realisation -1"), 64);
-  EXPECT_EQ(rocking("bifurcation quick.json").exit_code, 64);
-  EXPECT_THAT(rocking("bifurcation lone.json -o x").errors, HasSubstr("/sweep: is missing"));
-  EXPECT_THAT(rocking("bifurcation recorded.json -o x").errors, HasSubstr("/excitation/kind"));
-  EXPECT_THAT(rocking("schema bifurcation").output, StartsWith("{"));
 }
 
 }  // namespace

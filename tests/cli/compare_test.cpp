@@ -15,7 +15,6 @@ namespace {
 using rocking::Json;
 using rocking::support::objections;
 using rocking::support::quick_experiment;
-using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 class Compare : public rocking::support::ProgramTest {
@@ -28,24 +27,6 @@ class Compare : public rocking::support::ProgramTest {
     write("second.json", other.dump());
   }
 };
-
-TEST_F(Compare, TellsWhatDiffersAndWhatItChanges) {
-  ASSERT_EQ(rocking("run first.json -q -o a --realisations 30").exit_code, 0);
-  ASSERT_EQ(rocking("run second.json -q -o b --realisations 30").exit_code, 0);
-  const auto table = rocking("compare a b");
-  EXPECT_EQ(table.exit_code, 0);
-  EXPECT_THAT(table.output, AllOf(HasSubstr("/fluctuation/friction/sigma is 0.03, not 0.1"), HasSubstr("4.2 = 1.03 g"),
-                                  HasSubstr("(1,1)"), HasSubstr("McNemar")));
-  const auto text = rocking("compare a b --json");
-  EXPECT_EQ(objections("comparison", text.output), "");
-  const Json json = Json::parse(text.output);
-  std::uint64_t changed = 0;
-  for (const Json& condition : json["conditions"]) {
-    EXPECT_EQ(condition["realisations"], 30);
-    changed += condition["changed"]["count"].get<std::uint64_t>();
-  }
-  EXPECT_GT(changed, 0U);
-}
 
 TEST_F(Compare, FindsNothingBetweenARunAndItself) {
   ASSERT_EQ(rocking("run first.json -q -o a").exit_code, 0);
@@ -82,22 +63,6 @@ TEST_F(Compare, HasTheConfidenceOfEachCondition) {
   ASSERT_EQ(floor["flips"], 0);
   EXPECT_NEAR(floor["interval"][1].get<double>(), 1.0 - std::pow(0.0005, 0.5), 1e-12)
       << "the highest confidence of all";
-}
-
-TEST_F(Compare, RefusesRunsThatCannotBePaired) {
-  ASSERT_EQ(rocking("run first.json -q -o a").exit_code, 0);
-  ASSERT_EQ(rocking("run first.json -q -o b --seed 9").exit_code, 0);
-  const auto seeds = rocking("compare a b");
-  EXPECT_EQ(seeds.exit_code, 64);
-  EXPECT_THAT(seeds.errors, HasSubstr("different seeds"));
-  auto shorter = quick_experiment();
-  shorter.erase("sweep");
-  write("one.json", shorter.dump());
-  ASSERT_EQ(rocking("run one.json -q -o c").exit_code, 0);
-  const auto sweeps = rocking("compare a c");
-  EXPECT_EQ(sweeps.exit_code, 64);
-  EXPECT_THAT(sweeps.errors, HasSubstr("c has 1 condition"));
-  EXPECT_EQ(rocking("compare a absent").exit_code, 66);
 }
 
 // Records of a suite have independent random numbers: only the same record can be paired.

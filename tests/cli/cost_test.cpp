@@ -10,28 +10,8 @@ namespace {
 using rocking::Json;
 using rocking::support::objections;
 using rocking::support::quick_experiment;
-using ::testing::AllOf;
-using ::testing::HasSubstr;
 
 class Cost : public rocking::support::ProgramTest {};
-
-TEST_F(Cost, PrintsATableAndKeepsTheNumbers) {
-  const auto outcome = rocking("cost quick.json --sample 9 -o out");
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
-  EXPECT_THAT(outcome.output,
-              AllOf(HasSubstr("1e-10"), HasSubstr("1e-13 *"), HasSubstr("9 realisations of 3 conditions"),
-                    HasSubstr("mean half-width"), HasSubstr("numbers: out/cost.json")));
-  const std::string text = read("out/cost.json");
-  EXPECT_EQ(objections("cost", text), "");
-  const Json json = Json::parse(text);
-  EXPECT_EQ(json["result"]["tolerances"].size(), 11U);
-  EXPECT_EQ(json["result"]["realisations"][2]["factor"], 16);
-  for (const Json& time : json["system"]["processor_s_per_period"]) EXPECT_GT(time.get<double>(), 0.0);
-  EXPECT_LE(json["system"]["timed"]["realisations"], 12) << "no more than the experiment has";
-  EXPECT_EQ(rocking("cost quick.json --sample 9 -o out").exit_code, 74);
-  EXPECT_EQ(rocking("cost quick.json --sample 3 -o out --overwrite -q").exit_code, 0);
-  EXPECT_EQ(Json::parse(read("out/cost.json"))["result"]["sample"]["realisations"], 3);
-}
 
 TEST_F(Cost, FindsTheSameAgainButForTimes) {
   Json results[2];
@@ -73,21 +53,6 @@ TEST_F(Cost, OfADeterministicExperimentMeasuresEachConditionOnce) {
   const Json result = Json::parse(outcome.output)["result"];
   EXPECT_EQ(result["sample"], Json::parse(R"({"realisations": 3, "conditions": 3, "is_everything": true})"));
   EXPECT_TRUE(result["realisations"].empty());
-}
-
-TEST_F(Cost, RefusesWhatCannotBeMeasured) {
-  for (const char* arguments :
-       {"quick.json --sample 0", "quick.json --sample 2 --time 3s", "quick.json --time soon", "quick.json --time -3s",
-        "quick.json --tolerances 1e-4,1e-20,1e-8", "quick.json --tolerances 1e-13,1e-9", "quick.json --tolerances all",
-        "quick.json --realisations 0"}) {
-    const auto outcome = rocking(std::string("cost ") + arguments);
-    EXPECT_EQ(outcome.exit_code, 64) << arguments << outcome.errors;
-    EXPECT_EQ(outcome.output, "");
-  }
-  EXPECT_THAT(rocking("cost quick.json --tolerances 1e-13,1e-9").errors, HasSubstr("give at least three"));
-  EXPECT_EQ(rocking("cost absent.json").exit_code, 66);
-  write("bad.json", "{}");
-  EXPECT_EQ(rocking("cost bad.json").exit_code, 65);
 }
 
 }  // namespace

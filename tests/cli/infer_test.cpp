@@ -160,15 +160,6 @@ TEST_F(Infer, DoesNotGoOnFromTheAnswerToAnotherQuestion) {
   EXPECT_EQ(read("out/infer.json"), "{}");
 }
 
-TEST_F(Infer, DoesNotReplaceAnAnswerUnasked) {
-  std::filesystem::create_directory(folder_ / "kept");
-  write("kept/infer.json", "an earlier answer");
-  const auto outcome = rocking("infer block.json --tests tests.csv -q -o kept");
-  EXPECT_EQ(outcome.exit_code, 74);
-  EXPECT_THAT(outcome.errors, AllOf(HasSubstr("kept/infer.json"), HasSubstr("--overwrite")));
-  EXPECT_EQ(read("kept/infer.json"), "an earlier answer");
-}
-
 TEST_F(Infer, RefusesTestsWithLineValueAndRemedy) {
   const auto at = [](const std::string& place_and_value, const std::string& remedy) {
     return AllOf(HasSubstr("bad.csv, " + place_and_value), HasSubstr(remedy));
@@ -194,19 +185,6 @@ TEST_F(Infer, RefusesTestsWithLineValueAndRemedy) {
   expect_bad_tests("", HasSubstr("has no conditions"));
   expect_bad_tests("amplitude,\"(1,1)\",other\n4,1,2\n4.0,1,2\n", at("line 3 = \"4.0\": stands in line 2", "add up"));
   expect_bad_tests("amplitude,\"(1,1)\",other\n\xFF,1,2\n", at("line 2", "convert the file to UTF-8"));
-}
-
-TEST_F(Infer, RefusesCandidatesWithCounts) {
-  expect_refused("block.json --tests tests.csv --candidates tests.csv", 65,
-                 HasSubstr("tests.csv, line 1 = \"(1,1)\": is a column of counts"));
-}
-
-TEST_F(Infer, RefusesFilesThatAreMissing) {
-  expect_refused("none.json --tests tests.csv", 66, HasSubstr("none.json"));
-  expect_refused("block.json --tests none.csv", 66, HasSubstr("none.csv"));
-  expect_refused("block.json --tests tests.csv --candidates none.csv", 66, HasSubstr("none.csv"));
-  expect_refused("block.json --tests .", 65, HasSubstr("is a folder"));
-  expect_refused("block.json", 64, HasSubstr("--tests is required"));
 }
 
 TEST_F(Infer, RefusesExperimentsWithPlaceValueAndRemedy) {

@@ -62,40 +62,11 @@ TEST_F(MotionCommand, SaysWhatWasReadInEachFormat) {
   EXPECT_DOUBLE_EQ(found[2]["pgv_m_s"], 1.5);
 }
 
-TEST_F(MotionCommand, PrintsTables) {
-  const auto found = rocking("motion a.AT2 --periods 0.5 --damping 0.02");
-  EXPECT_EQ(found.exit_code, 0);
-  EXPECT_THAT(found.output, AllOf(HasSubstr("PGA [g]"), HasSubstr("0.25"), HasSubstr("2 % damping"),
-                                  HasSubstr("PSa [g]"), HasSubstr("absolute Sa [g]")));
-  EXPECT_EQ(found.errors, "");
-  EXPECT_THAT(rocking("motion c.txt").errors, HasSubstr("m/s2 is assumed"));
-}
-
 TEST_F(MotionCommand, ChangesWithTheGravityOnlyWhatIsInMetres) {
   const Json here = measured("a.AT2 --gravity 9.81")["motions"][0];
   const Json moon = measured("a.AT2 --gravity 1.62")["motions"][0];
   EXPECT_EQ(here["pga_g"], moon["pga_g"]);
   EXPECT_DOUBLE_EQ(here["pgv_m_s"].get<double>() / 9.81, moon["pgv_m_s"].get<double>() / 1.62);
-}
-
-TEST_F(MotionCommand, DrawsFiguresAndSavesWhatAFigureNeeds) {
-  const auto drawn = rocking("motion a.AT2 b.asc --figure out --json");
-  EXPECT_EQ(drawn.exit_code, 0) << drawn.errors;
-  EXPECT_EQ(objections("motion", drawn.output), "");
-  for (const char* name : {"ground_motion_1.tsv", "ground_motion_2.tsv", "response_spectra.tsv"}) {
-    EXPECT_TRUE(exists("out/" + std::string(name))) << name;
-  }
-  EXPECT_EQ(rocking("motion a.AT2 --json --series > m.json; exit $?").exit_code, 0);
-  const Json series = measured("a.AT2 --series")["motions"][0]["series"];
-  EXPECT_EQ(series["time_s"].size(), 4U);
-  EXPECT_DOUBLE_EQ(series["acceleration_g"][1], -0.25);
-  write("m.json", rocking("motion a.AT2 --json --series").output);
-  EXPECT_EQ(rocking("report m.json -o again").exit_code, 0);
-  EXPECT_EQ(read("again/response_spectra.tsv").empty(), false);
-  write("n.json", rocking("motion a.AT2 --json").output);
-  const auto refused = rocking("report n.json -o again");
-  EXPECT_EQ(refused.exit_code, 65);
-  EXPECT_THAT(refused.errors, HasSubstr("--series"));
 }
 
 TEST_F(MotionCommand, WarnsOfOneSampleMoreOrFewerThanDeclared) {
@@ -112,24 +83,6 @@ TEST_F(MotionCommand, WarnsOfOneSampleMoreOrFewerThanDeclared) {
 TEST_F(MotionCommand, MayHaveAFileWhoseNameIsNoUtf8) {
   write("\xff.AT2", read("a.AT2"));
   EXPECT_EQ(measured("'\xff.AT2'")["motions"][0]["file"], "\uFFFD.AT2");
-}
-
-TEST_F(MotionCommand, RefusesWithTheSuitableExitCode) {
-  EXPECT_EQ(rocking("motion nowhere.AT2").exit_code, 66);
-  write("bad.AT2", "a\nNPTS= 2, DT= .01\n1 x\n");
-  const auto bad = rocking("motion bad.AT2 a.AT2");
-  EXPECT_EQ(bad.exit_code, 65);
-  EXPECT_THAT(bad.errors, HasSubstr("bad.AT2, line 3 = \"x\": is not a number"));
-  EXPECT_EQ(bad.output, "");
-  EXPECT_EQ(rocking("motion a.AT2 --units cm/s2").exit_code, 65);
-  EXPECT_EQ(rocking("motion a.AT2 --format esm_asc").exit_code, 65);
-  EXPECT_EQ(rocking("motion c.txt --format columns").exit_code, 64);
-  EXPECT_EQ(rocking("motion c.txt --format columns --units g").exit_code, 0);
-  EXPECT_EQ(rocking("motion a.AT2 --block 1").exit_code, 64);
-  EXPECT_EQ(rocking("motion a.AT2 --block 1 -2").exit_code, 64);
-  EXPECT_EQ(rocking("motion a.AT2 --damping 1").exit_code, 64);
-  EXPECT_EQ(rocking("motion a.AT2 --periods 0").exit_code, 64);
-  EXPECT_EQ(rocking("motion").exit_code, 64);
 }
 
 // With sanitizers no limit of memory can hold.

@@ -22,14 +22,6 @@ class Orbits : public rocking::support::ProgramTest {
     experiment["sweep"] = Json::parse(R"([{"parameter": "/excitation/amplitude", "values": [4.5, 6.0]}])");
     write("quick.json", experiment.dump());
   }
-
-  /// Returns the exit code; tests that no file was written.
-  int refused(const std::string& arguments) const {
-    const auto outcome = rocking("orbits " + arguments + " -o refused");
-    EXPECT_NE(outcome.errors, "");
-    EXPECT_FALSE(exists("refused")) << arguments;
-    return outcome.exit_code;
-  }
 };
 
 TEST_F(Orbits, AreWrittenAndPrinted) {
@@ -119,40 +111,11 @@ TEST_F(Orbits, AreNotFollowedWhereNoneOrNoNumberOfTheMotionIsSwept) {
   EXPECT_FALSE(Json::parse(read("starts/orbits.json")).contains("branches"));
 }
 
-TEST_F(Orbits, AreRefusedOverAnEmptyRange) {
-  const auto outcome = rocking("orbits quick.json -q -o empty --from 6 --to 5");
-  EXPECT_EQ(outcome.exit_code, 64);
-  EXPECT_THAT(outcome.errors, HasSubstr("--from"));
-  EXPECT_FALSE(exists("empty"));
-}
-
 TEST_F(Orbits, AreTheSameBytesOnAnyNumberOfThreadsAndAsJson) {
   ASSERT_EQ(rocking("orbits quick.json -q -o one -j 1 --periods 2 --branches 1").exit_code, 0);
   const auto printed = rocking("orbits quick.json -q -o two -j 2 --periods 2 --branches 1 --json");
   EXPECT_EQ(printed.output, read("one/orbits.json"));
   EXPECT_EQ(read("two/orbits.json"), read("one/orbits.json"));
-}
-
-TEST_F(Orbits, ReplaceAFileOnlyWhenTold) {
-  ASSERT_EQ(rocking("orbits quick.json -q -o out --periods 1 --no-branches").exit_code, 0);
-  const auto refusal = rocking("orbits quick.json -q -o out --periods 2");
-  EXPECT_EQ(refusal.exit_code, 74);
-  EXPECT_THAT(refusal.errors, HasSubstr("--overwrite"));
-  EXPECT_EQ(Json::parse(read("out/orbits.json"))["longest_period"], 1);
-  EXPECT_EQ(rocking("orbits quick.json -q -o out --periods 2 --no-branches --overwrite").exit_code, 0);
-  EXPECT_EQ(Json::parse(read("out/orbits.json"))["longest_period"], 2);
-}
-
-TEST_F(Orbits, AreRefusedWhereThereAreNone) {
-  write("random.json", quick_experiment().dump());
-  write("pulse.txt", rocking::support::recorded_pulse());
-  write("recorded.json", rocking::support::recorded_experiment().dump());
-  EXPECT_EQ(refused("random.json"), 65);
-  EXPECT_EQ(refused("recorded.json"), 65);
-  EXPECT_EQ(refused("absent.json"), 66);
-  EXPECT_EQ(refused("quick.json --periods 0"), 64);
-  EXPECT_THAT(rocking("orbits random.json -o x").errors, AllOf(HasSubstr("/fluctuation"), HasSubstr("leave out")));
-  EXPECT_THAT(rocking("orbits recorded.json -o x").errors, HasSubstr("/excitation/kind"));
 }
 
 }  // namespace

@@ -47,14 +47,6 @@ class Rare : public rocking::support::ProgramTest {
     experiment.erase("sweep");
     return experiment;
   }
-
-  /// Returns the exit code; tests that no file was written.
-  int refused(const std::string& arguments) const {
-    const auto outcome = rocking("rare " + arguments + " -o refused");
-    EXPECT_NE(outcome.errors, "");
-    EXPECT_FALSE(exists("refused")) << arguments;
-    return outcome.exit_code;
-  }
 };
 
 TEST_F(Rare, IsWrittenAndPrinted) {
@@ -179,14 +171,6 @@ TEST_F(Rare, IsDrawnAlsoOnThePageOfItsRun) {
   EXPECT_THAT(read("out/report.html"), ::testing::Not(HasSubstr("rare_committor")));
 }
 
-TEST_F(Rare, IsVerifiedFromItsRepetitions) {
-  ASSERT_EQ(rocking(std::string("rare quick.json -q -o out") + quickly).exit_code, 0);
-  const auto outcome = rocking("verify out -j 2");
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
-  EXPECT_THAT(outcome.output, HasSubstr("8 repetitions and the pilot runs run again"));
-  EXPECT_EQ(Json::parse(rocking("verify out --json --sample 11").output)["repetitions_run_again"], 12);
-}
-
 // Each use of the file refuses it; `verify` says what is wrong.
 TEST_F(Rare, IsNotVerifiedWithAChangedRepetition) {
   const std::string options = std::string("rare quick.json -q -o out") + quickly;
@@ -260,15 +244,6 @@ TEST_F(Rare, IsNotVerifiedWithOtherNumbersOrWithoutSense) {
   EXPECT_THAT(changed("/conditions", Json::array()).output, HasSubstr("one estimate for each condition"));
   EXPECT_EQ(changed("/conditions/0/ended", "soon").exit_code, 65);
   EXPECT_EQ(rocking("verify nowhere").exit_code, 66);
-}
-
-TEST_F(Rare, ReplacesAFileOnlyWhenTold) {
-  ASSERT_EQ(rocking(std::string("rare quick.json -q -o out") + quickly).exit_code, 0);
-  const auto refusal = rocking(std::string("rare quick.json -q -o out --seed 6") + quickly);
-  EXPECT_EQ(refusal.exit_code, 74);
-  EXPECT_THAT(refusal.errors, HasSubstr("--overwrite"));
-  EXPECT_EQ(rocking(std::string("rare quick.json -q -o out --seed 6 --overwrite") + quickly).exit_code, 0);
-  EXPECT_EQ(Json::parse(read("out/rare.json"))["settings"]["seed"], "0x6");
 }
 
 TEST_F(Rare, IsTheLowerTailOfAnAnnualRate) {
@@ -365,17 +340,6 @@ TEST_F(Rare, OfASuiteIsTheLowerTailOfItsAnnualRate) {
   write("one.json", experiment.dump());
   ASSERT_EQ(rocking("rare one.json -q -o one --particles 100 --relative-error 1 --peak-tilt 0.3").exit_code, 0);
   EXPECT_THAT(rocking(ask + "one").errors, HasSubstr("same block"));
-}
-
-TEST_F(Rare, IsRefusedWhereNothingIsRandom) {
-  Json experiment = quick_experiment();
-  experiment.erase("fluctuation");
-  write("sure.json", experiment.dump());
-  EXPECT_EQ(refused("sure.json"), 65);
-  EXPECT_EQ(refused("absent.json"), 66);
-  EXPECT_EQ(refused("quick.json --relative-error 0"), 64);
-  EXPECT_EQ(refused("quick.json --particles 3"), 64);
-  EXPECT_THAT(rocking("rare sure.json -o x").errors, AllOf(HasSubstr("/fluctuation"), HasSubstr("rocking run")));
 }
 
 }  // namespace

@@ -262,7 +262,6 @@ class QuestionTarget {
     const Inference found = infer_unknowns(experiment, request, execution_);
     demand(found.answer.has_value(), "what is not stopped has an answer");
     demand(found.answer->fit.p_value > 0.0 && found.answer->fit.p_value <= 1.0, "a p-value is a probability");
-    static_cast<void>(infer_unknowns_text(experiment, request, found));
   }
 
   void ask_orbits() {

@@ -298,8 +298,7 @@ TEST_F(Interface, EstimatesRareEventsAgain) {
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(last, known);
   EXPECT_GE(static_cast<double>(last) + 1.0, found[0].work);
-  EXPECT_EQ(rare_probabilities_text(experiment, request, found),
-            rare_probabilities_text(experiment, request, rare_probabilities(experiment, request, {.threads = 2})));
+  EXPECT_EQ(rare_probabilities(experiment, request, {.threads = 2}).at(0).probability, found[0].probability);
   std::atomic<bool> stop{true};
   EXPECT_THROW(static_cast<void>(rare_probabilities(experiment, request, {.stop = &stop})), base::Stopped);
   EXPECT_THAT(refusal([&] { static_cast<void>(rare_probabilities(experiment, {.particles = 1})); }),
@@ -316,10 +315,12 @@ TEST_F(Interface, InfersUnknownsFromCountedTests) {
   const std::vector<double>& shares = found.answer->predicted.at(0).shares;
   const double deviance = 2.0 * (std::log(1.0 / (5.0 * shares.at(0))) + 4.0 * std::log(4.0 / (5.0 * shares.at(1))));
   EXPECT_NEAR(found.answer->fit.statistic, deviance, 1e-9 * (1.0 + deviance));
-  EXPECT_THAT(infer_unknowns_text(experiment, request, found), HasSubstr("rocking.infer/1"));
   request.earlier = found.design;
-  EXPECT_EQ(infer_unknowns_text(experiment, request, infer_unknowns(experiment, request)),
-            infer_unknowns_text(experiment, request, found));
+  const Inference resumed = infer_unknowns(experiment, request);
+  ASSERT_TRUE(resumed.answer);
+  EXPECT_EQ(resumed.realisations, found.realisations);
+  EXPECT_EQ(resumed.answer->unknowns.at(0).estimate, found.answer->unknowns.at(0).estimate);
+  EXPECT_EQ(resumed.answer->log_likelihood, found.answer->log_likelihood);
   request.next_tests = 0;
   EXPECT_THAT(refusal([&] { static_cast<void>(infer_unknowns(experiment, request)); }), HasSubstr("next_tests"));
   experiment.unknowns.clear();
@@ -329,7 +330,6 @@ TEST_F(Interface, InfersUnknownsFromCountedTests) {
 TEST_F(Interface, ExaminesRandomNumbersAndTheMachine) {
   const SamplerQuestion question{.n = 1000};
   EXPECT_EQ(check_normal(question).n, 1000U);
-  EXPECT_THAT(check_normal_text(question, check_normal(question)), HasSubstr("rocking.check_normal/1"));
   EXPECT_THAT(refusal([] { static_cast<void>(check_normal({.sampler = "dice"})); }), HasSubstr("box-muller"));
   for (const base::ArithmeticCheck& check : check_arithmetic()) EXPECT_TRUE(check.passed) << check.name;
   EXPECT_EQ(check_arithmetic().size(), 5U);
@@ -396,7 +396,6 @@ TEST_F(Interface, MeasuresCostByTheClocksOfItsCaller) {
   EXPECT_EQ(found.sample, 3U);
   EXPECT_EQ(found.curve.size(), 3U) << "with the experiment's own tolerance";
   EXPECT_GT(found.timing.seconds_per_period.front(), 0.0);
-  EXPECT_THAT(cost_text(small_experiment(), found), HasSubstr("rocking.cost/1"));
   std::atomic<bool> stop{true};
   EXPECT_THROW(static_cast<void>(cost(small_experiment(), request, {.stop = &stop})), base::Stopped);
 }

@@ -266,17 +266,7 @@ TEST_F(Questions, OfOtherStudiesHaveNumbersInRange) {
               StartsWith("trials = 801859547590"));
 }
 
-TEST_F(Questions, AreNotAnsweredByResultsOfAnotherExperiment) {
-  const std::vector<RareEstimate> three(3);
-  EXPECT_THAT(refusal([&] { static_cast<void>(rare_probabilities_text(experiment_, {}, three)); }),
-              StartsWith("found = 3 estimates"));
-  const Inference inference{.design = {}, .answer = InferenceAnswer{}};
-  EXPECT_THAT(refusal([&] { static_cast<void>(infer_unknowns_text(experiment_, {}, inference)); }),
-              StartsWith("found/unknowns = 0 entries: must be 1"));
-  std::vector<Diagram> diagrams = bifurcation(experiment_);
-  diagrams[0].conditions[1] = 7;
-  EXPECT_THAT(refusal([&] { static_cast<void>(bifurcation_text(experiment_, 0, diagrams)); }),
-              StartsWith("found = condition 7"));
+TEST_F(Questions, AboutAReportHaveADurationThatCanBe) {
   const RunResult done = run(experiment_);
   for (const double duration : {nan, -1.0, infinite}) {
     EXPECT_THAT(refusal([&] { static_cast<void>(report(experiment_, done, {.duration_s = duration})); }),

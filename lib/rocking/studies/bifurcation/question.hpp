@@ -56,8 +56,4 @@ struct Diagram {
 [[nodiscard]] ROCKING_API std::vector<Diagram> bifurcation(const Experiment& experiment, std::uint64_t realisation = 0,
                                                            const Execution& execution = {});
 
-/// The same as JSON text (`rocking.bifurcation/1`).
-[[nodiscard]] ROCKING_API std::string bifurcation_text(const Experiment& experiment, std::uint64_t realisation,
-                                                       const std::vector<Diagram>& found);
-
 }  // namespace rocking

@@ -3,22 +3,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "rocking/api/refuse.hpp"
 #include "rocking/studies/orbits/study.hpp"
 
 namespace rocking {
-
-std::string bifurcation_text(const Experiment& experiment, std::uint64_t realisation,
-                             const std::vector<Diagram>& found) {
-  for (const Diagram& diagram : found) {
-    for (const std::size_t condition : diagram.conditions) {
-      if (condition < experiment.conditions.size()) continue;
-      refuse("found", "condition " + std::to_string(condition), "is one of an experiment with more conditions");
-    }
-  }
-  return bifurcation_document().text(bifurcation_report(experiment, realisation, found));
-}
-
 namespace {
 
 struct BifurcationQuestion {
@@ -43,7 +30,7 @@ std::vector<std::string> files(const Subject&) { return {"bifurcation.csv"}; }
 Answer find(const Subject& subject, const BifurcationQuestion& question, const Circumstances& circumstances) {
   const Experiment& experiment = subject.experiment;
   const std::vector<Diagram> diagrams = bifurcation(experiment, question.realisation, circumstances.execution);
-  return {.document = bifurcation_text(experiment, question.realisation, diagrams),
+  return {.document = bifurcation_document().text(bifurcation_report(experiment, question.realisation, diagrams)),
           .table = bifurcation_table(experiment, diagrams, circumstances.extent),
           .files = {{"bifurcation.csv", bifurcation_csv(experiment, diagrams)}}};
 }

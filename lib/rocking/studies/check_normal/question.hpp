@@ -29,8 +29,4 @@ struct SamplerQuestion {
 /// std::system_error if it cannot be read.
 [[nodiscard]] ROCKING_API stats::NormalCheck check_normal(const SamplerQuestion& question = {});
 
-/// The same as JSON text (`rocking.check_normal/1`).
-[[nodiscard]] ROCKING_API std::string check_normal_text(const SamplerQuestion& question,
-                                                        const stats::NormalCheck& found);
-
 }  // namespace rocking

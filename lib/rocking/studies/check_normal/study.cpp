@@ -100,10 +100,6 @@ stats::NormalCheck check_normal(const SamplerQuestion& question) {
   return std::move(*found);
 }
 
-std::string check_normal_text(const SamplerQuestion& question, const stats::NormalCheck& found) {
-  return check_normal_document().text(sampler_check(question, found));
-}
-
 const StructType& fields_of(const SamplerQuestion*) {
   using Type = SamplerQuestion;
   static const StructType fields{

@@ -111,6 +111,4 @@ Comparison compare(const StoredRun& first, const StoredRun& second) {
                        compare(store_of(first.run), store_of(second.run), confidences));
 }
 
-std::string compare_text(const Comparison& found) { return comparison_document().text(found); }
-
 }  // namespace rocking

@@ -54,7 +54,4 @@ struct Comparison {
 /// left out. Throws base::InputError if the seeds or the numbers of conditions differ.
 [[nodiscard]] ROCKING_API Comparison compare(const StoredRun& first, const StoredRun& second);
 
-/// The same as JSON text (`rocking.comparison/1`).
-[[nodiscard]] ROCKING_API std::string compare_text(const Comparison& found);
-
 }  // namespace rocking

@@ -135,7 +135,8 @@ void check(const Subject& subject, NoQuestion&) {
 Answer find(const Subject& subject, const NoQuestion&, const Circumstances& circumstances) {
   const StoredRun& first = subject.runs[0].stored;
   const Comparison found = compare(first, subject.runs[1].stored);
-  return {.document = compare_text(found), .table = comparison_table(found, first.experiment, circumstances.extent)};
+  return {.document = comparison_document().text(found),
+          .table = comparison_table(found, first.experiment, circumstances.extent)};
 }
 
 constexpr StudyFunctions<NoQuestion> functions{.check = check, .find = find};

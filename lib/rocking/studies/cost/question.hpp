@@ -33,8 +33,4 @@ ROCKING_API void check_request(const Experiment& experiment, const CostRequest& 
 [[nodiscard]] ROCKING_API Cost cost(const Experiment& experiment, const CostRequest& request,
                                     const Execution& execution = {});
 
-/// A measured cost as JSON text (`rocking.cost/1`); all but `system` is the same for equal tolerances and samples.
-[[nodiscard]] ROCKING_API std::string cost_text(const Experiment& experiment, const Cost& cost,
-                                                const Provenance& provenance = {});
-
 }  // namespace rocking

@@ -85,10 +85,6 @@ Cost cost(const Experiment& experiment, const CostRequest& request, const Execut
   return cost_of(experiment, plan.tolerances, sample, std::move(timing));
 }
 
-std::string cost_text(const Experiment& experiment, const Cost& cost, const Provenance& provenance) {
-  return cost_document().text(cost_report({.experiment = &experiment, .cost = cost, .system = facts_of(provenance)}));
-}
-
 const StructType& fields_of(const CostRequest*) {
   static const StructType fields{
       "CostRequest",

@@ -151,17 +151,4 @@ Inference infer_unknowns(const Experiment& experiment, const InferRequest& reque
   return found;
 }
 
-std::string infer_unknowns_text(const Experiment& experiment, const InferRequest& request, const Inference& found) {
-  check_has_conditions(experiment);
-  if (found.answer) {
-    QuestionCheck check;
-    check.expect_size(found.answer->unknowns.size(), experiment.unknowns.size(), "found/unknowns", "unknown");
-    check.expect_size(found.answer->predicted.size(), request.tests.conditions.size(), "found/predicted", "condition");
-    check.expect_size(found.answer->candidates.size(), request.tests.candidates.size(), "found/candidates",
-                      "candidate");
-    check.finish();
-  }
-  return infer_document().text(infer_report(experiment, request.tests, request.next_tests, found));
-}
-
 }  // namespace rocking

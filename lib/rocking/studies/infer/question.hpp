@@ -150,10 +150,6 @@ ROCKING_API void check_request(const Experiment& experiment, const InferRequest&
 [[nodiscard]] ROCKING_API Inference infer_unknowns(const Experiment& experiment, const InferRequest& request,
                                                    const Execution& execution = {});
 
-/// The same as JSON text (`rocking.infer/1`).
-[[nodiscard]] ROCKING_API std::string infer_unknowns_text(const Experiment& experiment, const InferRequest& request,
-                                                          const Inference& found);
-
 /// Checks the `infer.json` of a folder, whose answer must follow from its design: makes about `sample` points of the
 /// design again, evenly spaced; absent: eight. `checked` and `different` count points. Which points a design has is not
 /// checked. Uses the execution as verify() and throws as it does.

@@ -69,8 +69,4 @@ struct GroundMotionRequest {
 /// line and value of each fault, also for an unknown format or unit, and std::system_error where a file cannot be read.
 [[nodiscard]] ROCKING_API std::vector<MeasuredMotion> motion(const GroundMotionRequest& request);
 
-/// The same as JSON text (`rocking.motion/1`).
-[[nodiscard]] ROCKING_API std::string motion_text(const GroundMotionRequest& request,
-                                                  const std::vector<MeasuredMotion>& found);
-
 }  // namespace rocking

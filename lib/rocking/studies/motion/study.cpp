@@ -70,11 +70,6 @@ std::vector<MeasuredMotion> motion(const GroundMotionRequest& request) {
   return motions;
 }
 
-std::string motion_text(const GroundMotionRequest& request, const std::vector<MeasuredMotion>& found) {
-  const MotionDetail detail = request.series ? MotionDetail::series : MotionDetail::measures;
-  return motion_document().text(motion_report(found, request.question, detail));
-}
-
 const StructType& fields_of(const GroundMotionRequest*) {
   using Type = GroundMotionRequest;
   using Question = MotionQuestion;

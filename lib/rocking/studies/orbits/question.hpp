@@ -62,9 +62,6 @@ struct OrbitsRequest {
   std::uint64_t most_branches = 50;
 };
 
-/// Whether an experiment sweeps one number of the motion, with several values, so that branches can be followed.
-[[nodiscard]] ROCKING_API bool has_branches(const Experiment& experiment);
-
 /// Throws base::InputError if a condition is random or not harmonic, if a number of the request is out of range, or if
 /// branches are asked for and nothing can be followed.
 ROCKING_API void check_request(const Experiment& experiment, const OrbitsRequest& request);
@@ -74,11 +71,5 @@ ROCKING_API void check_request(const Experiment& experiment, const OrbitsRequest
 /// many there will be is not known.
 [[nodiscard]] ROCKING_API OrbitStudy orbits(const Experiment& experiment, const OrbitsRequest& request = {},
                                             const Execution& execution = {});
-
-/// The study as JSON text (`rocking.orbits/1`), the same bytes as `orbits.json` of the program.
-[[nodiscard]] ROCKING_API std::string orbits_text(const Experiment& experiment, const OrbitStudy& study);
-
-/// The study as the program prints it: orbits, branches, bifurcations, and which response modes an orbit backs.
-[[nodiscard]] ROCKING_API std::string orbits_table(const OrbitStudy& study);
 
 }  // namespace rocking

@@ -6,7 +6,6 @@
 #include "rocking/api/question_check.hpp"
 #include "rocking/api/refuse.hpp"
 #include "rocking/api/run_store.hpp"
-#include "rocking/api/system_facts.hpp"
 #include "rocking/base/error.hpp"
 #include "rocking/base/many_parts.hpp"
 #include "rocking/base/number_text.hpp"
@@ -72,12 +71,13 @@ std::vector<OrbitsOfCondition> orbits_of_conditions(const Experiment& experiment
   return found;
 }
 
-}  // namespace
-
+/// Whether an experiment sweeps one number of the motion, with several values, so that branches can be followed.
 bool has_branches(const Experiment& experiment) {
   const auto swept = followed_number(experiment);
   return swept && std::ranges::min(swept->values) < std::ranges::max(swept->values);
 }
+
+}  // namespace
 
 void check_request(const Experiment& experiment, const OrbitsRequest& request) {
   check_has_conditions(experiment);
@@ -97,12 +97,6 @@ OrbitStudy orbits(const Experiment& experiment, const OrbitsRequest& request, co
   if (request.branches) study.branches = followed(experiment, request, asked.stop(), on_point, study.conditions);
   return study;
 }
-
-std::string orbits_text(const Experiment& experiment, const OrbitStudy& study) {
-  return orbits_document().text(orbits_report(with_text(experiment), study));
-}
-
-std::string orbits_table(const OrbitStudy& study) { return table_of(study); }
 
 const StructType& fields_of(const OrbitsRequest*) {
   using Type = OrbitsRequest;
@@ -154,7 +148,8 @@ std::string_view then(const OrbitsQuestion& question) { return question.request.
 
 Answer find(const Subject& subject, const OrbitsQuestion& question, const Circumstances& circumstances) {
   const OrbitStudy found = orbits(subject.experiment, question.request, circumstances.execution);
-  return {.document = orbits_text(subject.experiment, found), .table = table_of(found, circumstances.extent)};
+  return {.document = orbits_document().text(orbits_report(subject.experiment, found)),
+          .table = table_of(found, circumstances.extent)};
 }
 
 std::vector<analysis::Figure> figures(const Json& document, std::span<const Json>) {

@@ -106,14 +106,6 @@ std::vector<RareEstimate> rare_probabilities(const Experiment& experiment, const
   return found;
 }
 
-std::string rare_probabilities_text(const Experiment& experiment, const RareRequest& request,
-                                    const std::vector<RareEstimate>& found) {
-  if (found.size() > experiment.conditions.size()) {
-    refuse("found", std::to_string(found.size()) + " estimates", "are those of an experiment with more conditions");
-  }
-  return rare_document().text(rare_report(experiment, request, found));
-}
-
 namespace {
 
 RareReport rare_report_in(const std::string& text, const std::filesystem::path& file) {

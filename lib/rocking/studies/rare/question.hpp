@@ -164,10 +164,6 @@ ROCKING_API void check_request(const Experiment& experiment, const RareRequest& 
                                                                        const RareRequest& request,
                                                                        const Execution& execution = {});
 
-/// The same as JSON text (`rocking.rare/1`).
-[[nodiscard]] ROCKING_API std::string rare_probabilities_text(const Experiment& experiment, const RareRequest& request,
-                                                              const std::vector<RareEstimate>& found);
-
 /// Checks the `rare.json` of a folder, which must follow from its repetitions: makes the pilot runs and about `sample`
 /// repetitions again, evenly spaced, at least one of each condition; absent: four of each. `checked` and `different`
 /// count repetitions. Uses the execution as verify() and throws as it does.

@@ -34,17 +34,7 @@ double true_rate(const ConstantSuite& suite) {
   return rate_of(capacity, rocking::pieces_between(hazard(), 0.05));
 }
 
-enum Quantity : std::size_t {
-  median,
-  dispersion,
-  between,
-  within,
-  rate_by_law,
-  isotonic,
-  observed,
-  reported,
-  quantities
-};
+enum Quantity : std::size_t { median, dispersion, between, within, rate_by_law, isotonic, reported, quantities };
 
 struct Found {
   bool is_fitted = false, is_rejected = false;
@@ -88,7 +78,6 @@ Found measured(const ConstantSuite& suite, std::size_t number) {
     };
     if (estimate.source == rocking::RateSource::law) keep(rate_by_law);
     if (estimate.source == rocking::RateSource::isotonic) keep(isotonic);
-    if (estimate.source == rocking::RateSource::observed) keep(observed);
   }
   result.profile[reported] = holds(rate.chosen.interval, truth);
   result.values[reported] = rate.chosen.value / truth;

@@ -24,6 +24,14 @@ _Row = TypeVar("_Row")
 _MOST_ROWS = 60  # of a table in a notebook
 
 
+_GONE = {  # keys of former states, and what says more
+    "simple": "pooled, the law with the scatter between records",
+    "leave_one_out": "interval",
+    "jackknife": "interval",
+    "without": "share, of the rate",
+}
+
+
 def interface(thing: object) -> List[str]:
     """What dir() shows of an object: its interface alone."""
     return [name for name in object.__dir__(thing) if not name.startswith("_")]
@@ -42,7 +50,8 @@ class Fields:
         def __getattr__(self, name: str) -> Any:
             key = name.rstrip("_")
             if key not in self._keys:
-                raise AttributeError(f"{type(self).__name__} has no attribute {name!r}")
+                instead = f"; use {_GONE[key]}" if key in _GONE else ""
+                raise AttributeError(f"{type(self).__name__} has no attribute {name!r}{instead}")
             value = self.data.get(key)
             made = None if value is None else self._keys[key](value)
             self.__dict__[name] = made

@@ -23,6 +23,4 @@ struct CentredSuite {
 /// At the law of the whole suite, from which a search over a bootstrap sample starts. Absent where its records are steps.
 [[nodiscard]] std::optional<MixedProbitStart> start_at(const CentredSuite& suite, const SuiteLaw& law);
 
-[[nodiscard]] std::optional<PooledLaw> pooled_law(const CentredSuite& suite);
-
 }  // namespace rocking::stats

@@ -127,18 +127,6 @@ std::optional<MixedProbitStart> start_at(const CentredSuite& suite, const SuiteL
                             {b * (suite.centre - std::log(law.median)), b, std::max(0.1, law.between_records * b)});
 }
 
-std::optional<PooledLaw> pooled_law(const CentredSuite& suite) {
-  if (suite.is_unresolved) return std::nullopt;
-  const std::vector<ProbitCounts> counts = pooled_counts(suite.records);
-  if (counts.size() < 2 || shape_of(counts) != ProbitShape::has_maximum) return std::nullopt;
-  const ProbitLine line = most_likely_line(counts);
-  if (!(line.b > 1.0 / largest_suite_dispersion)) return std::nullopt;
-  return PooledLaw{.median = std::exp(suite.centre - line.a / line.b),
-                   .dispersion = 1.0 / line.b,
-                   .log_likelihood = probit_likelihood(counts, line.a, line.b).value,
-                   .deviance = probit_deviance(counts, line)};
-}
-
 double SuiteLaw::dispersion() const { return std::hypot(between_records, within_record); }
 
 double SuiteLaw::probability(double intensity) const { return normal_cdf(std::log(intensity / median) / dispersion()); }
@@ -150,7 +138,5 @@ SuiteFit fit_suite_near(const SuiteLevels& suite, const SuiteLaw& near) {
   const std::optional<MixedProbitStart> start = start_at(data, near);
   return fit_centred(data, start ? &*start : nullptr);
 }
-
-std::optional<PooledLaw> fit_pooled(const SuiteLevels& suite) { return pooled_law(centred(suite)); }
 
 }  // namespace rocking::stats

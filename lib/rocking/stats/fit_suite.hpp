@@ -51,7 +51,4 @@ struct SuiteFit {
 [[nodiscard]] Interval profile_interval(const SuiteLevels& suite, const SuiteLaw& law, SuiteQuantity quantity,
                                         double confidence);
 
-/// By maximum likelihood. Absent where the likelihood has no maximum or does not rise.
-[[nodiscard]] std::optional<PooledLaw> fit_pooled(const SuiteLevels& suite);
-
 }  // namespace rocking::stats

@@ -123,15 +123,6 @@ struct SuiteLaw {
 enum class SuiteQuantity : std::uint8_t { median, dispersion, between_records, within_record };
 [[nodiscard]] double value_of(SuiteQuantity quantity, const SuiteLaw& law);
 
-/// The pooled law of Baker (2015), Earthquake Spectra 31, 579-599: one probit for the trials of all records, which are
-/// counted as independent.
-struct PooledLaw {
-  double median = 1.0;
-  double dispersion = 0.0;
-  double log_likelihood = 0.0;
-  double deviance = 0.0;  ///< from a probability of its own at each intensity
-};
-
 /// Laws of bootstrap samples: each draws as many records as there are, with replacement, and keeps all trials of a
 /// record together. Valid whatever the dependence of trials of one record. Where levels have records of their own, it draws
 /// within each set of records with the same levels.
@@ -140,7 +131,6 @@ struct RecordBootstrap {
   std::size_t fewest = 0;                     ///< records of the smallest set within which it draws
   std::vector<SuiteLaw> laws;                 ///< of the samples that have one
   std::vector<std::size_t> samples_with_law;  ///< the sample of each of them
-  std::vector<PooledLaw> pooled;              ///< of the samples that have one
   std::vector<std::vector<double>> weights;   ///< of each sample: how many times each record is in it
   /// Of each sample shares of the records and, last, of a record that the suite does not have (suite_bootstrap.hpp).
   std::vector<std::vector<double>> with_unseen;

@@ -54,7 +54,6 @@ RecordBootstrap bootstrap_records(const SuiteLevels& suite, std::uint64_t sample
   const std::size_t records = data.records.size();
   const std::vector<std::vector<std::size_t>> exchangeable = exchangeable_records(suite);
   std::vector<std::optional<SuiteLaw>> laws(samples);
-  std::vector<std::optional<PooledLaw>> pooled(samples);
   std::vector<std::vector<double>> weights(samples), with_unseen(samples);
   base::for_each_part(how, samples, [&](std::size_t sample) {
     CentredSuite drawn = data;
@@ -66,19 +65,16 @@ RecordBootstrap bootstrap_records(const SuiteLevels& suite, std::uint64_t sample
     }
     for (const RecordCounts& record : drawn.records) weights[sample].push_back(record.weight);
     with_unseen[sample] = shares_with_unseen(records, sample, draws);
-    pooled[sample] = pooled_law(drawn);
     if (whole.law) laws[sample] = fit_centred(drawn, start ? &*start : nullptr).law;
   });
   RecordBootstrap found{.samples = samples,
                         .fewest = 0,
                         .laws = {},
                         .samples_with_law = {},
-                        .pooled = {},
                         .weights = std::move(weights),
                         .with_unseen = std::move(with_unseen)};
   if (!exchangeable.empty()) found.fewest = std::ranges::min(exchangeable, {}, &std::vector<std::size_t>::size).size();
   for (std::size_t sample = 0; sample < samples; ++sample) {
-    if (pooled[sample]) found.pooled.push_back(*pooled[sample]);
     if (!laws[sample]) continue;
     found.laws.push_back(*laws[sample]);
     found.samples_with_law.push_back(sample);

@@ -102,10 +102,8 @@ const StructType& fields_of(const AnnualRate*) {
 static const StructType& fields_of(const RateEstimate*) {
   static const StructType fields{
       "RateEstimate",
-      field<&RateEstimate::source>(
-          "from",
-          "`law`; `isotonic`, `observed`: mean shares of the records, made not to decrease, or as "
-          "they are, interpolated"),
+      field<&RateEstimate::source>("from",
+                                   "`law`; `isotonic`: mean shares of the records, made not to decrease, interpolated"),
       field<&RateEstimate::value>("value", "mean annual rate [1/year]", rule::not_negative),
       field<&RateEstimate::interval>(
           "interval",
@@ -122,11 +120,8 @@ static const StructType& fields_of(const RateOfRecord*) {
   static const StructType fields{
       "RateOfRecord",
       field<&Record::name>("name", "path of the ground motion, as in the experiment"),
-      field<&Record::rate>("rate", "by the shares of this record alone [1/year]; their mean is that of `observed`",
-                           rule::not_negative),
+      field<&Record::rate>("rate", "by the shares of this record alone [1/year]", rule::not_negative),
       field<&Record::share>("share", "of the sum over the records", rule::share),
-      field<&Record::without>("without", "the rate of the suite without this record [1/year]; null: that has no law",
-                              rule::not_negative),
   };
   return fields;
 }
@@ -136,24 +131,19 @@ const StructType& fields_of(const SuiteRate*) {
   static const StructType fields{
       "SuiteRate",
       inlined<&Rate::chosen>(),
-      field<&Rate::estimates>("estimates", "the rate in several ways"),
+      field<&Rate::estimates>("estimates", "the rate by the law, if there is one, and by isotonic shares"),
       field<&Rate::disagreement>(
-          "disagreement",
-          "largest over smallest of the rates by law, isotonic and observed shares, less 1; null: one is 0",
+          "disagreement", "larger over smaller of the rates by law and by isotonic shares, less 1; null: one is 0",
           rule::not_negative),
       field<&Rate::at_most>("at_most",
                             "the largest rate that the levels allow: below them the probability is their first share, "
                             "above them 1 [1/year]",
                             rule::not_negative),
-      field<&Rate::undecided_share>("undecided_share", "part of the observed rate that the levels leave open",
+      field<&Rate::undecided_share>("undecided_share", "part of the isotonic rate that the levels leave open",
                                     rule::not_negative),
       field<&Rate::add_levels>("add_levels", "intensities to add; empty: the rates agree and little is open",
                                Rule{.above = 0.0}),
       field<&Rate::by_record>("by_record", "disaggregation by record"),
-      field<&Rate::leave_one_out>("leave_one_out", "smallest and largest rate without one record; null: none",
-                                  rule::not_negative),
-      field<&Rate::jackknife>("jackknife", "interval of ln rate by leaving out one record at a time; null: none",
-                              rule::not_negative),
   };
   return fields;
 }

@@ -25,7 +25,7 @@ std::string_view impossible_source_in_words(RateSource source) {
   switch (source) {
     case RateSource::law: return "the law gives";
     case RateSource::levels: return "the interpolated levels give";
-    default: break;
+    case RateSource::isotonic: break;
   }
   return "the rejected law gives";
 }
@@ -48,7 +48,7 @@ std::string extrapolation_text(const AnnualRate& rate, const CurveSubject& subje
 std::string estimate_table(const SuiteRate& rate) {
   look::Table table{.title = "\nannual rate by the probabilities between the levels"};
   add_columns(table, {"rate by", "per year", "interval", "years"});
-  for (const RateEstimate& estimate : told_estimates(rate)) {
+  for (const RateEstimate& estimate : rate.estimates) {
     table.rows.push_back({source_in_words(estimate.source, rate), number(estimate.value, look::rate_form()),
                           look::interval(estimate.interval, look::rate_form()),
                           estimate.value > 0.0 ? years_in_words(1.0 / estimate.value) : look::Cell()});
@@ -69,21 +69,14 @@ std::string record_share_text(const SuiteRate& rate) {
   for (std::size_t i = 0; i < std::min(most_named, records.size()); ++i) {
     text += (i == 0 ? " " : ", ") + records[i]->name + ' ' + per_cent(records[i]->share) + " %";
   }
-  text += '\n';
-  if (rate.leave_one_out) {
-    text += "without one record the rate is between " + rate_text(rate.leave_one_out->low) + " and " +
-            rate_text(rate.leave_one_out->high);
-    if (rate.jackknife) text += "; jackknife interval " + plain_text(look::interval(rate.jackknife, look::rate_form()));
-    text += '\n';
-  }
-  return text;
+  return text + '\n';
 }
 
 std::string level_warnings(const SuiteRate& rate) {
   std::string text;
   if (!rate.do_estimates_agree()) {
-    text += "warning: of the rates by law, isotonic and observed shares " + disagreement_in_words(rate) +
-            "; add the levels " + added_levels_in_words(rate) + '\n';
+    text += "warning: of the rates by law and by isotonic shares " + disagreement_in_words(rate) + "; add the levels " +
+            added_levels_in_words(rate) + '\n';
   }
   if (!rate.is_decided()) {
     text += "warning: the levels leave " + undecided_in_words(rate) + " undecided; add " + added_levels_in_words(rate) +
@@ -95,9 +88,9 @@ std::string level_warnings(const SuiteRate& rate) {
 }  // namespace
 
 std::string disagreement_in_words(const SuiteRate& rate) {
-  if (!rate.disagreement) return "one is 0 and another is not";
-  if (*rate.disagreement <= 1.0) return "the largest is " + per_cent(*rate.disagreement) + " % above the smallest";
-  return "the largest is " + significant(1.0 + *rate.disagreement, 3) + " times the smallest";
+  if (!rate.disagreement) return "one is 0 and the other is not";
+  if (*rate.disagreement <= 1.0) return "the larger is " + per_cent(*rate.disagreement) + " % above the smaller";
+  return "the larger is " + significant(1.0 + *rate.disagreement, 3) + " times the smaller";
 }
 
 std::string undecided_in_words(const SuiteRate& rate) {
@@ -108,20 +101,10 @@ std::string undecided_in_words(const SuiteRate& rate) {
 std::string source_in_words(RateSource source) {
   switch (source) {
     case RateSource::law: return "law";
-    case RateSource::isotonic: return "isotonic shares";
-    default: break;
+    case RateSource::levels: return "levels";
+    case RateSource::isotonic: break;
   }
-  return "observed shares";
-}
-
-std::vector<RateEstimate> told_estimates(const SuiteRate& rate) {
-  std::vector<RateEstimate> told = rate.estimates;
-  const auto isotonic = std::ranges::find(told, RateSource::isotonic, &RateEstimate::source);
-  if (isotonic == told.end()) return told;
-  std::erase_if(told, [value = rate_text(isotonic->value)](const RateEstimate& estimate) {
-    return estimate.source == RateSource::observed && rate_text(estimate.value) == value;
-  });
-  return told;
+  return "isotonic shares";
 }
 
 std::string source_in_words(RateSource source, const SuiteRate& rate) {

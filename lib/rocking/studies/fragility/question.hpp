@@ -33,11 +33,10 @@ enum class RateSource : std::uint8_t {
   law,       ///< the fitted function
   levels,    ///< of one motion without a function: the levels, interpolated linearly in ln x
   isotonic,  ///< of a suite: the nearest means of shares that do not decrease, interpolated linearly in ln x
-  observed,  ///< of a suite: the means of shares, interpolated linearly in ln x
 };
 
 /// Their names, in their order.
-inline constexpr std::array<std::string_view, 4> rate_source_names{"law", "levels", "isotonic", "observed"};
+inline constexpr std::array<std::string_view, 3> rate_source_names{"law", "levels", "isotonic"};
 [[nodiscard]] constexpr std::string_view to_string(RateSource source) {
   return rate_source_names[static_cast<std::size_t>(source)];
 }
@@ -77,9 +76,8 @@ struct RateEstimate {
 /// What a record contributes to the rate of a suite.
 struct RateOfRecord {
   std::string name;
-  double rate = 0.0;              ///< by its own shares, interpolated; the mean over the records is `observed` [1/year]
-  double share = 0.0;             ///< of the sum over the records
-  std::optional<double> without;  ///< the rate of the suite without it [1/year]; absent where that has no law
+  double rate = 0.0;   ///< by its own shares, interpolated; the mean over the records is that by their means [1/year]
+  double share = 0.0;  ///< of the sum over the records
 };
 
 /// Shares of the rate, and differences of its estimates, that are not reported without a warning.
@@ -90,22 +88,20 @@ inline constexpr double most_frequent_event = 0.5;
 inline constexpr double most_undecided_share = 0.05;
 inline constexpr double most_disagreement = 0.15;
 
-/// Mean annual rate of a suite, in several ways, and what decides it. Below the least intensity that lifts the block the
-/// probability is 0 in each; above the levels `isotonic` and `observed` stay at the last one.
+/// Mean annual rate of a suite, by the law and by isotonic shares, and what decides it. Below the least intensity that
+/// lifts the block the probability is 0 in both; above the levels that by shares stays at the last one.
 struct SuiteRate {
   AnnualRate chosen;                    ///< by the RateBasis
-  std::vector<RateEstimate> estimates;  ///< by law (if there is one), isotonic, observed
-  /// Largest over smallest of law, isotonic and observed, less 1. Absent if the smallest is 0 and the largest is not.
+  std::vector<RateEstimate> estimates;  ///< by law (if there is one), isotonic
+  /// Larger over smaller of both, less 1; 0 without a law. Absent if the smaller is 0 and the larger is not.
   std::optional<double> disagreement;
   /// The largest rate that the levels allow: below them the probability is their first share, above them 1 [1/year].
   double at_most = 0.0;
-  /// Part of `observed` that the levels leave open: in the ranges outside them the difference between the bounds, in
+  /// Part of the isotonic rate that the levels leave open: in the ranges outside them the difference between the bounds, in
   /// those between them the difference between linear and probit interpolation.
   double undecided_share = 0.0;
   std::vector<double> add_levels;  ///< intensities that would settle it; empty if nothing is open and the rates agree
   std::vector<RateOfRecord> by_record;
-  std::optional<stats::Interval> leave_one_out;  ///< smallest and largest rate without one record
-  std::optional<stats::Interval> jackknife;      ///< of ln rate (Efron & Tibshirani 1993, chapter 11)
 
   [[nodiscard]] bool do_estimates_agree() const { return disagreement && *disagreement <= most_disagreement; }
   [[nodiscard]] bool is_decided() const { return undecided_share <= most_undecided_share; }

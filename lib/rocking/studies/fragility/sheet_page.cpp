@@ -219,7 +219,7 @@ std::string limits(const SheetContent& sheet) {
                              })) +
          paragraph(true, "Records: ", escaped(far_scaled(sheet.run.ground_motions).value_or(""))) +
          reading_warnings(sheet.run) +
-         paragraph(true, "The rates by law, isotonic and observed shares differ: ",
+         paragraph(true, "The rates by law and by isotonic shares differ: ",
                    by_option(sheet,
                              [](const ReportedSuite& suite) {
                                const SuiteRate& rate = *suite.rate;
@@ -237,7 +237,7 @@ std::string basis(const SheetContent& sheet) {
   const ReportedSuite& object = sheet.suites.front();
   const SuiteRate& rate = *object.rate;
   std::string ways;
-  for (const RateEstimate& estimate : told_estimates(rate)) {
+  for (const RateEstimate& estimate : rate.estimates) {
     ways += fmt::format("{}{} {}", ways.empty() ? "" : "; ", source_in_words(estimate.source, rate),
                         rate_text(estimate.value));
   }
@@ -246,10 +246,6 @@ std::string basis(const SheetContent& sheet) {
   if (object.curve.outcome == stats::FragilityOutcome::rejected) {
     text += fmt::format(" The lognormal law is rejected (p = {}); the isotonic shares take its place.",
                         significant(object.curve.test->p_value, 2));
-  }
-  if (rate.leave_one_out && rate.chosen.value > 0.0) {
-    text += fmt::format(" Without any one of the records: {} to {}.", rate_text(rate.leave_one_out->low),
-                        rate_text(rate.leave_one_out->high));
   }
   const auto most = std::ranges::max_element(rate.by_record, {}, &RateOfRecord::share);
   if (most != rate.by_record.end() && most->share > 0.0) {

@@ -19,13 +19,6 @@ struct SuiteEstimate {
   std::optional<stats::Interval> bootstrap;  ///< over records; absent where too many samples have no law
 };
 
-/// A parameter of the pooled law of Baker (2015), which counts all trials as independent: without an interval of that
-/// kind, which would be far too narrow.
-struct SimpleEstimate {
-  double value = 0.0;
-  std::optional<stats::Interval> bootstrap;
-};
-
 /// The law of a suite with its intervals.
 struct PooledSuite {
   SuiteEstimate median;
@@ -34,12 +27,6 @@ struct PooledSuite {
   double log_likelihood = 0.0;
 
   [[nodiscard]] stats::SuiteLaw law() const;
-};
-
-/// The pooled law of Baker (2015).
-struct SimpleLaw {
-  SimpleEstimate median, dispersion;
-  double deviance = 0.0;
 };
 
 /// All records together at one intensity.
@@ -76,12 +63,11 @@ struct SuiteCurve {
   stats::FragilityOutcome outcome = stats::FragilityOutcome::fitted;  ///< of the pooled law
   std::optional<PooledSuite> pooled;                                  ///< present if `fitted` or `rejected`
   std::optional<stats::LackOfFit> test;  ///< of the pooled law; absent without it or where too many samples have none
-  std::optional<SimpleLaw> simple;
-  std::vector<SuiteLevel> levels;       ///< by growing intensity
-  std::vector<RareLevel> rare;          ///< means over the records, whose own stand in their curves; likewise
-  std::vector<RecordCurve> records;     ///< in the order of the sweep
-  std::vector<RankedMeasure> measures;  ///< best first; empty where the motions have none
-  stats::RecordBootstrap bootstrap;     ///< of the records
+  std::vector<SuiteLevel> levels;        ///< by growing intensity
+  std::vector<RareLevel> rare;           ///< means over the records, whose own stand in their curves; likewise
+  std::vector<RecordCurve> records;      ///< in the order of the sweep
+  std::vector<RankedMeasure> measures;   ///< best first; empty where the motions have none
+  stats::RecordBootstrap bootstrap;      ///< of the records
 
   /// Of the level with the fewest, where levels have records of their own.
   [[nodiscard]] std::size_t records_in_sample() const { return bootstrap.fewest; }

@@ -19,16 +19,6 @@ static const StructType& fields_of(const SuiteEstimate*) {
   return fields;
 }
 
-static const StructType& fields_of(const SimpleEstimate*) {
-  static const StructType fields{
-      "SimpleEstimate",
-      field<&SimpleEstimate::value>("value", "estimate", rule::not_negative),
-      field<&SimpleEstimate::bootstrap>(
-          "bootstrap", "interval by bootstrap over records; null: too few samples with a law", rule::not_negative),
-  };
-  return fields;
-}
-
 namespace {
 
 const StructType& pooled_median_fields() {
@@ -82,16 +72,6 @@ static const StructType& fields_of(const PooledSuite*) {
       field<&Pooled::between_records>("between_records", "its part between records"),
       field<&Pooled::within_record>("within_record", "its part within a record"),
       field<&Pooled::log_likelihood>("log_likelihood", "without binomial coefficients"),
-  };
-  return fields;
-}
-
-static const StructType& fields_of(const SimpleLaw*) {
-  static const StructType fields{
-      "SimpleLaw",
-      field<&SimpleLaw::median>("median", "of the law"),
-      field<&SimpleLaw::dispersion>("dispersion", "standard deviation of the logarithm of the capacity"),
-      field<&SimpleLaw::deviance>("deviance", "from a probability of its own at each level", rule::not_negative),
   };
   return fields;
 }
@@ -150,7 +130,6 @@ static const StructType& fields_of(const SuiteCurve*) {
       field<&Curve::outcome>("outcome", "of the pooled law"),
       field<&Curve::pooled>("pooled", "law of the suite, also if it is `rejected`; null: none"),
       field<&Curve::test>("test", "of this law; null: none"),
-      field<&Curve::simple>("simple", "pooled law of Baker (2015), which counts all trials as independent; null: none"),
       field<&Curve::bootstrap>("bootstrap", "over records", bootstrap_fields()),
       field<&Curve::levels>("levels", "all records together, by increasing intensity"),
       field<&Curve::rare>(

@@ -60,20 +60,6 @@ void set_pooled(const stats::SuiteLevels& suite, std::uint64_t seed, const base:
                              .log_likelihood = fit.law->log_likelihood};
 }
 
-void set_simple(const stats::SuiteLevels& suite, SuiteCurve& curve) {
-  const auto law = stats::fit_pooled(suite);
-  if (!law) return;
-  std::vector<double> medians, dispersions;
-  for (const stats::PooledLaw& sample : curve.bootstrap.pooled) {
-    medians.push_back(sample.median);
-    dispersions.push_back(sample.dispersion);
-  }
-  curve.simple =
-      SimpleLaw{.median = {law->median, curve.interval_about(law->median, std::move(medians))},
-                .dispersion = {law->dispersion, curve.interval_about(law->dispersion, std::move(dispersions))},
-                .deviance = law->deviance};
-}
-
 std::vector<SuiteLevel> pooled_levels(const stats::SuiteLevels& suite, const SuiteCurve& curve) {
   std::map<double, SuiteLevel> levels;
   for (const auto& record : suite) {
@@ -187,7 +173,6 @@ SuiteCurve suite_curve(const StripeGroup& group, const ResponseEvent& event, std
   curve.subject = subject_of(group, event);
   const stats::SuiteLevels suite = levels_of_records(group.stripes, event);
   set_pooled(suite, seed, how, curve);
-  set_simple(suite, curve);
   curve.levels = pooled_levels(suite, curve);
   set_isotonic(suite, curve);
   if (curve.pooled) {

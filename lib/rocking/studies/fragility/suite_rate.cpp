@@ -69,9 +69,9 @@ class SuiteRates {
         pieces_(counted_.pieces()),
         rates_(counted_, shares_.intensities().size(), tail_) {}
 
-  /// By shares, of records with these weights.
-  [[nodiscard]] double rate_by(RateSource source, const std::vector<double>& weights) const {
-    return rates_.rate(counted_shares(source, shares_, weights));
+  /// By isotonic shares, of records with these weights.
+  [[nodiscard]] double rate_by_shares(const std::vector<double>& weights) const {
+    return rates_.rate(isotonic(shares_, weights));
   }
 
   /// Of bootstrap sample i, by the law or by isotonic shares, in which trials without an answer may have the event; absent
@@ -91,29 +91,24 @@ class SuiteRates {
   }
   /// By the law or by isotonic shares: the rate of the suite with its interval.
   [[nodiscard]] RateEstimate estimate_of(RateSource source) const {
-    return source == RateSource::law ? by_law() : by_shares(source);
+    return source == RateSource::law ? by_law() : by_shares();
   }
   /// Whether the shares of bootstrap samples give different rates.
   [[nodiscard]] bool scatters() const {
     if (curve_.bootstrap.weights.empty()) return false;
-    const auto rate = [this](const std::vector<double>& weights) { return rate_by(RateSource::isotonic, weights); };
-    const double first = rate(curve_.bootstrap.weights.front());
+    const double first = rate_by_shares(curve_.bootstrap.weights.front());
     return std::ranges::any_of(curve_.bootstrap.weights, [&](const auto& weights) {
-      return std::abs(rate(weights) - first) > rounding_of_rate * first;
+      return std::abs(rate_by_shares(weights) - first) > rounding_of_rate * first;
     });
   }
 
   [[nodiscard]] SuiteRate all(RateBasis basis) const {
     SuiteRate found;
     if (curve_.pooled) found.estimates.push_back(by_law());
-    for (const RateSource source : {RateSource::isotonic, RateSource::observed}) {
-      found.estimates.push_back(by_shares(source));
-    }
+    found.estimates.push_back(by_shares());
     const bool is_by_law = source_of(basis, curve_) == RateSource::law;
-    found.chosen =
-        is_by_law ? disaggregated(counted_, by_law_of(curve_.pooled->law(), equal_weights()))
-                  : disaggregated(counted_,
-                                  rates_.probability(counted_shares(RateSource::isotonic, shares_, equal_weights())));
+    found.chosen = is_by_law ? disaggregated(counted_, by_law_of(curve_.pooled->law(), equal_weights()))
+                             : disaggregated(counted_, rates_.probability(isotonic(shares_, equal_weights())));
     found.chosen.source = is_by_law ? RateSource::law : RateSource::isotonic;
     found.chosen.rare_below = tail_.reach();
     found.chosen.rare_use = tail_.use;
@@ -122,7 +117,7 @@ class SuiteRates {
       if (estimate.source == found.chosen.source) found.chosen.interval = estimate.interval;
     }
     set_disagreement(found);
-    set_records(is_by_law, found);
+    set_records(found);
     set_undecided(found);
     found.at_most = is_by_law ? most_by_law() : allowed(equal_weights()).high();
     return found;
@@ -141,10 +136,6 @@ class SuiteRates {
                                                       const std::vector<double>& weights) const {
     return {tail_.y, tail_.means(weights), capacity_of(law)};
   }
-  /// Of the observed shares.
-  [[nodiscard]] std::vector<double> observed() const {
-    return counted_shares(RateSource::observed, shares_, equal_weights());
-  }
 
   [[nodiscard]] double impossible() const {
     return rate_of(by_law_of(curve_.pooled->law(), equal_weights()),
@@ -162,21 +153,17 @@ class SuiteRates {
   /// The largest rate that the levels allow of a probability that is the law's between them.
   [[nodiscard]] double most_by_law() const {
     const auto law = by_law_of(curve_.pooled->law(), equal_weights());
-    return rates_
-        .allowed_outside(law, rate_of(law, pieces_), counted_shares(RateSource::isotonic, shares_, equal_weights()))
-        .high;
+    return rates_.allowed_outside(law, rate_of(law, pieces_), isotonic(shares_, equal_weights())).high;
   }
 
-  /// Of records with these weights, at the levels that count: isotonic, or the means.
-  [[nodiscard]] std::vector<double> counted_shares(RateSource source, const stats::RecordShares& of,
-                                                   const std::vector<double>& weights) const {
-    const bool is_isotonic = source == RateSource::isotonic;
-    return rates_.counted_of(is_isotonic ? of.isotonic(weights) : of.mean(weights), tail_.means(weights));
+  /// Isotonic shares of records with these weights, at the levels that count.
+  [[nodiscard]] std::vector<double> isotonic(const stats::RecordShares& of, const std::vector<double>& weights) const {
+    return rates_.counted_of(of.isotonic(weights), tail_.means(weights));
   }
   /// By isotonic shares of records with these weights; trials without an answer have the event at most.
   [[nodiscard]] AllowedRate allowed(const std::vector<double>& weights) const {
     const auto of = [&](const stats::RecordShares& shares) {
-      return rates_.allowed(counted_shares(RateSource::isotonic, shares, weights), half_trial());
+      return rates_.allowed(isotonic(shares, weights), half_trial());
     };
     AllowedRate found = of(shares_);
     const AllowedRate most = of(most_shares_);
@@ -189,30 +176,29 @@ class SuiteRates {
     return rates_.counted_of(of.of_record(record), tail_.of_records[record]);
   }
 
-  [[nodiscard]] RateEstimate by_shares(RateSource source) const {
+  [[nodiscard]] RateEstimate by_shares() const {
     std::vector<std::vector<double>> of_records;
     for (std::size_t r = 0; r < suite_.size(); ++r) of_records.push_back(counted_of_record(most_shares_, r));
     const std::vector<double> worst = rates_.worst_unseen(of_records);
-    auto interval = interval_with_unseen(source, worst);
+    auto interval = interval_with_unseen(worst);
     // Records that are all alike say nothing of how much another one may differ.
     if (interval && interval->high - interval->low <= rounding_of_rate * interval->high) {
-      interval = interval_with_unseen(source, std::vector<double>(worst.size(), 1.0));
+      interval = interval_with_unseen(std::vector<double>(worst.size(), 1.0));
     }
-    return {source, rate_by(source, equal_weights()), interval};
+    return {RateSource::isotonic, rate_by_shares(equal_weights()), interval};
   }
 
   /// From the least rate that the levels allow, with an unseen record that never overturns, to the largest one, with one
   /// that does so as in `worst`. Trials without an answer have the event at the upper end.
-  [[nodiscard]] std::optional<stats::Interval> interval_with_unseen(RateSource source,
-                                                                    const std::vector<double>& worst) const {
+  [[nodiscard]] std::optional<stats::Interval> interval_with_unseen(const std::vector<double>& worst) const {
     const std::vector<double> best(worst.size(), 0.0);
     std::vector<double> lows, highs;
     for (std::vector<double> weights : curve_.bootstrap.with_unseen) {
       const double unseen = weights.back();
       weights.pop_back();
       std::vector<double> parts = shares_of_unseen(weights, unseen);
-      const auto low = stats::mean_with_unseen(counted_shares(source, shares_, weights), parts, best);
-      const auto high = stats::mean_with_unseen(counted_shares(source, most_shares_, weights), parts, worst);
+      const auto low = stats::mean_with_unseen(isotonic(shares_, weights), parts, best);
+      const auto high = stats::mean_with_unseen(isotonic(most_shares_, weights), parts, worst);
       lows.push_back(rates_.least_allowed(low));
       highs.push_back(rates_.most_allowed(high));
     }
@@ -242,24 +228,12 @@ class SuiteRates {
     if (most == 0.0) found.disagreement = 0.0;
   }
 
-  /// The chosen rate of the suite without one record.
-  [[nodiscard]] std::optional<double> without(std::size_t record, bool is_by_law) const {
-    if (suite_.size() < 2) return std::nullopt;
-    std::vector<double> weights = equal_weights();
-    weights[record] = 0.0;
-    if (!is_by_law) return rate_by(RateSource::isotonic, weights);
-    stats::SuiteLevels others = suite_;
-    others.erase(others.begin() + static_cast<std::ptrdiff_t>(record));
-    const auto law = stats::fit_suite_near(others, curve_.pooled->law()).law;
-    return law ? std::optional(rate_of(by_law_of(*law, weights), pieces_)) : std::nullopt;
-  }
-
-  /// The mean over the records is the observed rate. A range of the tail is shared out by the mean of the shares that a
+  /// The mean over the records is the rate of their mean shares. A range of the tail is shared out by the mean of the shares that a
   /// record has in the probabilities at its two ends.
   [[nodiscard]] double rate_of_record(std::size_t record) const {
     const std::vector<double> own = counted_of_record(shares_, record);
     if (tail_.estimates.empty()) return rates_.rate(own);
-    const std::vector<double> means = observed();
+    const std::vector<double> means = rates_.counted_of(shares_.mean(equal_weights()), tail_.means(equal_weights()));
     const auto of_all = rates_.probability(means);
     double rate = rate_of(rates_.probability(own), pieces_within(pieces_, tail_.y.back(), HUGE_VAL));
     for (std::size_t i = 0; i + 1 < tail_.y.size(); ++i) {
@@ -270,61 +244,39 @@ class SuiteRates {
     return rate;
   }
 
-  void set_records(bool is_by_law, SuiteRate& found) const {
+  void set_records(SuiteRate& found) const {
     double sum = 0.0;
     for (std::size_t r = 0; r < suite_.size(); ++r) {
-      found.by_record.push_back(
-          {.name = curve_.records[r].name, .rate = rate_of_record(r), .without = without(r, is_by_law)});
+      found.by_record.push_back({.name = curve_.records[r].name, .rate = rate_of_record(r)});
       sum += found.by_record.back().rate;
     }
     for (RateOfRecord& record : found.by_record) record.share = sum > 0.0 ? record.rate / sum : 0.0;
-    set_leave_one_out(found);
-  }
-
-  void set_leave_one_out(SuiteRate& found) const {
-    std::vector<double> rates;
-    for (const RateOfRecord& record : found.by_record) {
-      if (record.without) rates.push_back(*record.without);
-    }
-    if (rates.size() < 2 || rates.size() < found.by_record.size()) return;
-    const auto [least, most] = std::ranges::minmax(rates);
-    found.leave_one_out = stats::Interval{.low = least, .high = most};
-    if (!(least > 0.0) || !(found.chosen.value > 0.0)) return;
-    double mean = 0.0, squares = 0.0;
-    const auto count = static_cast<double>(rates.size());
-    for (const double rate : rates) mean += std::log(rate) / count;
-    for (const double rate : rates) squares += (std::log(rate) - mean) * (std::log(rate) - mean);
-    const double error = std::sqrt((count - 1.0) / count * squares);
-    if (error <= rounding_of_rate) return;  // equal rates say nothing of their scatter
-    const double factor = std::exp(stats::two_sided_t_quantile(curve_.subject.confidence, count - 1.0) * error);
-    found.jackknife = stats::Interval{.low = found.chosen.value / factor, .high = found.chosen.value * factor};
   }
 
   void set_undecided(SuiteRate& found) const {
-    const std::vector<double> means = observed();
-    const std::vector<LevelShare> levels = rates_.levels(means, half_trial());
-    const double rate = rates_.rate(means);
+    const std::vector<double> shares = isotonic(shares_, equal_weights());
+    const std::vector<LevelShare> levels = rates_.levels(shares, half_trial());
+    const double rate = rates_.rate(shares);
     double open = 0.0;
     for (const UndecidedRange& range : undecided_ranges(levels, counted_.hazard, counted_.start)) open += range.rate;
-    open +=
-        rates_.rate(counted_shares(RateSource::observed, most_shares_, equal_weights())) - rate;  // without an answer
+    open += rates_.rate(isotonic(most_shares_, equal_weights())) - rate;  // without an answer
     found.undecided_share = rate > 0.0 ? open / rate : (open > 0.0 ? 1.0 : 0.0);
-    const auto between = rates_.probability(means);
+    const auto between = rates_.probability(shares);
     found.add_levels =
         levels_to_add(levels, counted_.hazard, counted_.start, most_undecided_share * rate, [&](double intensity) {
           if (curve_.pooled) {
             return by_law_of(curve_.pooled->law(), equal_weights()).probability(std::log(intensity));
           }
-          return intensity > levels.back().intensity ? 0.5 * (1.0 + means.back())
+          return intensity > levels.back().intensity ? 0.5 * (1.0 + shares.back())
                                                      : between.probability(std::log(intensity));
         });
     if (!found.do_estimates_agree() && found.add_levels.empty())
       found.add_levels.push_back(where_law_differs_most(found));
   }
 
-  /// Inside the range whose rates by the law and by the observed shares differ most.
+  /// Inside the range whose rates by the law and by the isotonic shares differ most.
   [[nodiscard]] double where_law_differs_most(const SuiteRate& found) const {
-    const auto of_shares = rates_.probability(observed());
+    const auto of_shares = rates_.probability(isotonic(shares_, equal_weights()));
     double most = -1.0, at = counted_.start;
     for (const RateInRange& range : found.chosen.by_level) {
       const std::vector<HazardPiece> pieces = pieces_between(counted_.hazard, range.from, range.to);

@@ -27,10 +27,6 @@ std::string_view words_for_suite(stats::FragilityOutcome outcome) {
   return "this requires two records and two intensities";
 }
 
-std::string bootstrap_text(const std::optional<stats::Interval>& interval) {
-  return interval ? interval_in_words(*interval) : ".";
-}
-
 std::string law_table(const SuiteCurve& curve) {
   if (!curve.pooled) return "no law is fitted: " + std::string(words_for_suite(curve.outcome)) + '\n';
   const PooledSuite& pooled = *curve.pooled;
@@ -52,12 +48,6 @@ std::string law_table(const SuiteCurve& curve) {
     text += "the outcomes of every record are a step: its realisations show no scatter at these levels\n";
   }
   return text;
-}
-
-std::string simple_text(const SimpleLaw& simple) {
-  return "pooled law without records (Baker 2015): median " + significant(simple.median.value, 3) + ' ' +
-         bootstrap_text(simple.median.bootstrap) + ", dispersion " + significant(simple.dispersion.value, 3) + ' ' +
-         bootstrap_text(simple.dispersion.bootstrap) + '\n';
 }
 
 std::string level_table_of(const SuiteCurve& curve) {
@@ -105,7 +95,6 @@ std::string measure_table(const std::vector<RankedMeasure>& measures) {
 
 std::string suite_table(const SuiteCurve& curve, RecordTable records, Extent extent) {
   std::string text = law_table(curve);
-  if (curve.simple) text += simple_text(*curve.simple);
   text += level_table_of(curve) + rare_table(curve.rare, curve.subject.parameter);
   if (records == RecordTable::shown) text += record_table(curve);
   if (curve.measures.empty()) return text;

@@ -95,12 +95,10 @@ void add_unresolved(const Levels& levels, std::size_t step, look::Table& table) 
 /// What gives the probabilities of a rate: `law`, `isotonic shares`.
 [[nodiscard]] std::string source_in_words(RateSource source);
 
-/// The ways of a rate that are told: without that by the observed shares where it is written as that by the isotonic ones.
-[[nodiscard]] std::vector<RateEstimate> told_estimates(const SuiteRate& rate);
 /// The same of an estimate: `rejected law` where the rate is not by the law.
 [[nodiscard]] std::string source_in_words(RateSource source, const SuiteRate& rate);
 
-/// By how much the rates of a suite differ: `the largest is 22.0 % above the smallest`, `the largest is 4.2 times ..`.
+/// By how much the rates of a suite differ: `the larger is 22.0 % above the smaller`, `the larger is 4.2 times ..`.
 [[nodiscard]] std::string disagreement_in_words(const SuiteRate& rate);
 /// `12.3 % of the rate`, or `more than the whole rate`: what its levels leave undecided.
 [[nodiscard]] std::string undecided_in_words(const SuiteRate& rate);

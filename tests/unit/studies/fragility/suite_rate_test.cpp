@@ -34,16 +34,16 @@ TEST(SuiteRate, IsGivenByTheLawAndByShares) {
   EXPECT_NEAR(estimate(rate, RateSource::law), by_law, 1e-6 * by_law);
   EXPECT_NEAR(rate.chosen.value, by_law, 1e-6 * by_law);
   const std::vector<double> shares = shares_of();
-  const double observed = midpoint_rate([&](double x) { return interpolated(shares, x); });
-  EXPECT_NEAR(estimate(rate, RateSource::observed), observed, 1e-6 * observed);
   // The means rise, so that the isotonic ones are the same.
-  EXPECT_NEAR(estimate(rate, RateSource::isotonic), observed, 1e-6 * observed);
+  const double by_shares = midpoint_rate([&](double x) { return interpolated(shares, x); });
+  EXPECT_NEAR(estimate(rate, RateSource::isotonic), by_shares, 1e-6 * by_shares);
+  EXPECT_EQ(rate.estimates.size(), 2U);
   for (const RateEstimate& each : rate.estimates) {
     ASSERT_TRUE(each.interval);
     EXPECT_LT(each.interval->low, each.value);
     EXPECT_GT(each.interval->high, each.value);
   }
-  EXPECT_NEAR(*rate.disagreement, std::max(by_law, observed) / std::min(by_law, observed) - 1.0, 1e-5);
+  EXPECT_NEAR(*rate.disagreement, std::max(by_law, by_shares) / std::min(by_law, by_shares) - 1.0, 1e-5);
 }
 
 TEST(SuiteRate, OfAHazardCurveThatEndsBelowUpliftIsNotSaidToBeThatOfTheLevels) {
@@ -137,25 +137,8 @@ TEST(SuiteRate, IsSharedOutAmongTheRecords) {
     sum += rate.by_record[r].rate;
     shares += rate.by_record[r].share;
   }
-  EXPECT_NEAR(sum / 6.0, estimate(rate, RateSource::observed), 1e-12 * sum);
+  EXPECT_NEAR(sum / 6.0, estimate(rate, RateSource::isotonic), 1e-12 * sum) << "the means rise";
   EXPECT_NEAR(shares, 1.0, 1e-12);
-}
-
-TEST(SuiteRate, WithoutARecordIsThatOfTheSmallerSuite) {
-  const SuiteRate rate = annual_rate(whole_curve(), hazard());
-  double least = INFINITY, most = 0.0;
-  for (std::size_t r = 0; r < outcomes.size(); ++r) {
-    auto others = outcomes;
-    others.erase(others.begin() + static_cast<std::ptrdiff_t>(r));
-    const double expected = estimate(annual_rate(suite_curve(group_of(others), {}, 1), hazard()), RateSource::law);
-    EXPECT_NEAR(rate.by_record[r].without.value(), expected, 1e-5 * expected) << r;
-    least = std::min(least, expected);
-    most = std::max(most, expected);
-  }
-  EXPECT_NEAR(rate.leave_one_out->low, least, 1e-5 * least);
-  EXPECT_NEAR(rate.leave_one_out->high, most, 1e-5 * most);
-  EXPECT_LT(rate.jackknife->low, rate.chosen.value);
-  EXPECT_GT(rate.jackknife->high, rate.leave_one_out->high);
 }
 
 TEST(SuiteRate, OfARejectedLawIsThatOfTheIsotonicShares) {
@@ -200,11 +183,8 @@ TEST(SuiteRate, ByIsotonicSharesContainsItsBounds) {
     while (k < intensities.size() && intensities[k] < x) ++k;
     return k == intensities.size() ? 1.0 : shares[k];
   });
-  for (const RateEstimate& each : rate.estimates) {
-    if (each.source == RateSource::law) continue;
-    EXPECT_LT(each.interval->low, at_least);
-    EXPECT_GT(each.interval->high, at_most);
-  }
+  EXPECT_LT(rate.estimates.back().interval->low, at_least);
+  EXPECT_GT(rate.estimates.back().interval->high, at_most);
 }
 
 TEST(Undecided, OfRangesOutsideTheLevelsIsTheirBounds) {
@@ -316,13 +296,11 @@ TEST(SuiteRate, IsNotKnownToBeZeroWhereRecordsAreAllAlike) {
   const double most = stats::percentile_interval(unseen, unseen.size(), 0.95)->high;
   EXPECT_NEAR(most, 1.0 - std::pow(0.025, 0.1), 0.08);  // Clopper-Pearson's of 0 of 10, by 499 samples: 4 errors
   const SuiteRate rate = annual_rate(found, weak);
-  for (const RateSource source : {RateSource::isotonic, RateSource::observed}) {
-    const auto each = std::ranges::find(rate.estimates, source, &RateEstimate::source);
-    EXPECT_EQ(each->value, 0.0);
-    ASSERT_TRUE(each->interval);
-    EXPECT_EQ(each->interval->low, 0.0);
-    EXPECT_NEAR(each->interval->high, 1e-2 * most, 1e-14) << to_string(source);
-  }
+  const RateEstimate& by_shares = rate.estimates.back();
+  EXPECT_EQ(by_shares.value, 0.0);
+  ASSERT_TRUE(by_shares.interval);
+  EXPECT_EQ(by_shares.interval->low, 0.0);
+  EXPECT_NEAR(by_shares.interval->high, 1e-2 * most, 1e-14);
 }
 
 // Of each record one more trial may have overturned at 0.6.
@@ -344,9 +322,7 @@ TEST(SuiteRate, CoversBothOutcomesOfRealisationsWithoutAnAnswer) {
   const SuiteRate least = annual_rate(whole_curve(), hazard());
   const SuiteRate most = annual_rate(suite_curve(more, {}, 1), hazard());
   EXPECT_EQ(open.chosen.source, RateSource::isotonic);
-  const auto interval_of = [](const SuiteRate& rate) {
-    return rate.estimates[rate.estimates.size() - 2].interval.value();
-  };
+  const auto interval_of = [](const SuiteRate& rate) { return rate.estimates.back().interval.value(); };
   EXPECT_EQ(open.chosen.interval->low, interval_of(least).low);
   EXPECT_EQ(open.chosen.interval->high, interval_of(most).high);
   EXPECT_GT(open.chosen.interval->high, interval_of(least).high);
@@ -366,11 +342,8 @@ TEST(SuiteRate, HasAnIntervalThatHoldsWhatTheLevelsLeaveUndecided) {
   const double above = hazard_at(0.4);
   double share = 0.0;
   for (const double each : {2.0, 6.0, 9.0, 0.0, 3.0, 5.0}) share += each / 60.0;
-  for (const RateEstimate& each : part.estimates) {
-    if (each.source == RateSource::law) continue;
-    EXPECT_GT(each.interval->high, above) << to_string(each.source) << ": 1 above the last level is possible";
-    EXPECT_LT(each.interval->low, share * above + 1e-6) << to_string(each.source);
-  }
+  EXPECT_GT(part.estimates.back().interval->high, above) << "1 above the last level is possible";
+  EXPECT_LT(part.estimates.back().interval->low, share * above + 1e-6);
   EXPECT_GT(part.at_most, above);
   EXPECT_GE(whole.chosen.value, part.chosen.interval->low);
   EXPECT_LE(whole.chosen.value, part.chosen.interval->high);
@@ -395,16 +368,6 @@ TEST(RateComparison, HasTheBasisOfTheRates) {
   const RateComparison by_shares = compared_rates(whole_curve(), other, hazard());
   EXPECT_EQ(by_shares.source, RateSource::isotonic);
   EXPECT_NEAR(*by_shares.ratio, ratio(RateBasis::isotonic), 1e-12);
-}
-
-TEST(SuiteRate, IsToldByObservedSharesWhereTheyAreWrittenOtherwiseThanTheIsotonicOnes) {
-  SuiteRate rate = annual_rate(whole_curve(), hazard());
-  EXPECT_EQ(rate.estimates.size(), 3U);
-  EXPECT_EQ(told_estimates(rate).size(), 2U) << "the means rise";
-  for (RateEstimate& each : rate.estimates) {
-    if (each.source == RateSource::observed) each.value *= 1.1;
-  }
-  EXPECT_EQ(told_estimates(rate).size(), 3U);
 }
 
 // An option that never overturned is not known to have the rate 0.

@@ -102,7 +102,7 @@ def measured(variation):
         scene = {key: value for key, value in scene.items() if value is not None}
         motions = rocking.motion([str(path) for path in sorted(folder.glob("*.at2"))], series=False).motions
         run = rocking.run(scene, threads=1)
-        curves = rocking.fragility(run, peak_tilt=[ROCKS], threads=1).curves
+        curves = rocking.fragility(run, event=["overturning", f"tilt > {ROCKS} psi"], threads=1).curves
     ratios = sorted(float(each.pgv_m_s / (9.81 * each.pga_g)) for each in motions)
     durations = sorted(float(each.significant_duration_s) for each in motions)
     falls, rocks = ([curve for curve in curves if (curve.event == "overturned") == is_fall] for is_fall in (True, False))

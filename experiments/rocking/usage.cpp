@@ -96,8 +96,9 @@ std::optional<std::string> explain_unknown_word(const CLI::App& app, const std::
 
 std::optional<std::string> explain_gone_flag(const std::vector<std::string>& words) {
   constexpr std::string_view grid = "sweep the second number, too: a grid has a diagram for each of its values";
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 5> gone{
-      {{"--metadata", "measures of intensity are compared by their dispersion and AIC, without it"},
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 6> gone{
+      {{"--peak-tilt", "it is --event 'tilt > A psi', of fragility beside overturning 'overturning,tilt > A psi'"},
+       {"--metadata", "measures of intensity are compared by their dispersion and AIC, without it"},
        {"--second-parameter", grid},
        {"--second-from", grid},
        {"--second-to", grid},

@@ -150,7 +150,7 @@ TEST_F(Kills, OfAStudyLeaveNoLock) {
   for (const std::string& study :
        {std::string("orbits sure.json -q --periods 1 --no-branches -o out"),
         std::string("bifurcation quick.json -q -o out"),
-        std::string("rare quick.json -q --particles 20 --peak-tilt 0.1 --relative-error 1 -o out"),
+        std::string("rare quick.json -q --particles 20 --event 'tilt > 0.1 psi' --relative-error 1 -o out"),
         std::string("cost quick.json -q --sample 1 --tolerances 1e-6,1e-8,1e-10 -o out")}) {
     for (int call = 1;; ++call) {
       ASSERT_EQ(shell("rm -rf out; cp -r base out").exit_code, 0);

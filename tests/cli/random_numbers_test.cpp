@@ -56,7 +56,7 @@ TEST_F(RandomNumbers, OfEveryLawGoFromTheFileToThePage) {
 
 TEST_F(RandomNumbers, OfEveryLawCanBeSplit) {
   write("laws.json", with_every_law().dump());
-  const auto found = rocking("rare laws.json -q -o rare --peak-tilt 0.5 --particles 40 --relative-error 0.5");
+  const auto found = rocking("rare laws.json -q -o rare --event 'tilt > 0.5 psi' --particles 40 --relative-error 0.5");
   EXPECT_EQ(found.exit_code, 0) << found.errors;
 }
 

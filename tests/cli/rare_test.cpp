@@ -29,7 +29,7 @@ class Rare : public rocking::support::ProgramTest {
   }
 
   /// Options with which it is quick.
-  static constexpr const char* quickly = " --particles 40 --relative-error 1 --peak-tilt 0.5 --no-progress ";
+  static constexpr const char* quickly = " --particles 40 --relative-error 1 --event 'tilt > 0.5 psi' --no-progress ";
 
   /// Two records, of which the second is the stronger one.
   [[nodiscard]] Json suite_experiment() {
@@ -81,10 +81,11 @@ TEST_F(Rare, HasTheSameBytesOnAnyNumberOfThreadsAndAsJson) {
 }
 
 TEST_F(Rare, GoesOnFromWhatAnEarlierCallHasFinished) {
-  ASSERT_EQ(rocking("rare quick.json -q -o all --particles 40 --relative-error 0.2 --peak-tilt 0.5").exit_code, 0);
+  ASSERT_EQ(rocking("rare quick.json -q -o all --particles 40 --relative-error 0.2 --event 'tilt > 0.5 psi'").exit_code,
+            0);
   ASSERT_EQ(rocking(std::string("rare quick.json -q -o part") + quickly).exit_code, 0);
   ASSERT_NE(read("part/rare.json"), read("all/rare.json"));
-  const std::string more = " --particles 40 --relative-error 0.2 --peak-tilt 0.5 --resume";
+  const std::string more = " --particles 40 --relative-error 0.2 --event 'tilt > 0.5 psi' --resume";
   const auto outcome = rocking("rare quick.json -q -o part" + more);
   EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
   EXPECT_EQ(read("part/rare.json"), read("all/rare.json"));
@@ -100,7 +101,7 @@ TEST_F(Rare, GoesOnFromWhatAnEarlierCallHasFinished) {
 
 // Each is killed when it has written its first repetitions; a file with fewer is never put in place of one with more.
 TEST_F(Rare, LosesToAKillOnlyItsLastSeconds) {
-  const std::string options = " -q -j 1 --particles 40 --peak-tilt 0.5 --relative-error ";
+  const std::string options = " -q -j 1 --particles 40 --event 'tilt > 0.5 psi' --relative-error ";
   ASSERT_EQ(rocking("rare quick.json -o all" + options + "0.05").exit_code, 0);
   const auto repetitions = [&] {
     std::size_t count = 0;
@@ -127,7 +128,8 @@ TEST_F(Rare, LosesToAKillOnlyItsLastSeconds) {
 
 // A stop before a condition is reached again keeps what it had.
 TEST_F(Rare, KeepsEarlierRepetitionsOfConditionsThatItDoesNotReach) {
-  const std::string options = "rare quick.json -o out -q -j 1 --particles 200 --peak-tilt 0.6 --relative-error ";
+  const std::string options =
+      "rare quick.json -o out -q -j 1 --particles 200 --event 'tilt > 0.6 psi' --relative-error ";
   ASSERT_EQ(rocking(options + "0.5").exit_code, 0);
   const Json first = Json::parse(read("out/rare.json"))["conditions"];
   ASSERT_EQ(rocking(options + "0.001 --resume --max-time 0.001s").exit_code, 0);
@@ -142,7 +144,7 @@ TEST_F(Rare, KeepsEarlierRepetitionsOfConditionsThatItDoesNotReach) {
 
 TEST_F(Rare, HasOneProbabilityForASuiteOfRecords) {
   write("suite.json", suite_experiment().dump());
-  const auto outcome = rocking("rare suite.json -o out --particles 100 --relative-error 1 --peak-tilt 0.3");
+  const auto outcome = rocking("rare suite.json -o out --particles 100 --relative-error 1 --event 'tilt > 0.3 psi'");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
   EXPECT_THAT(outcome.output, HasSubstr("Under one of the records of the suite"));
   EXPECT_EQ(objections("rare", read("out/rare.json")), "");
@@ -199,7 +201,7 @@ TEST_F(Rare, IsNotUsedWithAChangedDigit) {
   ASSERT_EQ(rocking("run strong.json -o run -q --no-page").exit_code, 0);
   ASSERT_EQ(rocking(std::string("rare quick.json -q -o out") + quickly).exit_code, 0);
   const Json json = Json::parse(read("out/rare.json"));
-  const std::string ask = "fragility run --hazard hazard.csv --peak-tilt 0.5 --rare out";
+  const std::string ask = "fragility run --hazard hazard.csv --event 'overturning,tilt > 0.5 psi' --rare out";
   ASSERT_EQ(rocking(ask).exit_code, 0);
   for (const char* pointer :
        {"/conditions/0/probability", "/conditions/1/interval/0", "/conditions/0/relative_error", "/digest",
@@ -218,7 +220,7 @@ TEST_F(Rare, IsNotUsedWithAChangedDigit) {
 
 // At the amplitude 4.2 the tilt exceeds 1e-6 in every realisation.
 TEST_F(Rare, IsNotCertainOfAnEventThatAlwaysHappens) {
-  const auto outcome = rocking("rare quick.json -q -o out --particles 40 --relative-error 1 --peak-tilt 1e-6");
+  const auto outcome = rocking("rare quick.json -q -o out --particles 40 --relative-error 1 --event 'tilt > 1e-6 psi'");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
   EXPECT_EQ(objections("rare", read("out/rare.json")), "");
   const Json sure = Json::parse(read("out/rare.json"))["conditions"][0];
@@ -255,7 +257,7 @@ TEST_F(Rare, IsTheLowerTailOfAnAnnualRate) {
   ASSERT_EQ(rocking("run strong.json -o run -q --no-page").exit_code, 0);
   ASSERT_EQ(rocking(std::string("rare quick.json -q -o tail") + quickly).exit_code, 0);
   const std::string ask = "fragility run --hazard hazard.csv --rare ";
-  const auto outcome = rocking(ask + "tail --peak-tilt 0.5 --json");
+  const auto outcome = rocking(ask + "tail --event 'overturning,tilt > 0.5 psi' --json");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
   EXPECT_EQ(objections("fragility", outcome.output), "");
   const Json json = Json::parse(outcome.output);
@@ -266,14 +268,14 @@ TEST_F(Rare, IsTheLowerTailOfAnAnnualRate) {
   EXPECT_EQ(curve["rare"][1]["probability"], rare[1]["probability"]);
   EXPECT_EQ(curve["annual_rate"]["rare_below"], 9.0) << "the lowest level with ten events";
   EXPECT_FALSE(json["curves"][0].contains("rare")) << "another event";
-  EXPECT_THAT(rocking(ask + "tail/rare.json --peak-tilt 0.5").output, HasSubstr("rare estimates"));
+  EXPECT_THAT(rocking(ask + "tail/rare.json --event 'overturning,tilt > 0.5 psi'").output, HasSubstr("rare estimates"));
   EXPECT_THAT(rocking(ask + "tail").errors, HasSubstr("no estimate of an event"));
   EXPECT_EQ(rocking(ask + "nowhere").exit_code, 66);
   Json other = Json::parse(read("quick.json"));
   other["block"]["width_m"] = 1.1;
   write("other.json", other.dump());
   ASSERT_EQ(rocking(std::string("rare other.json -q -o other") + quickly).exit_code, 0);
-  EXPECT_THAT(rocking(ask + "other --peak-tilt 0.5").errors, HasSubstr("same block"));
+  EXPECT_THAT(rocking(ask + "other --event 'overturning,tilt > 0.5 psi'").errors, HasSubstr("same block"));
 }
 
 // A curve through both would be as steep as it likes there.
@@ -286,7 +288,8 @@ TEST_F(Rare, IsNotTheTailOfARateWhereAProbabilityIsEstimatedTwice) {
     twice["sweep"].push_back({{"parameter", key}, {"values", values}});
     write("twice.json", twice.dump());
     ASSERT_EQ(rocking(std::string("rare twice.json -q -o twice --overwrite") + quickly).exit_code, 0);
-    const auto outcome = rocking("fragility run --hazard hazard.csv --peak-tilt 0.5 --json --rare twice");
+    const auto outcome =
+        rocking("fragility run --hazard hazard.csv --event 'overturning,tilt > 0.5 psi' --json --rare twice");
     EXPECT_EQ(outcome.exit_code, 65);
     EXPECT_THAT(outcome.errors, AllOf(HasSubstr("twice/rare.json"), HasSubstr("two estimates of one probability"),
                                       HasSubstr("/excitation/amplitude 4.2"), HasSubstr(key)));
@@ -303,8 +306,9 @@ TEST_F(Rare, OfASuiteIsTheLowerTailOfItsAnnualRate) {
   write("weak.json", experiment.dump());
   write("hazard.csv", "scale, annual_rate\n0.3, 1e-2\n1, 1e-4\n2, 1e-6\n");
   ASSERT_EQ(rocking("run strong.json -o run -q --no-page").exit_code, 0);
-  ASSERT_EQ(rocking("rare weak.json -q -o tail --particles 100 --relative-error 1 --peak-tilt 0.3").exit_code, 0);
-  const std::string ask = "fragility run --hazard hazard.csv --peak-tilt 0.3 --json --rare ";
+  ASSERT_EQ(rocking("rare weak.json -q -o tail --particles 100 --relative-error 1 --event 'tilt > 0.3 psi'").exit_code,
+            0);
+  const std::string ask = "fragility run --hazard hazard.csv --event 'overturning,tilt > 0.3 psi' --json --rare ";
   const auto outcome = rocking(ask + "tail --figure drawn");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
   EXPECT_EQ(objections("fragility", outcome.output), "");
@@ -338,7 +342,8 @@ TEST_F(Rare, OfASuiteIsTheLowerTailOfItsAnnualRate) {
   EXPECT_THAT(rocking(ask + "part.json").errors, HasSubstr("does not fit the rest of the file"));
   experiment["excitation"]["suite"] = "record3*.txt";
   write("one.json", experiment.dump());
-  ASSERT_EQ(rocking("rare one.json -q -o one --particles 100 --relative-error 1 --peak-tilt 0.3").exit_code, 0);
+  ASSERT_EQ(rocking("rare one.json -q -o one --particles 100 --relative-error 1 --event 'tilt > 0.3 psi'").exit_code,
+            0);
   EXPECT_THAT(rocking(ask + "one").errors, HasSubstr("same block"));
 }
 

@@ -41,7 +41,7 @@ class StudyFiles : public rocking::support::ProgramTest {
   }
 
   static std::vector<Study> studies() {
-    return {{"rare.json", "rare random.json --particles 40 --relative-error 1 --peak-tilt 0.5"},
+    return {{"rare.json", "rare random.json --particles 40 --relative-error 1 --event 'tilt > 0.5 psi'"},
             {"infer.json", "infer block.json --tests tests.csv --realisations 4"},
             {"cost.json", "cost random.json --sample 3"},
             {"orbits.json", "orbits certain.json --periods 1 --no-branches"},
@@ -68,7 +68,7 @@ TEST_F(StudyFiles, HaveOneProcessAtATime) {
 }
 
 TEST_F(StudyFiles, AreRefusedToTheSecondOfTwoBeforeItsWork) {
-  const std::string endless = "rare random.json --relative-error 0.001 --peak-tilt 0.9 -q -o out";
+  const std::string endless = "rare random.json --relative-error 0.001 --event 'tilt > 0.9 psi' -q -o out";
   const auto both = shell(in_background(endless, "test -s out/rare.json") + "'" ROCKING_PROGRAM "' " + endless +
                           " --resume; echo $?; kill -INT $child; wait $child; echo $?");
   EXPECT_EQ(both.output.substr(0, 3), "74\n") << both.output;

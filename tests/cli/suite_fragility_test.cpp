@@ -107,7 +107,7 @@ TEST_F(SuiteFragility, RanksTheMeasuresOfIntensityByDispersion) {
 
 TEST_F(SuiteFragility, CountsPeakTiltsAboveEachValueThatIsGiven) {
   run();
-  const Json curves = fragility("--peak-tilt 0.5,0.3 --hazard hazard.csv")["curves"];
+  const Json curves = fragility("--event 'overturning,tilt > 0.5 psi,tilt > 0.3 psi' --hazard hazard.csv")["curves"];
   ASSERT_EQ(curves.size(), 3U);
   EXPECT_EQ(curves[1]["event"], Json({{"peak_tilt", 0.5}}));
   EXPECT_EQ(curves[2]["event"], Json({{"peak_tilt", 0.3}}));
@@ -117,7 +117,7 @@ TEST_F(SuiteFragility, CountsPeakTiltsAboveEachValueThatIsGiven) {
   }
   EXPECT_GT(curves[2]["levels"][2]["overturned"], curves[0]["levels"][2]["overturned"]);
   EXPECT_GT(curves[2]["annual_rate"]["value"], curves[0]["annual_rate"]["value"]);
-  EXPECT_THAT(rocking("fragility out --peak-tilt 0.3").output, HasSubstr("tilt > 0.3"));
+  EXPECT_THAT(rocking("fragility out --event 'overturning,tilt > 0.3 psi'").output, HasSubstr("tilt > 0.3"));
 }
 
 TEST_F(SuiteFragility, AnalysesPeakTiltsAndCountsResurrections) {
@@ -151,9 +151,10 @@ TEST_F(SuiteFragility, AnalysesPeakTiltsAndCountsResurrections) {
 TEST_F(SuiteFragility, IsStoppedByASignalWithoutWriting) {
   run();
   std::string tilts;
-  for (int i = 1; i <= 1000; ++i) tilts += (i > 1 ? "," : "") + std::to_string(0.001 * i);
-  const auto stopped = until_disturbed("rm -rf kept; " + in_background("fragility out -o kept --peak-tilt " + tilts) +
-                                       "kill -INT $child; wait $child");
+  for (int i = 1; i <= 1000; ++i) tilts += ",tilt > " + std::to_string(0.001 * i) + " psi";
+  const auto stopped =
+      until_disturbed("rm -rf kept; " + in_background("fragility out -o kept --event 'overturning" + tilts + "'") +
+                      "kill -INT $child; wait $child");
   EXPECT_EQ(stopped.exit_code, 130);
   EXPECT_EQ(stopped.output, "");
   EXPECT_THAT(stopped.errors, HasSubstr("interrupted; nothing was written"));
@@ -224,8 +225,7 @@ TEST_F(SuiteFragility, RefusesBadFlagsAndHazardCurves) {
   const auto gone = rocking("fragility out --metadata metadata.csv");
   EXPECT_EQ(gone.exit_code, 65);
   EXPECT_THAT(gone.errors, HasSubstr("dispersion")) << "what to use instead";
-  EXPECT_EQ(rocking("fragility out --peak-tilt 0").exit_code, 64);
-  EXPECT_EQ(rocking("fragility out --peak-tilt much").exit_code, 64);
+  EXPECT_THAT(rocking("fragility out --peak-tilt 0.5").errors, HasSubstr("--event 'tilt > A psi'"));
   const auto absent = rocking("fragility out --hazard absent.csv");
   EXPECT_EQ(absent.exit_code, 66);
   EXPECT_THAT(absent.errors, HasSubstr("absent.csv"));

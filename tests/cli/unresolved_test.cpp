@@ -50,7 +50,7 @@ TEST_F(Unresolved, IsToldInTheTableAndBoundsTheShares) {
   EXPECT_EQ(rocking("verify out").exit_code, 0);
   EXPECT_THAT(read("out/report.html"), HasSubstr("ended without an answer"));
 
-  const std::string ask = "fragility out --hazard hazard.csv --peak-tilt 0.5 ";
+  const std::string ask = "fragility out --hazard hazard.csv --event 'overturning,tilt > 0.5 psi' ";
   EXPECT_THAT(rocking(ask).output,
               AllOf(HasSubstr("unresolved"), HasSubstr("some realisations ended without an answer")));
   const auto found = rocking(ask + "--json");

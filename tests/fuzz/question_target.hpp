@@ -184,7 +184,7 @@ class QuestionTarget {
 
   void ask_fragility() {
     const StoredRun& of = small_run(choose_.below(2));
-    FragilityQuestion question{.peak_tilts = choose_.list(2, [&] { return choose_.number(); })};
+    FragilityQuestion question;
     question.events = choose_.list(2, [&] { return event(); });
     question.incremental = choose_.yes();
     question.hazard = choose_.maybe([&] {

@@ -46,14 +46,14 @@ class EveryStudy(unittest.TestCase):
         motion = os.path.join(cls.folder.name, "r0.txt")
         cls.sensible = {
             "fragility": {"source": [run, suite, [run], [suite, suite], [run, suite], [], part, TINY],
-                          "hazard": [hazard, of_suite, [of_suite, of_suite]], "event": ["overturning", "tilt > 0.5"],
-                          "peak_tilt": [0.5, [0.3, 0.6]], "years": [50, [1, 50]], "survived": [100.0], "ida": [True],
+                          "hazard": [hazard, of_suite, [of_suite, of_suite]], "event": ["overturning", "tilt > 0.5", ["tilt > 0.3 psi", "tilt > 0.6 psi"]],
+                          "years": [50, [1, 50]], "survived": [100.0], "ida": [True],
                           "imt": ["PGA"], "site": [(10, 45)], "statistic": ["mean"], "joint_hazard": [cells],
                           "surface": [["pga_g", "sa_p_g"], ["pga_g"]]},
             "compare": {"first": [run, TINY, part], "second": [run, suite]},
             "bifurcation": {"source": [STILL, TINY], "realisation": [0, 3]},
             "orbits": {"source": [STILL], "periods": [1], "no_branches": [True], "from": [3.9], "to": [4.0]},
-            "rare": {"source": [TINY], "particles": [20], "max_time": [1e-3], "realisations": [2], "peak_tilt": [0.5]},
+            "rare": {"source": [TINY], "particles": [20], "max_time": [1e-3], "realisations": [2], "event": ["tilt > 0.5 psi"]},
             "infer": {"source": [UNKNOWN], "tests": [{"amplitude": [4.0], "overturned": [1], "other": [4]}],
                       "candidates": [{"amplitude": [6.0]}], "max_time": [1e-3], "realisations": [2]},
             "cost": {"source": [TINY], "sample": [1], "max_time": [1e-3], "tolerances": [[1e-8, 1e-11, 1e-14]]},
@@ -106,7 +106,7 @@ class EveryStudy(unittest.TestCase):
         run = self.sensible["fragility"]["source"][0]
         hazard = self.sensible["fragility"]["hazard"][0]
         for asked, place in ((dict(joint_hazard={}), "joint_hazard"), (dict(survived=100.0), "survived"),
-                             (dict(hazard=[]), "hazard"), (dict(peak_tilt="much"), "peak_tilt/0"),
+                             (dict(hazard=[]), "hazard"), (dict(event="much"), "event"),
                              (dict(hazard=hazard, years=[None]), "years/0"), (dict(threads="two"), "threads"),
                              (dict(hazard=5), "hazard"), (dict(progress=1), "progress")):
             with self.assertRaises(rocking.InputError, msg=asked) as raised:

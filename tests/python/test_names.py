@@ -168,7 +168,7 @@ class Defaults(unittest.TestCase):
         self.assertIsNone(rocking.orbits(single, periods=1).branches)
 
     def test_seed_and_realisations_replace_those_of_studies(self):
-        asked = {"peak_tilt": 0.3, "particles": 50, "relative_error": 0.5}
+        asked = {"event": "tilt > 0.3 psi", "particles": 50, "relative_error": 0.5}
         self.assertEqual(rocking.rare(SLAB, seed=7, **asked), rocking.rare(changed(seed="0x7"), **asked))
         found = rocking.bifurcation(SLAB, seed=7)
         self.assertEqual(found, rocking.bifurcation(changed(seed="0x7")))

@@ -104,7 +104,7 @@ class Errors(unittest.TestCase):
             (rocking.check_normal, {"sampler": "dice"}, "sampler"),
             (rocking.rare, {"source": SLAB, "particles": 19}, "particles"),
             (rocking.rare, {"source": SLAB, "relative_error": 0.0}, "relative_error"),
-            (rocking.rare, {"source": SLAB, "peak_tilt": -1.0}, "peak_tilt"),
+            (rocking.rare, {"source": SLAB, "event": "tilt > -1 psi"}, "event"),
             (rocking.verify, {"source": rocking.run(SLAB), "sample": 0}, "sample"),
         ):
             with self.assertRaises(rocking.InputError) as caught:

@@ -82,12 +82,12 @@ class AgainstTheProgram(ProgramTest):
              lambda: rocking.orbits(still, periods=1, from_=3.8)),
             (["bifurcation", self.path, "--realisation", "2"], "bifurcation.json",
              lambda: rocking.bifurcation(self.path, realisation=2)),
-            (["rare", self.path, "--peak-tilt", "0.3", "--particles", "50", "--relative-error", "0.5"],
-             "rare.json", lambda: rocking.rare(self.path, peak_tilt=0.3, particles=50, relative_error=0.5)),
+            (["rare", self.path, "--event", "tilt > 0.3 psi", "--particles", "50", "--relative-error", "0.5"],
+             "rare.json", lambda: rocking.rare(self.path, event="tilt > 0.3 psi", particles=50, relative_error=0.5)),
             (["infer", counted, "--tests", tests, "--candidates", candidates, "--next-tests", "3"], "infer.json",
              lambda: rocking.infer(counted, tests, candidates=candidates, next_tests=3)),
-            (["fragility", first, "--peak-tilt", "0.5", "--ida", "--json"], None,
-             lambda: rocking.fragility(first, peak_tilt=[0.5], ida=True)),
+            (["fragility", first, "--event", "tilt > 0.5 psi", "--ida", "--json"], None,
+             lambda: rocking.fragility(first, event="tilt > 0.5 psi", ida=True)),
             (["compare", first, second, "--json"], None, lambda: rocking.compare(first, second)),
             (["motion", pulse, "--units", "m/s2", "--block", "1", "4", "--periods", "0.2", "1", "--series", "--json"], None,
              lambda: rocking.motion(pulse, units="m/s2", block=(1, 4), periods=[0.2, 1], series=True)),
@@ -308,7 +308,7 @@ class AgainstTheProgram(ProgramTest):
         for study, is_known in (
                 (lambda progress: rocking.bifurcation(SLAB, progress=progress), True),
                 (lambda progress: rocking.verify(rocking.run(SLAB), progress=progress), True),
-                (lambda progress: rocking.rare(SLAB, peak_tilt=0.3, particles=50, relative_error=0.5, progress=progress),
+                (lambda progress: rocking.rare(SLAB, event="tilt > 0.3 psi", particles=50, relative_error=0.5, progress=progress),
                  False)):
             told = []
             study(lambda done, all: told.append((done, all)))

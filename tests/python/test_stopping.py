@@ -77,7 +77,7 @@ class Interrupting(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             result = rocking.run(suite_in(folder))
             with self.assertRaises(KeyboardInterrupt):
-                rocking.fragility(result, peak_tilt=np.linspace(0.001, 0.9, 200), threads=1, progress=interrupt)
+                rocking.fragility(result, event=[f"tilt > {tilt} psi" for tilt in np.linspace(0.001, 0.9, 200)], threads=1, progress=interrupt)
 
     def test_ctrl_c_stops_rare_and_verify_and_orbits(self):
         told = []

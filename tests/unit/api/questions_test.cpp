@@ -120,10 +120,10 @@ TEST_F(Questions, AboutFragilityHaveNumbersInRange) {
   };
   expect_refused<FragilityQuestion>({}, ask,
                                     {{[](auto& q) {
-                                        q.peak_tilts = {0.5, nan};
+                                        q.years = {50.0, nan};
                                       },
-                                      "peak_tilts/1 = nan"},
-                                     {[](auto& q) { q.peak_tilts = {0.0}; }, "peak_tilts/0 = 0"}});
+                                      "years/1 = nan"},
+                                     {[](auto& q) { q.years = {0.0}; }, "years/0 = 0"}});
 }
 
 TEST_F(Questions, AboutRareEventsHaveRepetitionsThatCanBe) {

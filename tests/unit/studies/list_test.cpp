@@ -76,8 +76,6 @@ TEST(Answer, RefusesWhatACommandLineRefusesByTheNamesOfItsFlags) {
   EXPECT_THAT(fault("fragility", R"({"joint_hazard": "h.csv"})"), HasSubstr("joint_hazard = \"h.csv\": needs surface"));
   EXPECT_THAT(fault("cost", R"({"sample": 3, "max_time": 1})"), HasSubstr("sample = 3: excludes max_time"));
   EXPECT_THAT(fault("cost", R"({"sample": 3, "max_time": 60})"), Not(HasSubstr("excludes"))) << "the default";
-  EXPECT_THAT(fault("rare", R"({"peak_tilt": 0.5, "event": "tilt > 1 psi"})"),
-              HasSubstr("peak_tilt = 0.5: excludes event"));
   EXPECT_THAT(fault("motion", R"({"files": ["a"], "block": [1]})"), HasSubstr("block = [1]: must be 2 numbers"));
   EXPECT_THAT(fault("infer", "{}"), HasSubstr("tests: is missing"));
 }

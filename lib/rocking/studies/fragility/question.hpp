@@ -211,7 +211,6 @@ struct RareOfCurve {
 /// What is asked of a run.
 struct FragilityQuestion {
   std::vector<ResponseEvent> events = {};  ///< of which the probability is asked; empty: overturning
-  std::vector<double> peak_tilts = {};     ///< also the probability that abs(Theta) exceeds each; > 0
   std::optional<HazardCurve> hazard = {};  ///< gives the mean annual rates
   std::vector<double> years = {};          ///< also the probabilities within these times; > 0
   std::vector<RareOfCurve> rare = {};      ///< small probabilities of the same blocks under the same motions

@@ -22,7 +22,6 @@ std::vector<ResponseEvent> events_of(const FragilityQuestion& question, const Ex
   std::vector<ResponseEvent> asked;
   for (const ResponseEvent& event : question.events) asked.push_back(in_units_of_balance(event, experiment.conditions));
   if (asked.empty()) asked.emplace_back();
-  for (const double tilt : question.peak_tilts) asked.push_back({EventName::tilt, tilt});
   std::vector<ResponseEvent> events;
   for (const ResponseEvent& event : asked) {
     if (std::ranges::find(events, event) == events.end()) events.push_back(event);

@@ -19,12 +19,6 @@
 #include "rocking/text/files.hpp"
 
 namespace rocking {
-namespace {
-
-const Rule tilt_rule{.least = 1e-9, .most = 1.0};  // of balance
-
-}  // namespace
-
 const StructType& fields_of(const FragilityQuestion*) {
   using Type = FragilityQuestion;
   static const StructType fields{
@@ -36,10 +30,6 @@ const StructType& fields_of(const FragilityQuestion*) {
                 "overturned block has every event; several between commas",
                 the_only<ListType<std::vector<ResponseEvent>, 0, event_text_type>>()),
             {.names = "--event", .letter = "EVENT,EVENT", .kind = FlagKind::commas}),
-      asked(field<&Type::peak_tilts>(
-                "peak_tilts", "Also the probability that the peak of abs(theta)/psi exceeds A; several: 0.3,0.5,1",
-                tilt_rule),
-            {.names = "--peak-tilt", .letter = "A,A", .kind = FlagKind::commas}),
       asked(
           field<&Type::years>("years",
                               "With --hazard: also the probabilities within these years, 1,50,475; one number is also "

@@ -44,10 +44,6 @@ const StructType& fields_of(const RareRequest*) {
                 "slip at the end); an overturned block has every event",
                 event_text_type()),
             {.names = "--event", .letter = "EVENT"}),
-      asked(field<&Type::question, &RareQuestion::event>("peak_tilt", "The same as --event 'tilt > A psi'",
-                                                         threshold_type(EventName::tilt),
-                                                         Rule{.least = 0.0, .most = 100.0}),
-            {.names = "--peak-tilt", .letter = "A", .excludes = "--event"}),
       asked(field<&Type::seconds>("seconds",
                                   "Stop after this time for all conditions together, e.g. 10min; what is finished then "
                                   "counts, so that the result depends on the time",
@@ -118,7 +114,7 @@ const Study& rare_study() {
 ...     "excitation": {"kind": "harmonic", "amplitude": 2.0, "frequency_ratio": 10.0,
 ...                    "phase_rad": {"uniform": [0, 6.28]}}, "restitution": 0.9,
 ...     "horizon": {"transient_periods": 5, "sampled_periods": 15}, "seed": "0x1"}
->>> estimate, = rocking.rare(slab, peak_tilt=0.05, particles=20, relative_error=1.0).conditions
+>>> estimate, = rocking.rare(slab, event="tilt > 0.05 psi", particles=20, relative_error=1.0).conditions
 >>> estimate.interval[0] <= estimate.probability <= estimate.interval[1]
 True)",
       .takes_seed = true,

@@ -115,8 +115,7 @@ LimitState limit_state(const Curve& curve, const Law* law) {
 LimitState limit_state(const FragilityCurve& curve) { return limit_state(curve, curve.law ? &*curve.law : nullptr); }
 
 LimitState limit_state(const SuiteCurve& curve) {
-  const bool has_law = curve.pooled && curve.outcome == stats::FragilityOutcome::fitted;
-  return limit_state(curve, has_law ? &*curve.pooled : nullptr);
+  return limit_state(curve, curve.has_law() ? &*curve.pooled : nullptr);
 }
 
 /// The functions of a run, each with the place of its values of the rest of the sweep.

@@ -69,6 +69,8 @@ struct SuiteCurve {
   std::vector<RankedMeasure> measures;   ///< best first; empty where the motions have none
   stats::RecordBootstrap bootstrap;      ///< of the records
 
+  /// Whether the law of the suite gives its probabilities; else the isotonic shares do.
+  [[nodiscard]] bool has_law() const { return pooled && outcome == stats::FragilityOutcome::fitted; }
   /// Of the level with the fewest, where levels have records of their own.
   [[nodiscard]] std::size_t records_in_sample() const { return bootstrap.fewest; }
   /// Of bootstrap samples over the records, in any order, at the curve's confidence.

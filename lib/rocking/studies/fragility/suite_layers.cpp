@@ -20,11 +20,6 @@ std::string probability_of(const ResponseEvent& event) {
 
 namespace {
 
-/// Whether the law of the suite gives its probabilities; else the isotonic shares do.
-bool is_by_law(const SuiteCurve& curve) {
-  return curve.pooled.has_value() && curve.outcome == stats::FragilityOutcome::fitted;
-}
-
 /// `width 0.42 m, all records`, or `peak tilt > 0.5, all records`.
 std::string name_of(const SuiteCurve& curve, const std::string& what) {
   const std::string others = values_in_words(curve.subject.others);
@@ -42,9 +37,9 @@ Table suite_table(const SuiteCurve& curve) {
                           {"happened", "of these: " + event_in_words(curve.subject.event)},
                           {"estimate", "mean over the records of their shares"}},
               .rows = {}};
-  const std::string source = is_by_law(curve) ? "fitted" : "isotonic";
-  table.columns.push_back({source, is_by_law(curve) ? "probability by the law of the suite"
-                                                    : "nearest to the means at all levels that does not decrease"});
+  const std::string source = curve.has_law() ? "fitted" : "isotonic";
+  table.columns.push_back({source, curve.has_law() ? "probability by the law of the suite"
+                                                   : "nearest to the means at all levels that does not decrease"});
   table.columns.push_back({source + "_low", "lower end of its bootstrap interval"});
   table.columns.push_back({source + "_high", "upper end of it"});
   for (const SuiteLevel& level : curve.levels) {
@@ -52,8 +47,8 @@ Table suite_table(const SuiteCurve& curve) {
                           static_cast<double>(level.happened.trials), static_cast<double>(level.happened.successes),
                           level.estimate});
     auto& row = table.rows.back();
-    const auto band = is_by_law(curve) ? level.band : std::optional(level.isotonic_band);
-    row.push_back(is_by_law(curve) ? level.fitted.value() : level.isotonic);
+    const auto band = curve.has_law() ? level.band : std::optional(level.isotonic_band);
+    row.push_back(curve.has_law() ? level.fitted.value() : level.isotonic);
     row.push_back(band ? Cell(band->low) : Cell());
     row.push_back(band ? Cell(band->high) : Cell());
   }
@@ -175,9 +170,9 @@ void add_suite(const SuiteCurve& curve, const PlaceInPanel& place, Figure& figur
   const bool has_line = curve.levels.size() > 1;
   if (has_line) {
     // The table of the levels has the isotonic shares, each with its interval.
-    const std::size_t table = is_by_law(curve) ? figure.tables.size() : all;
-    const std::size_t first = is_by_law(curve) ? 1 : 5;
-    if (is_by_law(curve)) figure.tables.push_back(suite_law_table(curve));
+    const std::size_t table = curve.has_law() ? figure.tables.size() : all;
+    const std::size_t first = curve.has_law() ? 1 : 5;
+    if (curve.has_law()) figure.tables.push_back(suite_law_table(curve));
     if (!std::holds_alternative<std::monostate>(figure.tables[table].rows.front()[first + 1])) {
       layers.push_back(
           {.kind = LayerKind::ribbon, .table = table, .columns = {0, first + 1, first + 2}, .style = ribbon});

@@ -51,7 +51,7 @@ std::string law_table(const SuiteCurve& curve) {
 }
 
 std::string level_table_of(const SuiteCurve& curve) {
-  const bool has_law = curve.outcome == stats::FragilityOutcome::fitted;
+  const bool has_law = curve.has_law();
   look::Table table{.title = "\nshares of the records at each level"};
   add_columns(table, {last_key(curve.subject.parameter), "records", "n", column_of(curve.subject.event),
                       has_law ? "fitted" : "isotonic", "band"});

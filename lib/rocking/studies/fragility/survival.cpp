@@ -127,7 +127,7 @@ StripeGroup joint_group(const std::vector<BlockCurve>& blocks, const ResponseEve
 using AnyCurve = decltype(BlockCurve::curve);
 
 bool has_law(const FragilityCurve* curve) { return curve->law.has_value(); }
-bool has_law(const SuiteCurve* curve) { return curve->pooled && curve->outcome == stats::FragilityOutcome::fitted; }
+bool has_law(const SuiteCurve* curve) { return curve->has_law(); }
 
 AnnualRate rate_by(const FragilityCurve* curve, const HazardCurve& hazard, RateBasis) {
   return annual_rate(*curve, hazard);

@@ -172,9 +172,7 @@ look::Row law_cells(const FragilityCurve& curve) {
 }
 
 look::Row law_cells(const SuiteCurve& curve) {
-  if (!curve.pooled || curve.outcome != FragilityOutcome::fitted) {
-    return {std::string(to_string(curve.outcome)), look::Cell()};
-  }
+  if (!curve.has_law()) return {std::string(to_string(curve.outcome)), look::Cell()};
   const PooledSuite& pooled = *curve.pooled;
   return {estimate_cell(pooled.median.value, pooled.median.interval),
           estimate_cell(pooled.dispersion.value, pooled.dispersion.interval)};

@@ -104,7 +104,7 @@ TEST_F(RateOfASuite, ReadsProbabilitiesInATimeAndRefusesThemWithout) {
   write("poe.csv", "PGA, poe\n" + lines);
   write("bare.csv", lines);
   const double rate = fragility("--hazard hazard.csv")["curves"][0]["annual_rate"]["value"];
-  for (const char* flags : {"--hazard poe.csv --years 50", "--hazard bare.csv --years 50 --imt pga_g"}) {
+  for (const char* flags : {"--hazard poe.csv --years 50", "--years 50 --hazard bare.csv --imt pga_g"}) {
     EXPECT_NEAR(fragility(flags)["curves"][0]["annual_rate"]["value"].get<double>(), rate, 1e-10 * rate) << flags;
   }
   EXPECT_THAT(rocking("fragility out --hazard poe.csv --years 50").output,
@@ -129,10 +129,10 @@ TEST_F(RateOfASuite, ReadsProbabilitiesInATimeAndRefusesThemWithout) {
   // As of another command, and on the sheet, which says how to make it again.
   ASSERT_EQ(rocking("report out --format html --hazard poe.csv --years 50").exit_code, 0);
   EXPECT_THAT(read("out/report.html"), HasSubstr("of the rate comes from beyond the last point of the hazard curve"));
-  ASSERT_EQ(rocking("fragility out --hazard bare.csv --years 50 --imt PGA --sheet sheet.html").exit_code, 0);
+  ASSERT_EQ(rocking("fragility out --years 50 --hazard bare.csv --imt PGA --sheet sheet.html").exit_code, 0);
   EXPECT_THAT(read("sheet.html"),
               AllOf(HasSubstr("bare.csv: probabilities of exceedance in 50 years of pga_g at 3 points from 0.1 to 2."),
-                    HasSubstr("--hazard bare.csv --years 50 --imt ")));
+                    HasSubstr("--years 50 --hazard bare.csv --imt ")));
 }
 
 // With one option and with two, whose table is one row each.

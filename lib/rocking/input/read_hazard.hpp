@@ -32,6 +32,11 @@ inline constexpr std::size_t most_hazard_bytes = 10'000'000;
 [[nodiscard]] HazardCurve read_hazard(std::string_view text, const std::string& name,
                                       const HazardReading& reading = {});
 
+/// Reads rates of occurrence over two measures: lines of both and `annual_rate`, of which the first names the columns.
+/// `measures`: x and y. Throws base::InputError with the line of a fault.
+[[nodiscard]] JointHazard read_joint_hazard(std::string_view text, const std::string& name,
+                                            const std::vector<std::string>& measures);
+
 /// The measure of a column of intensities.
 struct HazardMeasure {
   std::string name;      ///< as a run names its own: `pga_g`, `sa_g[0.5]`, `avgsa_g[0.2-2]`

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -39,6 +40,23 @@ struct HazardCurve {
 
 /// The site of `longitude, latitude`; absent if the list is empty. Throws base::InputError unless it has two numbers.
 [[nodiscard]] std::optional<HazardSite> hazard_site(const std::vector<double>& numbers);
+
+/// The rate of motions whose two measures lie in a cell.
+struct JointCell {
+  double x = 0.0, y = 0.0;  ///< of its middle, > 0
+  double rate = 0.0;        ///< of occurrence in the cell, not of exceedance [1/year]
+};
+
+[[nodiscard]] inline bool is_sensible(const JointCell& cell) {
+  const auto is_number = [](double value) { return value >= 0.0 && value <= std::numeric_limits<double>::max(); };
+  return cell.x > 0.0 && cell.y > 0.0 && is_number(cell.x) && is_number(cell.y) && is_number(cell.rate);
+}
+
+/// A hazard of two measures at once.
+struct JointHazard {
+  std::string name;  ///< of its file
+  std::vector<JointCell> cells;
+};
 
 /// What is said of a hazard file beside its text: what it leaves open, and which of its curves is meant.
 struct HazardReading {

@@ -180,6 +180,10 @@ struct Study {
   [[nodiscard]] std::string command() const;
 };
 
+/// The flags of the command that asks this question, ` --hazard h.csv --years 1,50`: those whose value is neither empty nor
+/// false.
+[[nodiscard]] std::string flags_of(const StructType& fields, const void* question);
+
 /// The functions of a study whose question is a Question. Those after `find` may be null.
 template <class Question>
 struct StudyFunctions {

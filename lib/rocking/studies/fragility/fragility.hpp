@@ -76,19 +76,6 @@ struct BlockCurve {
                                 const std::vector<HazardCurve>& hazards, std::uint64_t seed,
                                 const base::ManyParts& how = {});
 
-/// The least intensity at which the excitation of a scene lifts a block that is at rest: abs(alpha) reaches
-/// tan(psi) (1 + alpha_v) at some instant, for the most slender block that the scene may draw. `intensity`: that of the
-/// scene, > 0, a multiple of its accelerations.
-///
-/// Friction does not lower it: a block that slides because the static coefficient is below tan(psi) does not tip, since
-/// kinetic friction is limited to the static friction in force. Infinite where no intensity lifts the block. Absent where
-/// none is known: the block does not start at rest, or the amplitude is random.
-[[nodiscard]] std::optional<double> least_uplift(const Scene& scene, double intensity);
-
-/// Least intensity at which it lifts the block, or makes it slide: abs(alpha) reaches the static friction times
-/// (1 + alpha_v). Absent also where friction may be drawn as small as one likes.
-[[nodiscard]] std::optional<double> least_sliding(const Scene& scene, double intensity);
-
 /// Levels of each record. `measure`: in place of the swept intensity.
 [[nodiscard]] stats::SuiteLevels levels_of_records(const std::vector<Stripe>& stripes, const ResponseEvent& event,
                                                    std::optional<IntensityMeasure> measure = std::nullopt);
@@ -101,8 +88,6 @@ struct BlockCurve {
 /// Of the text of a file with this name; otherwise as those of question.hpp.
 [[nodiscard]] std::vector<RareOfCurve> rare_levels(const std::string& text, const std::string& name,
                                                    const Experiment& experiment);
-[[nodiscard]] JointHazard joint_hazard(std::string_view text, const std::string& name,
-                                       const std::vector<std::string>& measures);
 
 /// The place of an estimate of a probability that one before it has estimated too: a curve would join them. Absent if there
 /// is none.

@@ -342,4 +342,8 @@ HazardCurve hazard_curve_in(std::string_view text, const std::string& name, cons
   return read_hazard(text, name, reading);
 }
 
+JointHazard joint_hazard(const std::filesystem::path& file, const std::vector<std::string>& measures) {
+  return read_joint_hazard(read_file(file, most_hazard_bytes), file.string(), measures);
+}
+
 }  // namespace rocking

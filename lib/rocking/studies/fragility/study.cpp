@@ -35,7 +35,7 @@ const StructType& fields_of(const FragilityQuestion*) {
                               "With --hazard: also the probabilities within these years, 1,50,475; one number is also "
                               "the time of the file's probabilities of exceedance, where it does not state it",
                               rule::positive),
-          {.names = "--years", .letter = "T,T", .kind = FlagKind::commas}),
+          {.names = "--years", .letter = "T,T", .kind = FlagKind::commas, .needs = "--hazard"}),
       asked(
           field<&Type::incremental>(
               "incremental",
@@ -114,11 +114,15 @@ const StructType& fields_of(const RunsQuestion*) {
                 "suggest",
                 "With --hazard: print only the intensities that would settle the rate of a suite, as a command "
                 "`rocking resume DIR --levels X,X`"),
-            {.names = "--suggest", .kind = FlagKind::on, .is_of_program = true}),
+            {.names = "--suggest", .kind = FlagKind::on, .needs = "--hazard", .is_of_program = true}),
       asked(field<&Type::sheet>("sheet",
                                 "With --hazard: the answer about a suite as one page of A4; FILE ends with .pdf or "
                                 ".html"),
-            {.names = "--sheet", .letter = "FILE", .kind = FlagKind::new_file, .is_of_program = true}),
+            {.names = "--sheet",
+             .letter = "FILE",
+             .kind = FlagKind::new_file,
+             .needs = "--hazard",
+             .is_of_program = true}),
       asked(
           field<&Type::project>("project", "With --sheet: the project; without it the sheet has a line to write it on"),
           {.names = "--project", .letter = "TEXT", .needs = "--sheet", .is_of_program = true}),
@@ -150,23 +154,17 @@ ExportFormat export_format(const RunsQuestion& question) {
                       ": must end with .xml or .csv, or add --as nrml, pelicun or csv");
 }
 
+/// What flags cannot say of each other.
 void expect_sensible(const Subject& subject, const RunsQuestion& question) {
-  const bool has_hazard = !question.hazards.empty();
-  if (!has_hazard && (!question.question.years.empty() || question.survived || question.imt || !question.site.empty() ||
-                      question.statistic)) {
-    throw UnfitQuestion("years, survival, intensity measure, site and statistic need a hazard curve, which is missing");
-  }
   if (question.hazards.size() > 1 && !question.survived) {
     throw UnfitQuestion("--hazard: several hazard curves are branches of --survived T; give one, or add it");
   }
-  if (!has_hazard && question.suggest) throw UnfitQuestion("--suggest: needs a rate; add --hazard FILE");
   if (question.export_file) static_cast<void>(export_format(question));
   const std::vector<std::string>& measures = question.question.surface;
   if (!measures.empty() && (measures.size() != 2 || measures[0] == measures[1])) {
     throw UnfitQuestion("--surface: must be two different measures");
   }
   if (!question.sheet) return;
-  if (!has_hazard) throw UnfitQuestion("--sheet: needs a rate; add --hazard FILE");
   if (subject.runs.size() > 1) throw UnfitQuestion("--sheet: is about one run; name one folder");
   const std::string ending = std::filesystem::path(*question.sheet).extension().string();
   if (ending != ".pdf" && ending != ".html") {
@@ -189,7 +187,7 @@ void check(const Subject& subject, RunsQuestion& question) {
   if (!question.branches.empty()) question.question.hazard = question.branches.front();
   if (const auto& file = question.joint_hazard) {
     question.question.joint_hazard =
-        joint_hazard(subject.files(*file, most_hazard_bytes), *file, question.question.surface);
+        read_joint_hazard(subject.files(*file, most_hazard_bytes), *file, question.question.surface);
   }
 }
 
@@ -307,23 +305,10 @@ std::vector<analysis::Figure> figures_of(const FragilityReport& report) {
 /// Writes the sheet of the only run.
 More sheet_of(const NamedRun& run, const RunsQuestion& question, const RunFragility& found,
               const Execution& execution) {
-  std::string again = "rocking fragility " + shell_word(run.folder);
-  for (const std::string& hazard : question.hazards) again += " --hazard " + shell_word(hazard);
-  std::string years;
-  for (const double each : question.question.years) years += (years.empty() ? " --years " : ",") + base::shortest(each);
-  again += years;
-  if (question.survived) again += " --survived " + base::shortest(*question.survived);
-  if (question.imt) again += " --imt " + shell_word(*question.imt);
-  if (!question.site.empty()) {
-    again += " --site " + base::shortest(question.site[0]) + ',' + base::shortest(question.site[1]);
-  }
-  if (question.statistic) again += " --statistic " + shell_word(*question.statistic);
-  for (const ResponseEvent& event : question.question.events) again += " --event " + shell_word(event_text(event));
-  again += " --sheet " + shell_word(*question.sheet);
-  if (question.project) again += " --project " + shell_word(*question.project);
-  if (question.date) again += " --date " + shell_word(*question.date);
   const SheetNotes notes{
-      .command = again, .project = question.project.value_or(""), .date = question.date.value_or("")};
+      .command = "rocking fragility " + shell_word(run.folder) + flags_of(fields_of(&question), &question),
+      .project = question.project.value_or(""),
+      .date = question.date.value_or("")};
   Written sheet = write_sheet(run.stored, found, *question.question.hazard, *question.sheet, notes, execution);
   const bool is_written = !sheet.files.empty();
   return {.lines = is_written ? "sheet: " + *question.sheet + '\n' : "",

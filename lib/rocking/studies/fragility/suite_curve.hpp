@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -133,23 +132,6 @@ constexpr auto names_of_surface_measures() {
 
 /// Measures over which a surface stands.
 inline constexpr auto surface_measure_names = names_of_surface_measures();
-
-/// The rate of motions whose two measures lie in a cell.
-struct JointCell {
-  double x = 0.0, y = 0.0;  ///< of its middle, > 0
-  double rate = 0.0;        ///< of occurrence in the cell, not of exceedance [1/year]
-};
-
-[[nodiscard]] inline bool is_sensible(const JointCell& cell) {
-  const auto is_number = [](double value) { return value >= 0.0 && value <= std::numeric_limits<double>::max(); };
-  return cell.x > 0.0 && cell.y > 0.0 && is_number(cell.x) && is_number(cell.y) && is_number(cell.rate);
-}
-
-/// A hazard of two measures at once.
-struct JointHazard {
-  std::string name;  ///< of its file
-  std::vector<JointCell> cells;
-};
 
 struct SurfaceCoefficient {
   std::string term;  ///< `1`, `ln x`, `ln y`, `ln x ln y`

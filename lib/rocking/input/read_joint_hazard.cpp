@@ -5,8 +5,6 @@
 #include "rocking/base/number_text.hpp"
 #include "rocking/input/csv_table.hpp"
 #include "rocking/input/read_hazard.hpp"
-#include "rocking/studies/fragility/fragility.hpp"
-#include "rocking/text/files.hpp"
 
 namespace rocking {
 namespace {
@@ -78,16 +76,13 @@ class JointHazardReader {
 
 }  // namespace
 
-JointHazard joint_hazard(std::string_view text, const std::string& name, const std::vector<std::string>& measures) {
+JointHazard read_joint_hazard(std::string_view text, const std::string& name,
+                              const std::vector<std::string>& measures) {
   if (measures.size() != 2) {
     throw base::InputError(
         {name, "", "is the hazard over the two measures of a surface, which are not given", "give a surface"});
   }
   return JointHazardReader(name, measures).read(text);
-}
-
-JointHazard joint_hazard(const std::filesystem::path& file, const std::vector<std::string>& measures) {
-  return joint_hazard(read_file(file, most_hazard_bytes), file.string(), measures);
 }
 
 }  // namespace rocking

@@ -56,6 +56,11 @@ void note_failure(const Drawing& drawing, std::vector<Drawing>& failures);
 [[nodiscard]] std::string picture_of(const Figure& figure, const std::string& format, Drawing& drawing,
                                      base::StopRequest stop = {}, const FigureLook& look = screen_look());
 
+/// A page of HTML, without scripts and external resources, as PDF: by WeasyPrint, which is looked up in PATH. Empty where
+/// that is missing or fails; `printing` says why. Equal pages give equal bytes. Throws base::Stopped if it is asked to
+/// stop.
+[[nodiscard]] std::string pdf_of(std::string_view html, Drawing& printing, base::StopRequest stop);
+
 /// Which pictures to draw.
 struct Pictures {
   std::vector<std::string> formats;  ///< of `svg`, `png`, `pdf`

@@ -14,7 +14,7 @@
 
 #include "rocking/api/run.hpp"
 #include "rocking/base/many_parts.hpp"
-#include "rocking/studies/fragility/hazard_integral.hpp"
+#include "rocking/studies/curves/hazard_integral.hpp"
 #include "rocking/studies/fragility/question.hpp"
 #include "support/constant_suite.hpp"
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "rocking/studies/fragility/fragility.hpp"
-#include "rocking/studies/fragility/hazard_integral.hpp"
+#include "rocking/studies/curves/hazard_integral.hpp"
 #include "support/made_up_suite.hpp"
 #include "support/suite_by_shares.hpp"
 

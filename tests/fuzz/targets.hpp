@@ -12,7 +12,7 @@
 #include "rocking/input/read_hazard.hpp"
 #include "rocking/input/record_formats.hpp"
 #include "rocking/realisation/start.hpp"
-#include "rocking/studies/fragility/hazard_integral.hpp"
+#include "rocking/studies/curves/hazard_integral.hpp"
 #include "support/ordinary_steps.hpp"
 
 /// The fuzzed code, as functions of bytes. A fuzzer calls them with generated input, replay_test with the corpus.

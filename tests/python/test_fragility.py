@@ -75,6 +75,8 @@ class AgainstTheProgram(ProgramTest):
         still = rocking.fragility(self.out, hazard=[hazard, hazard], years=[1, 50], survived=100)
         rate = still.curves[0].annual_rate
         self.assertEqual([each.years for each in rate.in_years], [1, 50])
+        with self.assertRaisesRegex(AttributeError, "jackknife.*use interval"):
+            rate.jackknife
         self.assertAlmostEqual(rate.in_years[1].probability, -math.expm1(-50 * rate.value), 12)
         self.assertAlmostEqual(still.survival.branches[1].all.probability, math.exp(-100 * rate.value), 12)
         self.assertEqual([branch.weight for branch in still.survival.branches], [0.5, 0.5])

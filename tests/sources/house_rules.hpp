@@ -57,7 +57,11 @@ inline const std::set<std::string> core = [] {
 /// The other studies that a study uses, with the reason.
 inline const std::map<std::string, std::map<std::string, std::string>> studies_used = {
     {"bifurcation", {{"orbits", "branches are drawn over diagrams of the same parameter"}}},
-    {"fragility", {{"rare", "probabilities below the levels of a run"}}},
+    {"curves", {{"rare", "probabilities below the levels of a run"}}},
+    {"incremental", {{"curves", "the stripes of a run"}}},
+    {"fragility",
+     {{"curves", "curves and rates, on which sheet, survival, exports and surface stand"},
+      {"incremental", "--ida adds it"}}},
 };
 
 /// Rooms whose code affects the bits of the result of a realisation.

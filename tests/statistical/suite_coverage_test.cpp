@@ -12,7 +12,7 @@
 #include "rocking/api/run_store.hpp"
 #include "rocking/stats/fit_suite.hpp"
 #include "rocking/studies/fragility/fragility.hpp"
-#include "rocking/studies/fragility/hazard_integral.hpp"
+#include "rocking/studies/curves/hazard_integral.hpp"
 #include "support/constant_suite.hpp"
 #include "support/false_alarms.hpp"
 #include "support/made_up_suite.hpp"

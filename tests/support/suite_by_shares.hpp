@@ -6,7 +6,7 @@
 
 #include "rocking/random/draws.hpp"
 #include "rocking/stats/suite_bootstrap.hpp"
-#include "rocking/studies/fragility/suite_curve.hpp"
+#include "rocking/studies/curves/fragility_curve.hpp"
 
 namespace rocking::support {
 

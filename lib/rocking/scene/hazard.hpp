@@ -4,9 +4,11 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "rocking/base/error.hpp"
+#include "rocking/scene/experiment.hpp"
 
 namespace rocking {
 
@@ -82,5 +84,23 @@ struct HazardFault {
 
 /// What is wrong with a curve that was set in C++, at places within `hazard`.
 [[nodiscard]] std::vector<base::Problem> problems_of(const HazardCurve& hazard);
+
+/// The level, or the return period, for which a table selects the record of a scene.
+[[nodiscard]] std::optional<double> selected_level(const Scene& scene);
+
+/// The one of them that an experiment sweeps, or the level of its records; empty where it has none.
+[[nodiscard]] std::string_view intensity_of(const Experiment& experiment);
+/// Whether the levels of a table are return periods [years].
+[[nodiscard]] bool has_return_periods(const Experiment& experiment);
+
+/// The swept intensity with the periods that the experiment states, as a hazard curve names it: `sa_g[0.5]`; empty if
+/// none is swept.
+[[nodiscard]] std::string swept_measure(const Experiment& experiment);
+/// The periods of the spectral acceleration that is swept [s]; empty: none.
+[[nodiscard]] std::vector<double> measure_periods(const Experiment& experiment);
+
+/// Throws base::InputError where the hazard curve is one of another intensity than that of the run, or of one period where
+/// its sweep has several.
+void check_hazard(const HazardCurve& hazard, const Experiment& experiment);
 
 }  // namespace rocking

@@ -6,10 +6,10 @@
 #include "rocking/base/number_text.hpp"
 #include "rocking/look/markup.hpp"
 #include "rocking/output/parameter_text.hpp"
+#include "rocking/scene/hazard.hpp"
+#include "rocking/studies/curves/hazard_integral.hpp"
 #include "rocking/studies/fragility/fragility.hpp"
-#include "rocking/studies/fragility/hazard_integral.hpp"
 #include "rocking/studies/fragility/study.hpp"
-#include "rocking/studies/fragility/words.hpp"
 #include "rocking/text/json.hpp"
 
 namespace rocking {
@@ -26,11 +26,9 @@ struct LimitState {
   [[nodiscard]] std::string name() const {
     std::string text;
     for (const char c : event_text(event)) {
-      if (c == ' ' || c == '>') {
-        if (!text.ends_with('_')) text += '_';
-      } else {
-        text += c == '.' || c == '-' || c == '+' ? '_' : c;
-      }
+      const bool is_between = c == ' ' || c == '>';
+      const bool is_kept = !is_between && c != '.' && c != '-' && c != '+';
+      if (!is_between || !text.ends_with('_')) text += is_kept ? c : '_';
     }
     return text;
   }
@@ -81,14 +79,6 @@ std::string id_of(const std::string& title, const std::vector<Parameter>& others
   throw UnfitQuestion("--export: the curve of " + words_of(state.event) + ' ' + reason);
 }
 
-void expect_usable(const LimitState& state) {
-  if (state.law) return;
-  if (state.intensities.size() < 2) refuse_curve(state, "has fewer than two levels and no law; add levels");
-  if (!std::ranges::is_sorted(state.probabilities)) {
-    refuse_curve(state, "has no law, and shares that decrease: no fragility function describes it");
-  }
-}
-
 double probability_of(const FragilityLevel& level) {
   return level.fitted.value_or(level.isotonic.value_or(level.estimate));
 }
@@ -108,7 +98,11 @@ LimitState limit_state(const Curve& curve, const Law* law) {
     state.intensities.push_back(level.intensity);
     state.probabilities.push_back(is_lifted ? probability_of(level) : 0.0);
   }
-  expect_usable(state);
+  if (state.law) return state;
+  if (state.intensities.size() < 2) refuse_curve(state, "has fewer than two levels and no law; add levels");
+  if (!std::ranges::is_sorted(state.probabilities)) {
+    refuse_curve(state, "has no law, and shares that decrease: no fragility function describes it");
+  }
   return state;
 }
 

@@ -2,6 +2,7 @@
 
 #include "rocking/figures/figure.hpp"
 #include "rocking/studies/fragility/study.hpp"
+#include "rocking/studies/incremental/look.hpp"
 
 namespace rocking::analysis {
 
@@ -9,11 +10,6 @@ namespace rocking::analysis {
 /// exact interval for each level, and the fitted laws with their bands, or, where a law was rejected, the isotonic
 /// estimates as steps with their bands.
 [[nodiscard]] Figure fragility_figure(const FragilityReport& report);
-
-/// The figure `incremental`: for each incremental dynamic analysis a panel with the peak tilt against the intensity. Thin
-/// lines are the medians of the records, thick ones the 16, 50 and 84 % quantiles of all; an overturned block is drawn at
-/// a flat line above all tilts. Absent if the report has no such analysis.
-[[nodiscard]] std::optional<Figure> incremental_figure(const FragilityReport& report);
 
 /// The figure `surface`: for each fitted surface a panel with its probability over both measures, and one with the width
 /// of its interval. Absent without one.
@@ -36,6 +32,9 @@ struct PlaceInPanel {
   std::size_t number = 0;
   bool is_alone = true;  ///< no other curve is in the panel
 };
+
+/// Adds the curve of one motion to the last panel.
+void add_curve(const ReportedCurve& reported, const PlaceInPanel& place, Figure& figure);
 
 /// Adds a curve to the last panel: the means of the shares of the records of a suite as markers, and the law of the suite,
 /// or the isotonic shares where none holds, with their band; if it is alone, also a thin line for each record.

@@ -4,23 +4,10 @@
 
 #include "rocking/figures/sweep_view.hpp"
 #include "rocking/studies/fragility/study.hpp"
-#include "rocking/studies/fragility/words.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking {
 namespace {
-
-/// `The block`, or of an option `With width 0.42 m the block`.
-std::string block_of(const CurveSubject& subject) {
-  const std::string option = analysis::values_in_words(subject.others);
-  return option.empty() ? "The block" : "With " + option + " the block";
-}
-
-/// `mean annual rate 5.0e-4 [1.9e-4, 1.1e-3] (95 %)`.
-std::string rate_with_interval(const AnnualRate& rate, double confidence) {
-  return "mean annual rate " + rate_in_words(rate.value, rate.interval) +
-         (rate.interval ? " (" + level_text(confidence) + " %)" : "");
-}
 
 /// What is told of a curve.
 struct Told {
@@ -75,60 +62,12 @@ std::string continuation(const Told& option, const FragilityReport& report) {
            have_equal_values(each.comparison.option, option.subject->others);
   });
   if (found == report.comparisons.end() || !found->comparison.ratio) {
-    return with + rate_with_interval(*option.rate, option.subject->confidence);
+    return with + rate_with_level(*option.rate, option.subject->confidence);
   }
   return with + rate_in_words(*found->comparison.ratio, found->comparison.ratio_interval) + " times as often";
 }
 
 }  // namespace
-
-std::string rate_in_words(double rate, const std::optional<stats::Interval>& interval) {
-  return plain_text(look::number(rate, interval, look::rate_form()));
-}
-
-std::string in_years_text(double probability) { return rate_text(100.0 * probability); }
-
-std::string at_intensity(const CurveSubject& subject, const std::string& value) {
-  const analysis::Axis axis = analysis::axis_of_parameter(subject.parameter);
-  return (axis.symbol.empty() ? axis.quantity + ' ' : axis.symbol + " = ") + value +
-         (axis.unit.empty() ? "" : ' ' + axis.unit);
-}
-
-std::string counted_from_in_words(const CurveSubject& subject) {
-  if (!subject.least_uplift) return "from all intensities";
-  return "from " + at_intensity(subject, significant(*subject.least_uplift, 3)) + " on";
-}
-
-std::string why_counted_in_words(const CurveSubject& subject) {
-  const std::string moves = subject.event.is_of_slip() ? "moves" : "lifts";
-  return subject.least_uplift ? ", the least that " + moves + " the block"
-                              : ", since the least that " + moves + " the block is not known";
-}
-
-std::string rate_sentence(const CurveSubject& subject, const AnnualRate& rate) {
-  if (rate.value > 0.0) {
-    return block_of(subject) + ' ' + does(subject.event) + " about once in " + years_in_words(1.0 / rate.value) +
-           " years: " + rate_with_interval(rate, subject.confidence);
-  }
-  const auto at = [&subject](double intensity) { return at_intensity(subject, significant(intensity, 3)); };
-  std::string none = block_of(subject) + " did not " + to_do(subject.event) + " at these levels: ";
-  if (rate.hazard_ends) {
-    const bool is_below = subject.least_uplift && *rate.hazard_ends <= *subject.least_uplift;
-    none = block_of(subject) + " does not " + to_do(subject.event) + " by this hazard curve, whose rate is 0 from " +
-           at(*rate.hazard_ends) + " on" +
-           (is_below ? ", below the least that lifts the block, " + at(*subject.least_uplift) : "") + ": ";
-  }
-  if (!rate.interval || !(rate.interval->high > 0.0)) return none + rate_with_interval(rate, subject.confidence);
-  return none + "mean annual rate at most " + rate_text(rate.interval->high) + " (" + level_text(subject.confidence) +
-         " %), once in " + years_in_words(1.0 / rate.interval->high) + " years";
-}
-
-std::string rate_sentence(const CurveSubject& subject, const SuiteRate& rate) {
-  const std::string sentence = rate_sentence(subject, rate.chosen);
-  if (!(rate.chosen.value > 0.0)) return sentence;
-  return sentence + "; what the levels leave open, " + undecided_in_words(rate) + ", raises it to at most " +
-         rate_text(rate.at_most) + (rate.is_decided() ? "" : ": add " + added_levels_in_words(rate));
-}
 
 std::string headline(const FragilityReport& report) {
   constexpr std::size_t most_options = 5;

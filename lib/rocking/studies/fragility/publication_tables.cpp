@@ -74,7 +74,7 @@ look::Row cells_of(const FragilityLevel& level) {
 }
 
 look::Row cells_of(const SuiteLevel& level) {
-  return {look::whole(level.happened.trials), look::whole(level.happened.successes),
+  return {look::whole(level.overturned.trials), look::whole(level.overturned.successes),
           number(level.estimate, std::optional<stats::Interval>(), percentage()), share_with(level.fitted, level.band),
           share_with(level.isotonic, level.isotonic_band)};
 }
@@ -121,9 +121,6 @@ std::optional<std::array<stats::Bounded, 2>> law_of(const SuiteCurve& curve) {
                     stats::Bounded{pooled.dispersion.value, pooled.dispersion.interval}};
 }
 
-const AnnualRate& chosen(const AnnualRate& rate) { return rate; }
-const AnnualRate& chosen(const SuiteRate& rate) { return rate.chosen; }
-
 StudyTable table_of_curves(const FragilityReport& report) {
   const Heads heads(report);
   look::Table table = heads.table();
@@ -140,8 +137,8 @@ StudyTable table_of_curves(const FragilityReport& report) {
             row[1] = number((*law)[0].value, (*law)[0].interval, 3);
             row[2] = number((*law)[1].value, (*law)[1].interval, 3);
           }
-          if (reported.rate)
-            row[3] = number(chosen(*reported.rate).value, chosen(*reported.rate).interval, look::rate_form());
+          if (const AnnualRate* rate = rate_of(reported))
+            row[3] = number(rate->value, rate->interval, look::rate_form());
           table.rows.push_back(heads.row(reported, row));
         },
         curve);

@@ -8,9 +8,10 @@
 #include "rocking/base/number_text.hpp"
 #include "rocking/input/read_hazard.hpp"
 #include "rocking/scene/check_condition.hpp"
+#include "rocking/scene/hazard.hpp"
 #include "rocking/store/store.hpp"
+#include "rocking/studies/curves/hazard_integral.hpp"
 #include "rocking/studies/fragility/fragility.hpp"
-#include "rocking/studies/fragility/hazard_integral.hpp"
 #include "rocking/studies/fragility/study.hpp"
 #include "rocking/text/files.hpp"
 
@@ -42,42 +43,6 @@ void check_friction(const std::vector<ResponseEvent>& events, const Experiment& 
          .remedy = "add `friction` to the experiment, or ask for overturning or a tilt",
          .where = {}});
   }
-}
-
-/// The periods of the spectral acceleration that is swept; empty: none.
-std::vector<double> measure_periods(const Scene& scene) {
-  const auto* recorded = std::get_if<Recorded>(&scene.excitation);
-  return recorded == nullptr ? std::vector<double>() : recorded->measure_periods;
-}
-
-/// Throws where conditions have different periods: a hazard curve is that of one spectral acceleration.
-void check_one_period(const HazardCurve& hazard, const Experiment& experiment) {
-  const std::vector<double> first = measure_periods(experiment.conditions.front().scene);
-  const bool is_one = std::ranges::all_of(experiment.conditions, [&first](const Condition& condition) {
-    return measure_periods(condition.scene) == first;
-  });
-  if (is_one) return;
-  throw base::InputError({.place = hazard.name,
-                          .value = "",
-                          .reason = "is a curve of one spectral acceleration, but the sweep changes its period",
-                          .remedy = "make a run for each period, with the hazard curve of each",
-                          .where = {}});
-}
-
-/// Throws where the hazard curve is one of another intensity measure than that of the run.
-void check_intensity(const HazardCurve& hazard, const Experiment& experiment) {
-  const std::string own = swept_measure(experiment);
-  if (hazard.intensity == own || intensity_of(experiment) == level_pointer)
-    return;  // levels do not state their measure
-  const bool lacks_period = own.starts_with(hazard.intensity + '[');
-  const std::string line = hazard.header_line == 0 ? "" : ", line " + std::to_string(hazard.header_line);
-  throw base::InputError({.place = hazard.name + line,
-                          .value = hazard.intensity,
-                          .reason = lacks_period ? "does not state its period; the run sweeps " + own
-                                                 : "is not the intensity measure of the run, which is " + own,
-                          .remedy = "give a hazard curve in " + own + " with the header \"" + own + ", annual_rate\"" +
-                                    (lacks_period ? "" : ", or a run that sweeps " + hazard.intensity),
-                          .where = {}});
 }
 
 /// The parts of all curves, and how far they are.
@@ -117,12 +82,8 @@ void set_rates(const HazardCurve& hazard, RunFragility& run) {
     const bool is_by_law = std::ranges::none_of(run.suites, [&](const ShownSuite& other) {
       return other.curve.subject.event == shown.curve.subject.event && has_no_law(other);
     });
-    shown.rate = annual_rate(shown.curve, hazard, is_by_law ? RateBasis::law_if_fitted : RateBasis::isotonic);
+    shown.rate = annual_rate(shown.curve, hazard, is_by_law ? RateSource::law : RateSource::isotonic);
   }
-}
-
-RateBasis basis_of(const ShownSuite& shown) {
-  return shown.rate.value().chosen.source == RateSource::law ? RateBasis::law_if_fitted : RateBasis::isotonic;
 }
 
 /// Each suite of a later group with that of the first one about the same event.
@@ -131,7 +92,7 @@ void compare(const HazardCurve& hazard, RunFragility& run) {
     const auto base = std::ranges::find_if(
         run.suites, [&](const ShownSuite& other) { return other.curve.subject.event == shown.curve.subject.event; });
     if (&*base == &shown) continue;
-    run.comparisons.push_back(compared_rates(base->curve, shown.curve, hazard, basis_of(shown)));
+    run.comparisons.push_back(compared_rates(base->curve, shown.curve, hazard, shown.rate.value().chosen.source));
   }
 }
 
@@ -211,25 +172,6 @@ std::vector<StripeGroup> with_levels_of(const HazardCurve& hazard, const Experim
 }
 
 }  // namespace
-
-std::vector<double> measure_periods(const Experiment& experiment) {
-  return measure_periods(experiment.conditions.front().scene);
-}
-
-std::string swept_measure(const Experiment& experiment) {
-  const std::string_view pointer = intensity_of(experiment);
-  std::string text(pointer.substr(pointer.rfind('/') + 1));
-  // The period of Sa(2 pi/p) follows from the block.
-  if (text == "sa_p_g") return text;
-  const std::vector<double> periods = measure_periods(experiment);
-  for (std::size_t i = 0; i < periods.size(); ++i) text += (i == 0 ? '[' : '-') + base::shortest(periods[i]);
-  return periods.empty() ? text : text + ']';
-}
-
-void check_hazard(const HazardCurve& hazard, const Experiment& experiment) {
-  check_intensity(hazard, experiment);
-  check_one_period(hazard, experiment);
-}
 
 RunFragility run_fragility(const Experiment& experiment, const std::vector<StripeGroup>& all_groups,
                            const FragilityQuestion& question, const RunOptions& options) {

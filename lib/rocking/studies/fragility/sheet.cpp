@@ -1,47 +1,18 @@
-#include <cerrno>
-#include <system_error>
 #include <utility>
 
-#include "analysis/child_process.hpp"
 #include "analysis/draw.hpp"
 #include "rocking/api/refuse.hpp"
 #include "rocking/api/run_store.hpp"
 #include "rocking/base/build_info.hpp"
+#include "rocking/scene/hazard.hpp"
 #include "rocking/studies/fragility/figure.hpp"
 #include "rocking/studies/fragility/question.hpp"
 #include "rocking/studies/fragility/sheet.hpp"
-#include "rocking/studies/fragility/words.hpp"
+#include "rocking/studies/fragility/study.hpp"
 #include "rocking/text/files.hpp"
 
 namespace rocking {
 namespace {
-
-constexpr std::size_t most_pdf_bytes = 100'000'000;
-
-analysis::Drawing ending_of(const analysis::ChildEnd& child) {
-  if (child.error == ENOENT) {
-    return {
-        .end = analysis::DrawingEnd::not_installed,
-        .reason = "WeasyPrint is not installed, so no PDF was made; install it (Debian: weasyprint), or write HTML"};
-  }
-  if (child.error != 0) {
-    return {.end = analysis::DrawingEnd::broken_off,
-            .reason = "WeasyPrint cannot be started: " + std::generic_category().message(child.error)};
-  }
-  if (!child.is_success())
-    return {.end = analysis::DrawingEnd::broken_off, .reason = "WeasyPrint failed: " + child.words};
-  return {.end = analysis::DrawingEnd::drawn, .reason = {}};
-}
-
-/// A page of HTML, without scripts and external resources, as PDF: by WeasyPrint, which is looked up in PATH. Empty where
-/// that is missing or fails; `printing` says why. Equal pages give equal bytes. Throws base::Stopped if it is asked to
-/// stop.
-std::string pdf_of(std::string_view html, analysis::Drawing& printing, base::StopRequest stop) {
-  const analysis::TemporaryFolder folder;
-  write_atomically(folder.path() / "page.html", html);
-  printing = ending_of(analysis::run_child(folder.path(), {"weasyprint", "--quiet", "page.html", "page.pdf"}, stop));
-  return printing.is_drawn() ? read_file(folder.path() / "page.pdf", most_pdf_bytes) : "";
-}
 
 /// The suites that have a rate, about the event that is asked for first.
 std::vector<ReportedSuite> suites_with_rate(const FragilityReport& report) {
@@ -104,7 +75,7 @@ Written write_sheet(const StoredRun& stored, const RunFragility& found, const Ha
                                            .program = base::code_identity(),
                                            .notes = notes});
   if (file.extension() == ".pdf") {
-    text = pdf_of(text, drawing, stop);
+    text = analysis::pdf_of(text, drawing, stop);
     note(drawing);
     if (!drawing.is_drawn()) return written;
   }

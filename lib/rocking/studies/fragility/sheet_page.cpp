@@ -10,19 +10,17 @@
 #include "rocking/figures/sweep_view.hpp"
 #include "rocking/output/alarms.hpp"
 #include "rocking/output/shaking_text.hpp"
-#include "rocking/studies/fragility/words.hpp"
+#include "rocking/studies/fragility/study.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking::analysis {
 namespace {
 
-const std::vector<double> usual_horizons{1.0, 50.0, 475.0};  // [years]
 constexpr std::size_t most_records_named = 30;
 constexpr std::size_t most_options = 5;
 
 std::string last_part(const std::string& path) { return path.substr(path.rfind('/') + 1); }
 
-/// What the sheet is about.
 const ResponseEvent& event_of(const SheetContent& sheet) { return sheet.suites.front().curve.subject.event; }
 
 std::span<const ReportedSuite> shown_suites(const SheetContent& sheet) {
@@ -47,9 +45,8 @@ std::string by_option(const SheetContent& sheet, const Fact& fact_of) {
 
 /// The answer, a paragraph a line.
 std::string answer(const SheetContent& sheet) {
-  std::string text = "<p class=\"answer\">" + escaped(sheet.headline);
-  while (text.ends_with('\n')) text.pop_back();
-  return text + "</p>\n";
+  return "<p class=\"answer\">" + escaped(sheet.headline.substr(0, sheet.headline.find_last_not_of('\n') + 1)) +
+         "</p>\n";
 }
 
 /// Whether the blocks still stand, where that is asked.
@@ -128,7 +125,7 @@ std::string period_cell(const std::string& label, const AnnualRate& rate) {
 std::vector<double> horizons(const SheetContent& sheet) {
   std::vector<double> years;
   for (const RateInYears& each : sheet.suites.front().rate->chosen.in_years) years.push_back(each.years);
-  return years.empty() ? usual_horizons : years;
+  return years.empty() ? std::vector<double>{1.0, 50.0, 475.0} : years;
 }
 
 /// The rate of an option as a factor of that of the first one.
@@ -144,9 +141,10 @@ std::string rates(const SheetContent& sheet) {
   const bool has_options = !sheet.comparisons.empty();
   const std::vector<double> years = horizons(sheet);
   std::vector<std::string> headings{"per year", "once in [years]"};
-  for (const double each : years) {
-    headings.push_back(fmt::format("in {} {} [%]", base::shortest(each), each == 1.0 ? "year" : "years"));
-  }
+  const auto heading_of = [](double time) {
+    return fmt::format("in {} {} [%]", base::shortest(time), time == 1.0 ? "year" : "years");
+  };
+  for (const double each : years) headings.push_back(heading_of(each));
   if (has_options) headings.emplace_back("factor");
   std::string rows, head;
   for (const std::string& heading : headings) head += "<th>" + heading + "</th>";
@@ -156,8 +154,7 @@ std::string rates(const SheetContent& sheet) {
     rows += "<tr><th>" + escaped(option.empty() ? words_of(event_of(sheet)) : option) + "</th>" +
             rate_cell(headings[0], rate.value, rate.interval) + period_cell(headings[1], rate);
     for (const auto& [horizon, probability, interval] : in_years(rate, years)) {
-      const auto place = static_cast<std::size_t>(std::ranges::find(years, horizon) - years.begin());
-      rows += cell(headings[2 + place], in_years_text(probability),
+      rows += cell(heading_of(horizon), in_years_text(probability),
                    interval ? '[' + in_years_text(interval->low) + ", " + in_years_text(interval->high) + ']' : "");
     }
     rows += (has_options ? factor_cell(sheet, suite) : "") + "</tr>\n";
@@ -256,8 +253,6 @@ std::string basis(const SheetContent& sheet) {
 }
 
 std::string assumptions(const SheetContent& sheet) {
-  const std::string counted =
-      by_option(sheet, [](const ReportedSuite& suite) { return counted_from_in_words(suite.curve.subject); });
   return fmt::format(
       "<h2>Assumptions</h2>\n<ol>\n<li>One rigid block on a level, rigid floor, in one vertical "
       "plane; without anchorage, neighbours, twist or flexibility.</li>\n<li>Energy is lost in impacts and by friction "
@@ -265,12 +260,12 @@ std::string assumptions(const SheetContent& sheet) {
       "The rate counts {}{}.</li>\n<li>Intervals cover the choice of the records and the random numbers, nothing else. "
       "Records that are scaled far do not become stronger earthquakes.</li>\n<li>Earthquakes follow each other as a "
       "Poisson process. {}</li>\n</ol>\n",
-      counted, why_counted_in_words(sheet.suites.front().curve.subject),
+      by_option(sheet, [](const ReportedSuite& suite) { return counted_from_in_words(suite.curve.subject); }),
+      why_counted_in_words(sheet.suites.front().curve.subject),
       event_of(sheet).is_overturning() ? "Damage without overturning is not counted."
                                        : "An object that overturns is counted too. Other damage is not.");
 }
 
-/// Lines to sign on; what is not given is written by hand.
 std::string signature(const SheetNotes& notes) {
   return fmt::format("<div class=\"sign\"><p>Project: {}</p><p>Date: {}</p><p>Signature:</p></div>\n",
                      escaped(notes.project), escaped(notes.date));

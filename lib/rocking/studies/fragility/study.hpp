@@ -5,18 +5,12 @@
 #include "rocking/base/digest.hpp"
 #include "rocking/fields/document.hpp"
 #include "rocking/fields/struct_type.hpp"
+#include "rocking/studies/curves/look.hpp"
 #include "rocking/studies/fragility/fragility.hpp"
-#include "rocking/studies/fragility/words.hpp"
+#include "rocking/studies/incremental/look.hpp"
 #include "rocking/study/study.hpp"
 
 namespace rocking {
-
-/// The run to which a curve belongs.
-struct CurveRun {
-  std::string title;
-  base::Sha256 experiment = {};            ///< digest of its canonical text
-  std::vector<std::string> left_out = {};  ///< names of records of its suite that could not be read
-};
 
 /// The curve of one motion.
 struct ReportedCurve {
@@ -39,12 +33,6 @@ struct ReportedSuite {
 [[nodiscard]] inline const AnnualRate* rate_of(const ReportedSuite& curve) {
   return curve.rate ? &curve.rate->chosen : nullptr;
 }
-
-/// The incremental dynamic analysis of a run.
-struct ReportedAnalysis {
-  CurveRun run;
-  IncrementalAnalysis analysis;
-};
 
 /// A comparison of rates of a run.
 struct ReportedComparison {
@@ -85,7 +73,40 @@ struct FragilityReport {
 /// The levels of all curves, and what is fitted to each.
 [[nodiscard]] std::vector<StudyTable> fragility_tables(const FragilityReport& report);
 
+/// A question, with the files that it is read from, and how the answer is shown.
+struct RunsQuestion {
+  FragilityQuestion question;
+  std::vector<std::string> hazards;  ///< files; the first is that of the rates
+  std::vector<HazardCurve> branches = {};
+  std::optional<double> survived;  ///< [years]
+  std::optional<std::string> imt;
+  std::vector<double> site;  ///< longitude and latitude [degrees]; empty: not asked for
+  std::optional<std::string> statistic;
+  std::optional<std::string> rare;  ///< folder of rare.json, or the file
+  std::optional<std::string> joint_hazard;
+  std::optional<std::string> sheet;
+  std::optional<std::string> project;
+  std::optional<std::string> date;
+  std::optional<std::string> export_file;
+  std::optional<std::string> export_as;
+  bool suggest = false;
+  bool per_record = false;
+};
+
 [[nodiscard]] const StructType& fields_of(const FragilityQuestion*);
+[[nodiscard]] const StructType& fields_of(const RunsQuestion*);
+
+[[nodiscard]] const StructType& fields_of(const Survival*);
+[[nodiscard]] const StructType& fields_of(const ReportedSuite*);
+[[nodiscard]] const StructType& fields_of(const ReportedSurface*);
+
+/// Whether the blocks still stand: how likely, by block and by hazard curve.
+[[nodiscard]] std::string survival_table(const Survival& survival);
+/// The first line of it.
+[[nodiscard]] std::string survival_in_words(const Survival& survival);
+
+/// The surface over two measures: what matters, its coefficients, and its rate.
+[[nodiscard]] std::string surface_table(const std::string& title, const FragilitySurface& surface);
 
 /// Formats of other programs: NRML 0.5 of OpenQuake, the fragility table of pelicun, or CSV.
 enum class ExportFormat : std::uint8_t { nrml, pelicun, csv };

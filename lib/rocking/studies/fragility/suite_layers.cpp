@@ -44,7 +44,7 @@ Table suite_table(const SuiteCurve& curve) {
   table.columns.push_back({source + "_high", "upper end of it"});
   for (const SuiteLevel& level : curve.levels) {
     table.rows.push_back({level.intensity, static_cast<double>(level.records),
-                          static_cast<double>(level.happened.trials), static_cast<double>(level.happened.successes),
+                          static_cast<double>(level.overturned.trials), static_cast<double>(level.overturned.successes),
                           level.estimate});
     auto& row = table.rows.back();
     const auto band = curve.has_law() ? level.band : std::optional(level.isotonic_band);

@@ -5,7 +5,7 @@
 #include "rocking/api/refuse.hpp"
 #include "rocking/base/number_text.hpp"
 #include "rocking/studies/fragility/fragility.hpp"
-#include "rocking/studies/fragility/words.hpp"
+#include "rocking/studies/fragility/study.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking {
@@ -126,18 +126,15 @@ StripeGroup joint_group(const std::vector<BlockCurve>& blocks, const ResponseEve
 
 using AnyCurve = decltype(BlockCurve::curve);
 
-bool has_law(const FragilityCurve* curve) { return curve->law.has_value(); }
-bool has_law(const SuiteCurve* curve) { return curve->has_law(); }
-
-AnnualRate rate_by(const FragilityCurve* curve, const HazardCurve& hazard, RateBasis) {
+AnnualRate rate_by(const FragilityCurve* curve, const HazardCurve& hazard, RateSource) {
   return annual_rate(*curve, hazard);
 }
-AnnualRate rate_by(const SuiteCurve* curve, const HazardCurve& hazard, RateBasis basis) {
-  return annual_rate(*curve, hazard, basis).chosen;
+AnnualRate rate_by(const SuiteCurve* curve, const HazardCurve& hazard, RateSource source) {
+  return annual_rate(*curve, hazard, source).chosen;
 }
 
-AnnualRate rate_of(const AnyCurve& curve, const HazardCurve& hazard, RateBasis basis) {
-  return std::visit([&](const auto* one) { return rate_by(one, hazard, basis); }, curve);
+AnnualRate rate_of(const AnyCurve& curve, const HazardCurve& hazard, RateSource source) {
+  return std::visit([&](const auto* one) { return rate_by(one, hazard, source); }, curve);
 }
 
 /// Of the rate at which any has the event, from the intervals of each: at least the largest, at most the sum. Under one
@@ -185,20 +182,20 @@ Survival survival(const std::vector<BlockCurve>& blocks, double years, const std
     }
   }
   const auto holds = [](const AnyCurve& curve) {
-    return std::visit([](const auto* one) { return has_law(one); }, curve);
+    return std::visit([](const auto* one) { return one->has_law(); }, curve);
   };
   const bool is_by_law = holds(all) && std::ranges::all_of(blocks, holds, &BlockCurve::curve);
-  const RateBasis basis = is_by_law ? RateBasis::law_if_fitted : RateBasis::isotonic;
+  const RateSource source = is_by_law ? RateSource::law : RateSource::isotonic;
   Survival found{.event = event, .years = years, .source = RateSource::law, .branches = {}};
   for (const HazardCurve& hazard : hazards) {
     SurvivalBranch& branch = found.branches.emplace_back();
     branch.hazard = hazard.name;
     branch.independent = 1.0;
     for (const BlockCurve& block : blocks) {
-      branch.blocks.push_back(survivor(block.name, rate_of(block.curve, hazard, basis), years));
+      branch.blocks.push_back(survivor(block.name, rate_of(block.curve, hazard, source), years));
       branch.independent *= branch.blocks.back().probability;
     }
-    AnnualRate rate = rate_of(all, hazard, basis);
+    AnnualRate rate = rate_of(all, hazard, source);
     if (joint_of_motion) rate.interval = bounds_of_any(branch.blocks);
     branch.all = survivor("", rate, years);
     found.source = rate.source;

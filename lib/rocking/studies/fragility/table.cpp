@@ -5,7 +5,6 @@
 #include "rocking/output/alarms.hpp"
 #include "rocking/output/parameter_text.hpp"
 #include "rocking/output/shaking_text.hpp"
-#include "rocking/studies/fragility/words.hpp"
 #include "rocking/text/json.hpp"
 #include "rocking/text/number_text.hpp"
 
@@ -17,105 +16,11 @@ using look::percentage;
 
 using stats::FragilityOutcome;
 
-/// The words that replace a fit.
-std::string words_for(FragilityOutcome outcome, const ResponseEvent& event) {
-  switch (outcome) {
-    case FragilityOutcome::fitted: return "";
-    case FragilityOutcome::never_happened:
-      return "no function is fitted: the block never " + did(event) + "; add higher intensities";
-    case FragilityOutcome::always_happened:
-      return "no function is fitted: the block always " + did(event) + "; add lower intensities";
-    case FragilityOutcome::separated:
-      return "no function is fitted: the block never " + did(event) +
-             " below an intensity and always above it; add intensities between";
-    case FragilityOutcome::does_not_rise:
-      return "no function is fitted: the share of realisations that " + did(event) +
-             " does not clearly increase with intensity, or too\nfew realisations differ to show it";
-    case FragilityOutcome::no_scatter:
-      return "no function is fitted: the realisations " + to_do(event) +
-             " at the same levels, or differ in one way only, so the uncertainty\ncannot be estimated; make more "
-             "parameters random, or add realisations and intensities";
-    case FragilityOutcome::rejected:
-      return "the lognormal function is rejected; the isotonic estimate and its band, of all levels at once, take its "
-             "place";
-    case FragilityOutcome::not_monotone:
-      return "no function describes these levels: the share of realisations that " + did(event) +
-             " falls as the intensity increases,\nwhich contradicts the lognormal function and every other that only "
-             "rises";
-    case FragilityOutcome::unresolved:
-      return "no function is fitted: some realisations ended without an answer, and whether they " + to_do(event) +
-             " is not known; the\nintervals of the levels cover both";
-    case FragilityOutcome::too_little: break;
-  }
-  return "no function is fitted: this requires two intensities, and two realisations with different random numbers";
-}
-
-/// Pointers to all swept parameters.
-std::vector<std::string> swept_in(const FragilityCurve& curve) {
-  std::vector<std::string> swept{curve.subject.parameter};
-  for (const Parameter& other : curve.subject.others) swept.push_back(other.pointer);
-  return swept;
-}
-
-/// `2.31 [2.20, 2.43]`; outside the levels `> 1.2 (extrapolated: 1.31 [1.24, 1.42])`.
-std::string median_in_words(const FragilityCurve& curve) {
-  const stats::Bounded& median = curve.law->median;
-  if (!curve.law->is_extrapolated) return bounded_in_words(median);
-  const bool is_above = curve.levels.back().intensity < median.value;
-  const double nearest = is_above ? curve.levels.back().intensity : curve.levels.front().intensity;
-  return (is_above ? "> " : "< ") + significant(nearest, 6) + " (extrapolated: " + bounded_in_words(median) + ')';
-}
-
-/// The cells after the intensity.
-look::Row row_of(const FragilityLevel& level) {
-  look::Cell curve = number(level.isotonic ? level.isotonic : level.fitted, percentage());
-  if (level.fitted && !level.isotonic && level.is_missed()) std::get<look::Number>(curve).after = " *";
-  return {look::whole(level.overturned.trials),
-          number(level.estimate, percentage(), count_if_open(level.overturned.successes, level.overturned.trials)),
-          look::interval(level.exact, percentage()), curve, look::interval(level.band, percentage())};
-}
-
-/// Median and dispersion, or why there are none, and the test of the function.
-std::string law_in_words(const FragilityCurve& curve) {
-  const std::string law =
-      curve.law ? "median " + median_in_words(curve) + ", dispersion " + bounded_in_words(curve.law->dispersion)
-                : words_for(curve.outcome, curve.subject.event);
-  return law + '\n' + (curve.test ? test_in_words(*curve.test) : "");
-}
-
-std::string curve_table(const FragilityCurve& curve, Extent extent) {
-  const bool is_isotonic = curve.outcome == FragilityOutcome::rejected;
-  look::Table table{.title = "shares at the levels"};
-  std::vector<std::optional<Shaking>> shakings;
-  for (const FragilityLevel& level : curve.levels) shakings.push_back(level.shaking);
-  const auto beside = shaking_columns(swept_in(curve), shakings);
-  add_columns(table, {last_key(curve.subject.parameter)});
-  add_columns(table, {beside.begin(), beside.end()});
-  add_columns(table, {"n", column_of(curve.subject.event), "exact", is_isotonic ? "isotonic" : "fitted", "band"});
-  const std::size_t step = extent == Extent::all ? 1 : (curve.levels.size() + most_screen_rows - 1) / most_screen_rows;
-  for (std::size_t i = 0; i < curve.levels.size(); i += step) {
-    look::Row& row = table.rows.emplace_back(look::Row{number(curve.levels[i].intensity, 6)});
-    for (const std::string_view key : beside) row.emplace_back(column_cell(shakings[i], key));
-    append(row, row_of(curve.levels[i]));
-  }
-  add_unresolved(curve.levels, step, table);
-  const std::string common = common_shaking(swept_in(curve), shakings);
-  std::string text = law_in_words(curve) + '\n' + to_terminal(table) + rare_table(curve.rare, curve.subject.parameter) +
-                     (common.empty() ? "" : "shaking: " + common + '\n');
-  const std::size_t missed = curve.missed_levels();
-  if (missed == 0) return text;
-  return text + "* at " + std::to_string(missed) + " of " + std::to_string(curve.levels.size()) +
-         " levels the fitted function lies outside the simultaneous exact interval: it does not describe these data\n";
-}
-
-const stats::Proportion& counted_at(const FragilityLevel& level) { return level.overturned; }
-const stats::Proportion& counted_at(const SuiteLevel& level) { return level.happened; }
-
 /// Largest number of realisations of a level.
 template <class Levels>
 std::uint64_t most_realisations(const Levels& levels) {
   std::uint64_t most = 0;
-  for (const auto& level : levels) most = std::max(most, counted_at(level).trials);
+  for (const auto& level : levels) most = std::max(most, level.overturned.trials);
   return most;
 }
 
@@ -223,7 +128,7 @@ std::string reasons_in(const FragilityReport& report) {
   for (const auto& curve : report.curves) {
     const auto* one = std::get_if<ReportedCurve>(&curve);
     if (one != nullptr && !one->curve.law) {
-      reasons.insert({one->curve.outcome, words_for(one->curve.outcome, one->curve.subject.event)});
+      reasons.insert({one->curve.outcome, why_without_law(one->curve.outcome, one->curve.subject.event)});
     }
   }
   std::string text;

@@ -59,7 +59,7 @@ ReportedSuite suite(const ResponseEvent& event) {
     SuiteLevel& level = reported.curve.levels.emplace_back();
     level.intensity = intensity;
     level.records = 5;
-    level.happened = {.successes = 50, .trials = 100};
+    level.overturned = {.successes = 50, .trials = 100};
     level.estimate = 0.5 * intensity;
     level.fitted = rocking::stats::normal_cdf(z);
     level.band = {.low = rocking::stats::normal_cdf(z - 0.5), .high = rocking::stats::normal_cdf(z + 0.5)};

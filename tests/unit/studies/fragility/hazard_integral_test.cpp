@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "rocking/studies/fragility/hazard_integral.hpp"
+#include "rocking/studies/curves/hazard_integral.hpp"
 
 namespace rocking {
 namespace {

@@ -8,7 +8,8 @@
 #include <gmock/gmock.h>
 
 #include "rocking/base/error.hpp"
-#include "rocking/studies/fragility/figure.hpp"
+#include "rocking/studies/fragility/study.hpp"
+#include "rocking/studies/incremental/look.hpp"
 
 namespace {
 
@@ -41,7 +42,7 @@ Json analysed() {
 }
 
 Figure only_figure(const Json& output) {
-  return incremental_figure(rocking::fragility_document().read(output)).value();
+  return incremental_figure(rocking::fragility_document().read(output).incremental).value();
 }
 
 std::vector<double> drawn_by(const Figure& figure, const Layer& layer) {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "rocking/studies/fragility/suite_curve.hpp"
+#include "rocking/studies/incremental/incremental.hpp"
 
 namespace rocking {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "rocking/studies/curves/stripes.hpp"
 #include "rocking/studies/fragility/fragility.hpp"
-#include "rocking/studies/fragility/stripes.hpp"
 
 namespace rocking {
 namespace {

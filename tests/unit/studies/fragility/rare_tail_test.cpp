@@ -1,6 +1,6 @@
 // The annual rate with rare estimates in its lower tail: cases with known answers.
 
-#include "rocking/studies/fragility/rare_tail.hpp"
+#include "rocking/studies/curves/rare_tail.hpp"
 #include "rocking/stats/suite_bootstrap.hpp"
 
 #include <cmath>

@@ -9,10 +9,9 @@
 #include "rocking/stats/fit_suite.hpp"
 #include "rocking/stats/normal_law.hpp"
 #include "rocking/stats/suite_bootstrap.hpp"
-#include "rocking/studies/fragility/fields.hpp"
+#include "rocking/studies/curves/shares_and_hazard.hpp"
+#include "rocking/studies/fragility/study.hpp"
 #include "rocking/studies/fragility/fragility.hpp"
-#include "rocking/studies/fragility/shares_and_hazard.hpp"
-#include "rocking/studies/fragility/words.hpp"
 #include "support/made_up_suite.hpp"
 
 namespace rocking {
@@ -187,6 +186,22 @@ TEST(SuiteRate, ByIsotonicSharesContainsItsBounds) {
   EXPECT_GT(rate.estimates.back().interval->high, at_most);
 }
 
+// No record overturned where the hazard is, but the law gives a probability there.
+TEST(SuiteRate, ByTheLawDisagreesWithoutANumberWhereThatBySharesIsZero) {
+  const SuiteCurve late = suite_curve(
+      group_of(
+          {{0, 0, 2, 7, 10}, {0, 0, 6, 10, 10}, {0, 0, 9, 6, 9}, {0, 0, 0, 3, 8}, {0, 0, 3, 8, 10}, {0, 0, 5, 9, 10}}),
+      {}, 1);
+  ASSERT_TRUE(late.pooled);
+  const HazardCurve weak{
+      .name = "", .intensity = "", .header_line = 0, .points = {{0.25, 1e-2}, {0.27, 5e-3}, {0.29, 0.0}}};
+  const SuiteRate rate = annual_rate(late, weak);
+  EXPECT_GT(estimate(rate, RateSource::law), 0.0);
+  EXPECT_EQ(estimate(rate, RateSource::isotonic), 0.0);
+  EXPECT_FALSE(rate.disagreement);
+  EXPECT_THAT(annual_rate_warnings(rate), HasSubstr("one is 0 and the other is not"));
+}
+
 TEST(Undecided, OfRangesOutsideTheLevelsIsTheirBounds) {
   const std::vector<LevelShare> levels{{0.3, 0.1, 1e-3}, {0.6, 0.8, 1e-3}};
   const auto ranges = undecided_ranges(levels, hazard(), uplift);
@@ -326,7 +341,7 @@ TEST(SuiteRate, CoversBothOutcomesOfRealisationsWithoutAnAnswer) {
   EXPECT_EQ(open.chosen.interval->low, interval_of(least).low);
   EXPECT_EQ(open.chosen.interval->high, interval_of(most).high);
   EXPECT_GT(open.chosen.interval->high, interval_of(least).high);
-  EXPECT_GT(open.at_most, annual_rate(whole_curve(), hazard(), RateBasis::isotonic).at_most);
+  EXPECT_GT(open.at_most, annual_rate(whole_curve(), hazard(), RateSource::isotonic).at_most);
   EXPECT_GT(open.undecided_share, least.undecided_share);
 }
 
@@ -347,37 +362,6 @@ TEST(SuiteRate, HasAnIntervalThatHoldsWhatTheLevelsLeaveUndecided) {
   EXPECT_GT(part.at_most, above);
   EXPECT_GE(whole.chosen.value, part.chosen.interval->low);
   EXPECT_LE(whole.chosen.value, part.chosen.interval->high);
-}
-
-// The second option stands again at stronger shaking: its law is rejected, and both rates are those of the shares.
-TEST(RateComparison, HasTheBasisOfTheRates) {
-  SuiteCurve other = suite_curve(
-      group_of(
-          {{0, 0, 1, 5, 10}, {0, 1, 3, 8, 10}, {0, 2, 6, 4, 7}, {0, 0, 0, 2, 6}, {0, 1, 2, 6, 9}, {0, 0, 3, 7, 10}}),
-      {}, 1);
-  ASSERT_EQ(other.outcome, stats::FragilityOutcome::fitted);
-  const auto ratio = [&](RateBasis basis) {
-    return annual_rate(other, hazard(), basis).chosen.value / annual_rate(whole_curve(), hazard(), basis).chosen.value;
-  };
-  const RateComparison by_law = compared_rates(whole_curve(), other, hazard());
-  EXPECT_EQ(by_law.source, RateSource::law);
-  EXPECT_NEAR(*by_law.ratio, ratio(RateBasis::law_if_fitted), 1e-12);
-  EXPECT_LT(by_law.ratio_interval->low, *by_law.ratio);
-  EXPECT_GT(by_law.ratio_interval->high, *by_law.ratio);
-  other.outcome = stats::FragilityOutcome::rejected;
-  const RateComparison by_shares = compared_rates(whole_curve(), other, hazard());
-  EXPECT_EQ(by_shares.source, RateSource::isotonic);
-  EXPECT_NEAR(*by_shares.ratio, ratio(RateBasis::isotonic), 1e-12);
-}
-
-// An option that never overturned is not known to have the rate 0.
-TEST(RateComparison, IsNotCertainOfAnOptionThatNeverOverturned) {
-  const SuiteCurve calm =
-      suite_curve(group_of(std::vector(outcomes.size(), std::vector<int>(intensities.size(), 0))), {}, 1);
-  const RateComparison found = compared_rates(whole_curve(), calm, hazard());
-  EXPECT_EQ(*found.ratio, 0.0);
-  EXPECT_EQ(found.ratio_interval->low, 0.0);
-  EXPECT_GT(found.ratio_interval->high, 0.4) << "0 of 6 records: up to 54 % at each level";
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 #include "rocking/stats/normal_law.hpp"
 #include "rocking/stats/probit_surface.hpp"
 #include "rocking/studies/fragility/fragility.hpp"
-#include "rocking/studies/fragility/words.hpp"
+#include "rocking/studies/fragility/study.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace rocking {
@@ -83,17 +83,18 @@ TEST(FragilitySurface, KnowsWhatLiesOutsideTheTestedPoints) {
 
 TEST(FragilitySurface, GivesTheRateOfAJointHazardFromTheLeastUpliftOn) {
   const StripeGroup group = group_of_twelve(by_both);
-  const JointHazard hazard{.name = "j.csv",
-                           .cells = {{0.22, 0.08, 1e-2}, {0.45, 0.08, 1e-3}, {0.6, 0.1, 1e-4}, {2.0, 0.1, 1e-5}}};
+  const JointHazard hazard{
+      .name = "j.csv",
+      .cells = {{0.24, 0.08, 1e-2}, {0.25, 0.08, 2e-3}, {0.45, 0.08, 1e-3}, {0.6, 0.1, 1e-4}, {2.0, 0.1, 1e-5}}};
   const FragilitySurface found = surface_of(group, both, hazard);
   const auto part = [&](std::size_t i) {
     const auto [x, y, rate] = hazard.cells[i];
     return rate * stats::normal_cdf(stats::surface_probit(found.values(), std::log(x / found.centre[0]),
                                                           std::log(y / found.centre[1])));
   };
-  const double sum = part(1) + part(2) + part(3);  // the first cell lies below the least uplift
+  const double sum = part(1) + part(2) + part(3) + part(4);  // the first cell lies below the least uplift
   EXPECT_NEAR(found.rate->value, sum, 1e-12 * sum);
-  EXPECT_NEAR(found.rate->extrapolated_share, part(3) / sum, 1e-9);
+  EXPECT_NEAR(found.rate->extrapolated_share, part(4) / sum, 1e-9);
   EXPECT_TRUE(found.rate->interval->low < sum && sum < found.rate->interval->high);
 }
 

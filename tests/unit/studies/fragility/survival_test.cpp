@@ -6,7 +6,7 @@
 
 #include "rocking/base/error.hpp"
 #include "rocking/studies/fragility/fragility.hpp"
-#include "rocking/studies/fragility/words.hpp"
+#include "rocking/studies/fragility/study.hpp"
 #include "support/made_up_suite.hpp"
 
 namespace rocking {

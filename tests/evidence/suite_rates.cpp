@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "rocking/studies/fragility/fragility.hpp"
 #include "rocking/studies/curves/hazard_integral.hpp"
+#include "rocking/studies/fragility/fragility.hpp"
 #include "support/made_up_suite.hpp"
 #include "support/suite_by_shares.hpp"
 

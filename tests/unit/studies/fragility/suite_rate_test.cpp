@@ -10,8 +10,8 @@
 #include "rocking/stats/normal_law.hpp"
 #include "rocking/stats/suite_bootstrap.hpp"
 #include "rocking/studies/curves/shares_and_hazard.hpp"
-#include "rocking/studies/fragility/study.hpp"
 #include "rocking/studies/fragility/fragility.hpp"
+#include "rocking/studies/fragility/study.hpp"
 #include "support/made_up_suite.hpp"
 
 namespace rocking {

@@ -4,10 +4,10 @@
 
 #include <fmt/format.h>
 
-#include "analysis/overview.hpp"
 #include "analysis/page/html.hpp"
 #include "analysis/page/sections.hpp"
 #include "analysis/page/words.hpp"
+#include "rocking/output/overview.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking::analysis {

@@ -101,7 +101,7 @@ std::string animations_section(const ShownAnimations& shown) {
 
 std::string page_text(const Report& report, const std::vector<DrawnFigure>& figures, const ShownAnimations& motions) {
   const std::string title = report.title().empty() ? "A rocking block" : report.title();
-  const auto checks = checks_of(report);
+  const std::vector<Finding> findings = findings_of(report);
   auto content = figures_by_part(report, figures);
   if (const std::string settling = settling_html(report); !settling.empty()) {
     content["by-when"] = settling + content["by-when"];
@@ -125,14 +125,14 @@ std::string page_text(const Report& report, const std::vector<DrawnFigure>& figu
   if (const std::string repeats = recurrence_in_brief(report); !repeats.empty()) {
     text += card("repeats", "Is the response repeatable?", repeats, link("recurrence"));
   }
-  text += card("believe", "Can the results be trusted?", trust_in_brief(checks), "trust");
+  text += card("believe", "Can the results be trusted?", trust_in_brief(findings), "trust");
   text += "</div>\n" + animations_section(motions);
   for (const Part& part : parts()) {
     if (part.id != std::string_view("question") && content.contains(part.id)) {
       text += section(part.id, part.heading, content[part.id]);
     }
   }
-  text += section("trust", "Can the results be trusted?", trust_in_full(checks));
+  text += section("trust", "Can the results be trusted?", trust_in_full(findings));
   text += section("limits", "What is not modelled", limits_html());
   text += section("question", "What was simulated?", content["question"] + question_in_full(report));
   text += section("again", "Origin of the results", provenance(report));

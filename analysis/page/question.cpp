@@ -10,13 +10,13 @@
 
 #include <fmt/format.h>
 
-#include "analysis/overview.hpp"
 #include "analysis/page/html.hpp"
 #include "analysis/page/words.hpp"
 #include "analysis/quantity.hpp"
 #include "rocking/figures/sweep_view.hpp"
 #include "rocking/input/quantities_in_text.hpp"
 #include "rocking/look/text_table.hpp"
+#include "rocking/output/overview.hpp"
 #include "rocking/output/shaking_text.hpp"
 #include "rocking/text/number_text.hpp"
 

@@ -7,11 +7,11 @@
 
 #include <fmt/format.h>
 
-#include "analysis/overview.hpp"
 #include "analysis/page/along.hpp"
 #include "analysis/page/html.hpp"
 #include "analysis/page/sections.hpp"
 #include "analysis/run_figures.hpp"
+#include "rocking/output/overview.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking::analysis {

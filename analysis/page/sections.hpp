@@ -1,9 +1,9 @@
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <vector>
 
+#include "rocking/output/findings.hpp"
 #include "rocking/output/report.hpp"
 #include "rocking/section/response_mode.hpp"
 
@@ -56,25 +56,11 @@ namespace rocking::analysis {
 /// Inline SVG: what the sweep makes of the block, at most five options side by side to one scale, with their sizes.
 [[nodiscard]] std::string object_drawings(const Report& report);
 
-enum class Rating : std::uint8_t { fine, note, look };
+/// HTML: how many findings are fine, and those that need attention.
+[[nodiscard]] std::string trust_in_brief(const std::vector<Finding>& findings);
 
-/// A possible reason why a result is wrong, and what the report shows about it.
-struct Check {
-  std::string name;
-  Rating rating = Rating::fine;
-  std::string finding;  ///< HTML
-  std::string where;    ///< the first realisation to inspect, HTML; empty if there is none
-};
-
-/// All checks for which the report has numbers: numerical error, unresolved responses, departures from the model,
-/// clamped draws, responses still in the transient, precision.
-[[nodiscard]] std::vector<Check> checks_of(const Report& report);
-
-/// HTML: how many checks have no finding, and those that need attention.
-[[nodiscard]] std::string trust_in_brief(const std::vector<Check>& checks);
-
-/// All checks as a list.
-[[nodiscard]] std::string trust_in_full(const std::vector<Check>& checks);
+/// All findings as a list.
+[[nodiscard]] std::string trust_in_full(const std::vector<Finding>& findings);
 
 /// How to repeat the run and where it came from: seed, digest, version, machine.
 [[nodiscard]] std::string provenance(const Report& report);

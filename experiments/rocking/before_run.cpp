@@ -13,7 +13,6 @@
 #include "machine.hpp"
 #include "output.hpp"
 #include "rocking/api/checks.hpp"
-#include "rocking/output/alarms.hpp"
 #include "rocking/output/ground_motion_facts.hpp"
 #include "rocking/output/plan_text.hpp"
 #include "rocking/plan/plan.hpp"
@@ -71,54 +70,46 @@ std::vector<UsedMotion> used_motions(const Experiment& experiment) {
   return motions;
 }
 
+/// What is suspicious, without what a run counts itself.
+std::vector<Finding> suspicions_of(const Experiment& experiment) {
+  std::vector<Finding> findings = suspicious_numbers(experiment);
+  std::ranges::move(too_few_periods(experiment), std::back_inserter(findings));
+  return findings;
+}
+
 }  // namespace
 
-std::vector<std::string> ground_motion_notes(const Experiment& experiment) {
-  std::vector<std::string> notes;
+void tell_ground_motion_notes(const Experiment& experiment) {
   for (const std::string& name : experiment.left_out) {
-    notes.push_back(name + ": cannot be read; it is left out of the suite");
+    print_notice(name + ": cannot be read; it is left out of the suite");
   }
   for (const UsedMotion& used : used_motions(experiment)) {
     const std::string& name = used.motion->name;
-    for (const std::string& warning : used.motion->warnings) notes.push_back(name + ": " + warning);
+    for (const std::string& warning : used.motion->warnings) print_notice(name + ": " + warning);
     if (used.may_move) continue;
-    notes.push_back(name + ": is too weak to lift the block at any scale of this run, at most " +
-                    significant(used.largest_scale, 3) + "; it lifts the block from a scale of " +
-                    (used.uplift_scale ? significant(*used.uplift_scale, 4) : "infinity") + " on");
+    print_notice(name + ": is too weak to lift the block at any scale of this run, at most " +
+                 significant(used.largest_scale, 3) + "; it lifts the block from a scale of " +
+                 (used.uplift_scale ? significant(*used.uplift_scale, 4) : "infinity") + " on");
   }
-  return notes;
 }
 
-void tell_ground_motion_notes(const Experiment& experiment) {
-  for (const std::string& note : ground_motion_notes(experiment)) print_notice(note);
+std::vector<Finding> findings_before_run(const Experiment& experiment) {
+  std::vector<Finding> findings = suspicions_of(experiment);
+  std::ranges::move(foreseen_clamps(experiment), std::back_inserter(findings));
+  return findings;
 }
 
-namespace {
-
-std::vector<std::string> alarms_before_run(const Experiment& experiment) {
-  std::vector<std::string> alarms = suspicious_numbers(experiment);
-  for (std::string& alarm : too_few_periods(experiment)) alarms.push_back(std::move(alarm));
-  return alarms;
-}
-
-}  // namespace
-
-std::vector<std::string> warnings_before_run(const Experiment& experiment) {
-  std::vector<std::string> warnings = alarms_before_run(experiment);
-  for (std::string& alarm : foreseen_clamps(experiment)) warnings.push_back(std::move(alarm));
-  for (std::string& warning : warnings) warning.insert(0, "warning: ");
-  return warnings;
+void tell(const std::vector<Finding>& findings) {
+  for (const Finding& each : findings) print_notice("warning: " + in_words(each));
 }
 
 void tell_notes(const Experiment& experiment) {
   tell_ground_motion_notes(experiment);
-  for (const std::string& alarm : alarms_before_run(experiment)) print_notice("warning: " + alarm);
+  tell(suspicions_of(experiment));
 }
 
 std::string checked_text(const Experiment& experiment) {
-  std::string text = ground_motion_text(experiment);
-  for (const std::string& warning : warnings_before_run(experiment)) text += warning + '\n';
-  return text;
+  return ground_motion_text(experiment) + warning_lines(findings_before_run(experiment));
 }
 
 ExitCode show_plan(const Experiment& experiment, const std::optional<Shard>& shard, const ExecutionOptions& execution) {

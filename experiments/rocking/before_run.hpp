@@ -4,21 +4,21 @@
 #include <vector>
 
 #include "campaign.hpp"
-#include "rocking/output/ground_motion_facts.hpp"
+#include "rocking/output/findings.hpp"
 #include "rocking/plan/plan.hpp"
 #include "rocking/scene/experiment.hpp"
 
 namespace rocking::program {
 
-/// What a user should know of the ground motions of an experiment before it runs, one sentence each: warnings of their
-/// readers, and the motions that do not lift the block at any scale of the run.
-[[nodiscard]] std::vector<std::string> ground_motion_notes(const Experiment& experiment);
-
-/// Prints the notes on standard error.
+/// Prints on standard error what a user should know of the ground motions of an experiment before it runs, a line each:
+/// warnings of their readers, and the motions that do not lift the block at any scale of the run.
 void tell_ground_motion_notes(const Experiment& experiment);
 
-/// What is suspicious in an experiment that has not been run, a line each: `warning: ...`.
-[[nodiscard]] std::vector<std::string> warnings_before_run(const Experiment& experiment);
+/// What is suspicious in an experiment that has not been run.
+[[nodiscard]] std::vector<Finding> findings_before_run(const Experiment& experiment);
+
+/// Prints a warning for each on standard error.
+void tell(const std::vector<Finding>& findings);
 
 /// Prints on standard error the notes and the suspicious numbers of an experiment; the run itself counts its clamps.
 void tell_notes(const Experiment& experiment);

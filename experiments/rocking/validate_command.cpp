@@ -24,9 +24,7 @@ ExitCode validate(const ValidateRequest& request) {
     const Experiment experiment = load_experiment(source, request.overrides);
     if (request.loudness.json) {
       print_result(describe_as_json(experiment));
-      if (!request.loudness.quiet) {
-        for (const std::string& warning : warnings_before_run(experiment)) print_notice(warning);
-      }
+      if (!request.loudness.quiet) tell(findings_before_run(experiment));
     } else if (!request.loudness.quiet) {
       tell_ground_motion_notes(experiment);
       const Plan plan = plan_of(experiment, {.threads = available_threads(), .shard = {}});

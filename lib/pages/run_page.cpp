@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
-#include "analysis/overview.hpp"
 #include "analysis/page/words.hpp"
 #include "rocking/dynamics/block.hpp"
+#include "rocking/output/overview.hpp"
 #include "rocking/text/files.hpp"
 
 namespace rocking::pages {
@@ -176,7 +176,7 @@ analysis::ShownAnimations no_animations(const std::string& reason) {
 
 analysis::ShownAnimations animations_of(const Experiment& experiment, const Store& store, const Report& report) {
   analysis::ShownAnimations shown;
-  const auto least = analysis::repeatability_of(report).least;
+  const auto least = repeatability_of(report).least;
   const bool divided = least && report.conditions[*least].result.non_recurrence->differ > 0.0;
   const std::vector<Choice> choices = divided ? choices_within(store, report, *least) : choices_across(store, report);
   for (const Choice& choice : choices) {

@@ -53,7 +53,7 @@ TEST_F(Planning, WhatIsSuspiciousIsToldBeforeARun) {
   swapped["friction"] = Json::parse(R"({"static": 0.5, "kinetic": 0.45})");
   swapped["fluctuation"] = Json::parse(R"({"friction": {"sigma": 0.1}})");
   write("swapped.json", swapped.dump());
-  const auto squat = HasSubstr("warning: /block is squat");
+  const auto squat = HasSubstr("warning: /block: the block is squat");
   const auto clamped = HasSubstr("warning: random numbers would be clamped");
   const auto validated = rocking("validate swapped.json");
   EXPECT_EQ(validated.exit_code, 0);
@@ -120,7 +120,7 @@ TEST_F(Planning, ARunTellsWhichHalfWidthsItDidNotReach) {
   const auto outcome = rocking("run until.json -o out --no-page");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
   EXPECT_THAT(outcome.output, AllOf(HasSubstr("the wanted half-width was not reached in 3 of 3 conditions"),
-                                    HasSubstr("amplitude 3; overturned"), HasSubstr("raise `at_most`")));
+                                    HasSubstr("amplitude 3, overturned"), HasSubstr("raise `at_most`")));
   until["realisations"]["until"] = Json::parse(R"({"half_width": 0.49, "mode": "overturned", "at_most": 500})");
   write("until.json", until.dump());
   EXPECT_THAT(rocking("run until.json -o other --no-page").output, Not(HasSubstr("not reached")));

@@ -143,7 +143,7 @@ TEST_F(UntilClassified, IsProposedWhereAFixedHorizonIsTooShort) {
   Json experiment = Json::parse(read("until.json"));
   experiment["horizon"].erase("until_classified");
   write("fixed.json", experiment.dump());
-  EXPECT_THAT(rocking("run fixed.json -o fixed -q").output, HasSubstr("horizon too short"));
+  EXPECT_THAT(rocking("run fixed.json -o fixed -q").output, HasSubstr("add \"until_classified\""));
   EXPECT_THAT(read("fixed/report.html"), AllOf(HasSubstr("until_classified"), Not(HasSubstr("id=\"by-when\""))));
 }
 

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "rocking/input/read_experiment.hpp"
-#include "rocking/output/alarms.hpp"
+#include "rocking/output/findings.hpp"
 #include "rocking/text/files.hpp"
 
 namespace rocking {
@@ -19,7 +19,7 @@ TEST(PublishedExperiment, IsValidUnsuspiciousAndItsCanonicalTextIsItsOwn) {
     const Surroundings beside_it{.files = files_seen_from(entry.path().parent_path())};
     EXPECT_EQ(experiment_in(experiment.canonical_text, {}, beside_it).canonical_text, experiment.canonical_text)
         << entry.path();
-    EXPECT_TRUE(suspicious_numbers(experiment).empty()) << entry.path() << suspicious_numbers(experiment).front();
+    EXPECT_TRUE(suspicious_numbers(experiment).empty()) << entry.path() << suspicious_numbers(experiment).front().text;
     ++found;
   }
   EXPECT_GE(found, 10);

@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "rocking/fields/container_types.hpp"
+#include "rocking/output/findings.hpp"
 #include "rocking/scene/restitution.hpp"
 #include "rocking/text/number_text.hpp"
 
@@ -164,22 +165,24 @@ std::vector<std::string> ground_motion_lines(const std::vector<UsedGroundMotion>
   return lines;
 }
 
-std::optional<std::string> far_scaled(const std::vector<UsedGroundMotion>& motions) {
+std::optional<Finding> far_scaled(const std::vector<UsedGroundMotion>& motions) {
   const auto is_far = [](const UsedGroundMotion& used) { return used.largest_scale > largest_usual_scale; };
   const auto count = std::ranges::count_if(motions, is_far);
   if (count == 0) return std::nullopt;
   const auto largest = std::ranges::max_element(motions, {}, &UsedGroundMotion::largest_scale);
-  return "scale factors above " + significant(largest_usual_scale, 2) + " for " + std::to_string(count) + " of " +
-         counted(motions.size(), "ground motion") + " (" + last_part(largest->facts.file) + ": up to " +
-         significant(largest->largest_scale, 3) +
-         "): a factor does not make the record of a strong earthquake of a weak one; give stronger records";
+  return Finding{.name = "scale factors of the records",
+                 .text = "scale factors above " + significant(largest_usual_scale, 2) + " for " +
+                         std::to_string(count) + " of " + counted(motions.size(), "ground motion") + " (" +
+                         last_part(largest->facts.file) + ": up to " + significant(largest->largest_scale, 3) +
+                         "): a factor does not make the record of a strong earthquake of a weak one",
+                 .remedy = "give stronger records"};
 }
 
 std::string ground_motion_text(const Experiment& experiment) {
   const std::vector<UsedGroundMotion> motions = used_ground_motions(experiment.conditions);
   std::string text;
   for (const std::string& line : ground_motion_lines(motions)) text += line + '\n';
-  if (const auto far = far_scaled(motions)) text += "warning: " + *far + '\n';
+  if (const auto far = far_scaled(motions)) text += warning_lines({*far});
   return text;
 }
 

@@ -63,9 +63,6 @@ inline constexpr double largest_usual_scale = 4.0;
 /// alike, and the range of the factors. Empty without ground motions.
 [[nodiscard]] std::vector<std::string> ground_motion_lines(const std::vector<UsedGroundMotion>& motions);
 
-/// The records that are multiplied by more than `largest_usual_scale`, in a sentence; absent if there are none.
-[[nodiscard]] std::optional<std::string> far_scaled(const std::vector<UsedGroundMotion>& motions);
-
 /// How the files were read, and their scale factors, with a warning where these are large, a line each.
 [[nodiscard]] std::string ground_motion_text(const Experiment& experiment);
 

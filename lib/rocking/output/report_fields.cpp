@@ -4,8 +4,8 @@
 #include "rocking/fields/container_types.hpp"
 #include "rocking/fields/converted_type.hpp"
 #include "rocking/input/report_claims.hpp"
-#include "rocking/output/alarms.hpp"
 #include "rocking/output/ensemble_fields.hpp"
+#include "rocking/output/findings.hpp"
 #include "rocking/output/provenance.hpp"
 #include "rocking/output/report.hpp"
 #include "rocking/output/shaking_text.hpp"
@@ -70,6 +70,14 @@ static const StructType& fields_of(const ReportedEffort*) {
   return fields;
 }
 
+/// Read over, and never written.
+static Field warnings_of_earlier_programs() {
+  Field field = derived<[](const Report&) { return std::vector<std::string>(); }>(
+      "warnings", "of earlier programs, in place of `findings`", {}, WithoutValue::omitted);
+  field.has_value = [](const void*) { return false; };
+  return field;
+}
+
 const StructType& fields_of(const Report*) {
   static const StructType result{
       "RunResult",
@@ -80,10 +88,12 @@ const StructType& fields_of(const Report*) {
       field<&Report::ground_motions>("ground_motions", "how each file was read; absent without recorded excitation",
                                      rule::none, WithoutValue::omitted),
       derived<[](const Report& report) {
-        std::vector<std::string> alarms = alarms_of(report);
-        return alarms.empty() ? std::nullopt : std::optional(std::move(alarms));
-      }>("warnings", "what a reader must know before using the result; those about a file stand in its ground motion",
-         {}, WithoutValue::omitted),
+        std::vector<Finding> findings = findings_of(report);
+        std::erase_if(findings, [](const Finding& each) { return each.rating == Rating::fine; });
+        return findings;
+      }>("findings", "what a reader must know before using the result; absent, of earlier programs: none", {},
+         WithoutValue::omitted),
+      warnings_of_earlier_programs(),
       field<&Report::conditions>("conditions", "one entry for each point of the sweep"),
   };
   static const StructType fields{

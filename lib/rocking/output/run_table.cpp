@@ -10,8 +10,9 @@
 
 #include "rocking/base/error.hpp"
 #include "rocking/look/table.hpp"
-#include "rocking/output/alarms.hpp"
+#include "rocking/output/findings.hpp"
 #include "rocking/output/mode_table.hpp"
+#include "rocking/output/overview.hpp"
 #include "rocking/output/settling_table.hpp"
 #include "rocking/output/shaking_text.hpp"
 #include "rocking/text/json.hpp"
@@ -19,62 +20,6 @@
 
 namespace rocking {
 namespace {
-
-constexpr std::size_t most_unreached_listed = 5;
-
-double half_width_of(const ModeEstimate& mode) {
-  const stats::Interval& interval = mode.probability.quoted();
-  return 0.5 * (interval.high - interval.low);
-}
-
-/// The mode whose interval kept the condition from stopping; absent if it is one that did not occur.
-const ModeEstimate* decisive_mode(const Until& until, const ConditionResult& result) {
-  ROCKING_EXPECT(!result.modes.empty());
-  if (!until.mode) return &*std::ranges::max_element(result.modes, {}, half_width_of);
-  const auto found = std::ranges::find(result.modes, *until.mode, &ModeEstimate::mode);
-  return found == result.modes.end() ? nullptr : &*found;
-}
-
-/// `overturned: 2.3 % instead of 2 %`
-std::string shortfall(const Until& until, const ConditionResult& result) {
-  const ModeEstimate* mode = decisive_mode(until, result);
-  const double wanted = until.relative_half_width ? *until.relative_half_width : *until.half_width;
-  const std::string of_wanted = " instead of " + significant(100.0 * wanted, 3) + " %";
-  if (mode == nullptr) return to_string(*until.mode) + ": did not occur";
-  if (!until.relative_half_width) {
-    return to_string(mode->mode) + ": " + significant(100.0 * half_width_of(*mode), 3) + " %" + of_wanted;
-  }
-  if (mode->probability.counts.successes == 0) return to_string(mode->mode) + ": did not occur";
-  const double reached = half_width_of(*mode) / mode->probability.estimate;
-  return to_string(mode->mode) + ": " + significant(100.0 * reached, 3) + " % of the estimate" + of_wanted;
-}
-
-std::uint64_t unresolved_realisations(const Report& report) {
-  std::uint64_t count = 0;
-  for (const ReportedCondition& condition : report.conditions) {
-    count += share_of(condition, section::ResponseMode{}).count;
-  }
-  return count;
-}
-
-std::string_view in_words(NumericalError noise) {
-  switch (noise) {
-    case NumericalError::small: return "small compared with";
-    case NumericalError::not_small: return "NOT small compared with";
-    case NumericalError::undecided: return "too few reruns to compare with";
-  }
-  return "";
-}
-
-std::string noise_line(const std::optional<ToleranceSensitivity>& floor, double tolerance) {
-  if (!floor) return "";
-  const std::string remedy =
-      floor->noise == NumericalError::not_small ? "warning: " + tolerance_remedy(tolerance) + '\n' : "";
-  return "sensitivity to tolerance: " + std::to_string(floor->flips.successes) + " of " +
-         std::to_string(floor->flips.trials) + " response modes change at a hundred times tighter tolerance " +
-         per_cent(floor->interval) + " %; " + std::string(in_words(floor->noise)) + " the narrowest half-width, " +
-         per_cent(floor->half_width) + " %\n" + remedy;
-}
 
 /// `95 %`; if the conditions have different confidences, words that say so.
 std::string level_of(const Report& report) { return report.level("(at the confidence of each condition)"); }
@@ -99,23 +44,10 @@ std::string alike_line(const Report& report, const std::vector<TableRow>& rows) 
          "): if that is enough, one realisation of each suffices for the response modes\n";
 }
 
-/// A line on the responses that settled within their sampled periods; empty if none did.
-std::string late_settling_of(const Report& report) {
-  std::uint64_t count = 0;
-  double least_held = 1.0;
-  for (const ReportedCondition& condition : report.conditions) {
-    count += condition.result.validity.settled_late.count;
-    least_held = std::min(least_held, condition.result.validity.least_held);
-  }
-  if (count == 0) return "";
-  return "settled late: " + counted(count, "realisation") + ", classified by the last " +
-         significant(100.0 * least_held, 3) + " % of their sampled periods or more\n";
-}
-
-double tightest_tolerance(const Report& report) {
-  double tightest = 1.0;
-  for (const ReportedCondition& each : report.conditions) tightest = std::min(tightest, each.asked.tolerance);
-  return tightest;
+/// Whether a finding that needs no look is stated: the others are in report.json and on the page.
+bool is_stated(const Finding& finding, const Report& report) {
+  if (finding.name == late_settling_check) return finding.rating == Rating::note;
+  return finding.name == tolerance_check && report.tolerance_sensitivity && finding.rating != Rating::look;
 }
 
 /// The legend of the table of every condition.
@@ -175,27 +107,7 @@ look::Cell quantile_at(const Exponents& found, double level, bool with_interval)
 
 }  // namespace
 
-std::string unreached_precision(const Report& report) {
-  std::string list;
-  std::size_t number = 0;
-  for (std::size_t i = 0; i < report.conditions.size(); ++i) {
-    const Condition& condition = report.conditions[i].asked;
-    const ConditionResult& result = report.conditions[i].result;
-    if (result.stopped_because != StoppedBecause::at_most_reached || !condition.until) continue;
-    if (++number > most_unreached_listed) continue;
-    const std::string name = values_of(condition.parameters);
-    list += "  " + (name.empty() ? "" : name + "; ") + shortfall(*condition.until, result) + '\n';
-  }
-  if (number == 0) return "";
-  if (number > most_unreached_listed) list += "  and " + std::to_string(number - most_unreached_listed) + " more\n";
-  return "the wanted half-width was not reached in " + std::to_string(number) + " of " +
-         counted(report.conditions.size(), "condition") + ", which have all the realisations that `at_most` allows:\n" +
-         list + "raise `at_most`, or accept a larger half-width\n";
-}
-
 std::string run_table(const Report& report, const TableLook& look) {
-  std::uint64_t realisations = 0;
-  for (const ReportedCondition& condition : report.conditions) realisations += condition.result.realisations;
   std::string text = report.title().empty() ? "" : report.title() + "\n\n";
   const std::vector<TableRow> rows = table_rows(report);
   const bool is_summary = look.most_rows && rows.size() > *look.most_rows;
@@ -206,25 +118,23 @@ std::string run_table(const Report& report, const TableLook& look) {
     text += table + legend_of(report, table);
   }
   if (!look.most_rows) text += exponent_table(report);
-  text += counted(report.conditions.size(), "condition") + ", " + counted(realisations, "realisation") + ", of which " +
-          std::to_string(unresolved_realisations(report)) + " unresolved\n";
+  text += counted(report.conditions.size(), "condition") + ", " + counted(realisations_of(report), "realisation") +
+          ", of which " + std::to_string(unresolved_responses(report).count) + " unresolved\n";
   text += settling_of(report, look, std::ranges::count(text, '\n'));
-  if (const std::string remedy = unresolved_remedy(report); !remedy.empty()) {
-    text += "horizon too short: " + remedy + '\n';
-  }
-  text += unreached_precision(report);
   text += overturning_line(rows) + (is_summary ? "" : side_table(report)) + alike_line(report, rows);
-  text += late_settling_of(report);
-  text += noise_line(report.tolerance_sensitivity, tightest_tolerance(report));
+  const std::vector<Finding> findings = findings_of(report);
+  for (const Finding& each : findings) {
+    if (is_stated(each, report)) text += each.name + ": " + in_words(each) + '\n';
+  }
   const auto is_number = [](const ReportedCondition& condition) {
     return !std::holds_alternative<Jy25Restitution>(condition.asked.scene.restitution);
   };
-  if (std::ranges::any_of(report.conditions, is_number) && !restitution_alarm(report)) {
+  if (std::ranges::any_of(report.conditions, is_number) &&
+      std::ranges::find(findings, "restitution", &Finding::name) == findings.end()) {
     text += "impacts: " + impacts_text(report) + '\n';
   }
   for (const std::string& line : ground_motion_lines(report.ground_motions)) text += line + '\n';
-  for (const std::string& alarm : alarms_of(report)) text += "warning: " + alarm + '\n';
-  return text;
+  return text + warning_lines(findings);
 }
 
 std::string side_table(const Report& report) {

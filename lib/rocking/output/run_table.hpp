@@ -22,11 +22,6 @@ namespace rocking {
 /// and where no block has unlike edges.
 [[nodiscard]] std::string side_table(const Report& report);
 
-/// Text for a terminal on the conditions that ended at their largest number of realisations before the half-width of
-/// `until` was reached: their number, the first few with the half-width that they have, and what to do. Ends with a
-/// line break; empty without such conditions.
-[[nodiscard]] std::string unreached_precision(const Report& report);
-
 /// The conditions of a run in at most `most` rows: neighbours with the same most frequent response together, or, if these
 /// are still too many, all conditions with equal values of the first entries of the sweep. Empty without rows.
 [[nodiscard]] std::string run_summary(std::span<const TableRow> conditions, std::size_t most = most_screen_rows);

@@ -241,16 +241,6 @@ std::string settling_text(std::span<const SettlingRow> conditions, std::size_t w
   return text;
 }
 
-std::string unresolved_remedy(double share, std::int64_t transient, std::int64_t sampled) {
-  if (share <= worrying_unresolved_share) return "";
-  const std::int64_t limit = rounded_up(first_limit_horizons * (transient + sampled));
-  return "up to " + per_cent(share) + " % of the realisations of a condition are unresolved after " +
-         std::to_string(transient + sampled) +
-         " periods. Add \"until_classified\": {\"at_most_periods\": " + std::to_string(limit) +
-         "} to /horizon: unresolved realisations then go on until they are classified, and the report tells which "
-         "horizon would do";
-}
-
 std::string unresolved_remedy(const Report& report) {
   double largest = 0.0;
   const ReportedCondition* worst = nullptr;
@@ -264,10 +254,14 @@ std::string unresolved_remedy(const Report& report) {
     largest = share;
     worst = &condition;
   }
-  if (worst == nullptr || !worst->states_horizon) return "";
-  if (!is_periodic(worst->asked.scene.excitation)) return "";
+  if (largest <= worrying_unresolved_share || !worst->states_horizon || !is_periodic(worst->asked.scene.excitation)) {
+    return "";
+  }
   const Horizon& horizon = worst->asked.horizon;
-  return unresolved_remedy(largest, horizon.transient_periods, horizon.sampled_periods);
+  const std::int64_t limit = rounded_up(first_limit_horizons * (horizon.transient_periods + horizon.sampled_periods));
+  return "add \"until_classified\": {\"at_most_periods\": " + std::to_string(limit) +
+         "} to /horizon: unresolved realisations then go on until they are classified, and the report tells which "
+         "horizon would do";
 }
 
 }  // namespace rocking

@@ -90,11 +90,8 @@ struct SettlingRow {
 [[nodiscard]] std::string settling_text(std::span<const SettlingRow> conditions, std::size_t width);
 
 /// What to do about a fixed horizon at which more than worrying_unresolved_share of a condition is unresolved: a
-/// sentence with `until_classified` and a limit, for an excitation with periods. `share`: the largest of any condition.
-/// `transient` and `sampled`: its periods. Empty if the share is smaller.
-[[nodiscard]] std::string unresolved_remedy(double share, std::int64_t transient, std::int64_t sampled);
-
-/// The same of a run; empty if it has UntilClassified or its excitation has no periods.
+/// sentence with `until_classified` and a limit. Empty if the share is smaller, if the run has UntilClassified, or if its
+/// excitation has no periods.
 [[nodiscard]] std::string unresolved_remedy(const Report& report);
 
 /// What to do about a limit at which more than one per cent of a condition is not classified: the limit that would do,

@@ -3,9 +3,10 @@
 #include <cmath>
 #include <numeric>
 #include <string_view>
+#include <utility>
 
 #include "rocking/dynamics/impact.hpp"
-#include "rocking/output/alarms.hpp"
+#include "rocking/output/findings.hpp"
 #include "rocking/scene/check_condition.hpp"
 #include "rocking/scene/drawn_quantities.hpp"
 #include "rocking/scene/restitution.hpp"
@@ -60,32 +61,28 @@ const UsualRange* range_of(std::string_view place) {
 /// What is alarming, each place once, with the number of conditions.
 class Suspicions {
  public:
-  void add(const std::string& place, const std::string& text) {
-    const auto known = std::ranges::find(found_, place, &Suspicion::place);
-    if (known != found_.end()) {
-      ++known->conditions;
-    } else {
-      found_.push_back({place, text, 1});
+  void add(std::string_view place, std::string text, std::string_view remedy = "") {
+    const auto known = std::ranges::find(found_, place, &Finding::place);
+    const auto index = static_cast<std::size_t>(known - found_.begin());
+    if (known == found_.end()) {
+      found_.push_back({.name = "unusual number",
+                        .text = std::move(text),
+                        .remedy = std::string(remedy),
+                        .place = std::string(place)});
+      conditions_.push_back(0);
     }
+    ++conditions_[index];
   }
-  [[nodiscard]] std::vector<std::string> texts(std::size_t conditions) const {
-    std::vector<std::string> texts;
-    for (const Suspicion& each : found_) {
-      const std::string where =
-          conditions == 1 ? ""
-                          : " (in " + std::to_string(each.conditions) + " of " + counted(conditions, "condition") + ')';
-      texts.push_back(each.place + each.text + where);
+  [[nodiscard]] std::vector<Finding> among(std::size_t conditions) && {
+    for (std::size_t i = 0; conditions > 1 && i < found_.size(); ++i) {
+      found_[i].text += " (in " + std::to_string(conditions_[i]) + " of " + counted(conditions, "condition") + ')';
     }
-    return texts;
+    return std::move(found_);
   }
 
  private:
-  struct Suspicion {
-    std::string place;
-    std::string text;
-    std::size_t conditions;
-  };
-  std::vector<Suspicion> found_;
+  std::vector<Finding> found_;
+  std::vector<std::size_t> conditions_;  ///< of each
 };
 
 void look_at_numbers(const Scene& scene, Suspicions& found) {
@@ -94,10 +91,11 @@ void look_at_numbers(const Scene& scene, Suspicions& found) {
     const double mean = mean_of(quantity);
     if (usual == nullptr || (mean >= usual->least && mean <= usual->largest)) return;
     const bool is_more = mean > usual->largest;
-    found.add(std::string(what.place), " = " + text_of(quantity) + ": " + (is_more ? "above " : "below ") +
-                                           significant(is_more ? usual->largest : usual->least, 3) +
-                                           std::string(usual->unit) +
-                                           ", which is unusual: " + std::string(usual->remedy));
+    found.add(what.place,
+              text_of(quantity) + " is " + (is_more ? "above " : "below ") +
+                  significant(is_more ? usual->largest : usual->least, 3) + std::string(usual->unit) +
+                  ", which is unusual",
+              usual->remedy);
   });
 }
 
@@ -108,16 +106,16 @@ void look_at_horizon(const Condition& condition, Suspicions& found) {
   const int sampled = condition.horizon.sampled_periods;
   if (!is_periodic(condition.scene.excitation) || sampled >= fewest) return;
   found.add("/horizon/sampled_periods",
-            " = " + std::to_string(sampled) +
-                ": too few points to classify a response, so that every block that moves is "
-                "unresolved or overturns: give at least " +
-                std::to_string(fewest) + (random ? " where something is random" : "") + "; the default is 120");
+            std::to_string(sampled) +
+                " are too few points to classify a response, so that every block that moves is unresolved or overturns",
+            "give at least " + std::to_string(fewest) + (random ? " where something is random" : "") +
+                "; the default is 120");
 }
 
 void look_at_restitution(const Scene& scene, Suspicions& found) {
   RateRatios ratios;
   ratios.add(scene);
-  if (ratios.doubt()) found.add("/restitution", ": " + ratios.text());
+  if (ratios.doubt()) found.add("/restitution", ratios.text());
 }
 
 /// Returns whether an impact is unusual.
@@ -128,18 +126,18 @@ bool look_at_impacts(const Scene& scene, Suspicions& found) {
     const double ratio = dynamics::inelastic_rate_ratio(edge, mean_restitution(scene.restitution, block, side));
     const bool is_squat = edge.tangent > 1.0;
     if (!is_squat && ratio >= 0.0) continue;
-    const std::string shape = " is squat: its edge is " + significant(edge.sine * block.half_diagonal, 3) +
-                              " m from the centre of mass, which is " +
-                              significant(block.cosine * block.half_diagonal, 3) +
-                              " m above the base; only a base acceleration above " + significant(edge.tangent, 3) +
-                              " g lifts it. If width and height are swapped, exchange them. ";
+    const std::string shape =
+        "the block is squat: its edge is " + significant(edge.sine * block.half_diagonal, 3) +
+        " m from the centre of mass, which is " + significant(block.cosine * block.half_diagonal, 3) +
+        " m above the base; only a base acceleration above " + significant(edge.tangent, 3) + " g lifts it. ";
     const std::string impact =
         "An impact leaves " + significant(ratio, 3) + " of the tilt rate" +
         (ratio < 0.0
              ? ". Below 0 the block does not go on over its other edge: it swings back over the one on which it "
                "came"
              : "");
-    found.add(is_squat ? "/block" : "/restitution", is_squat ? shape + impact : ": " + impact);
+    found.add(is_squat ? "/block" : "/restitution", (is_squat ? shape : "") + impact,
+              is_squat ? "if width and height are swapped, exchange them" : "");
     return true;
   }
   return false;
@@ -175,8 +173,8 @@ void look_at_parts(const Scene& scene, Suspicions& found) {
     for (std::size_t k = 0; k < i; ++k) {
       const double common = overlap(shapes[i], shapes[k]);
       if (common <= clearance) continue;
-      found.add(name(i), " overlaps " + name(k) + " by " + significant(common, 3) +
-                             " m: where they overlap both masses count; move or shorten one of them");
+      found.add(name(i), "overlaps " + name(k) + " by " + significant(common, 3) + " m, where both masses count",
+                "move or shorten one of them");
     }
   }
   // From those on the floor, or lowest, to what touches them.
@@ -196,26 +194,26 @@ void look_at_parts(const Scene& scene, Suspicions& found) {
     });
   }
   for (const std::size_t i : places) {
-    found.add(name(i), " touches no part that is carried from below: check \"bottom_m\" and \"x_m\"");
+    found.add(name(i), "touches no part that is carried from below", "check \"bottom_m\" and \"x_m\"");
   }
 }
 
 }  // namespace
 
-std::vector<std::string> suspicious_numbers(const Experiment& experiment) {
+std::vector<Finding> suspicious_numbers(const Experiment& experiment) {
   Suspicions found;
   for (const Condition& condition : experiment.conditions) {
     look_at_numbers(condition.scene, found);
     look_at_parts(condition.scene, found);
     if (!look_at_impacts(condition.scene, found)) look_at_restitution(condition.scene, found);
   }
-  return found.texts(experiment.conditions.size());
+  return std::move(found).among(experiment.conditions.size());
 }
 
-std::vector<std::string> too_few_periods(const Experiment& experiment) {
+std::vector<Finding> too_few_periods(const Experiment& experiment) {
   Suspicions found;
   for (const Condition& condition : experiment.conditions) look_at_horizon(condition, found);
-  return found.texts(experiment.conditions.size());
+  return std::move(found).among(experiment.conditions.size());
 }
 
 }  // namespace rocking

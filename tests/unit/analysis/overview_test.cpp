@@ -1,6 +1,6 @@
 // Numbers about all conditions of a report together.
 
-#include "analysis/overview.hpp"
+#include "rocking/output/overview.hpp"
 
 #include <algorithm>
 

@@ -24,7 +24,9 @@
 
 namespace {
 
+using rocking::Finding;
 using rocking::Json;
+using rocking::Rating;
 using rocking::Report;
 using rocking::report_in;
 using rocking::support::quick_experiment;
@@ -107,9 +109,9 @@ std::string markup_of(std::string page) {
   return page;
 }
 
-Check check_named(const Json& report, const std::string& name) {
-  for (const Check& check : checks_of(report_in(report))) {
-    if (check.name == name) return check;
+Finding check_named(const Json& report, const std::string& name) {
+  for (const Finding& each : findings_of(report_in(report))) {
+    if (each.name == name) return each;
   }
   ADD_FAILURE() << name;
   return {};
@@ -226,14 +228,13 @@ TEST(Page, ChecksWhatCouldMakeAResultUntrue) {
   Json& validity = left["result"]["conditions"][1]["validity"];
   validity["first_realisations"]["left_ground"] = {1, 3, 4};
   EXPECT_EQ(check_named(left, "contact with the base").rating, Rating::fine) << "in the final fall only";
-  EXPECT_THAT(check_named(left, "contact with the base").finding,
-              StartsWith("3 realisations lost contact only in the"));
+  EXPECT_THAT(check_named(left, "contact with the base").text, StartsWith("3 realisations lost contact only in the"));
   validity["left_ground_before_fall"] = 2;
   validity["first_realisations"]["left_ground_before_fall"] = {3, 4};
-  const Check check = check_named(left, "contact with the base");
+  const Finding check = check_named(left, "contact with the base");
   EXPECT_EQ(check.rating, Rating::look);
-  EXPECT_THAT(check.finding, StartsWith("2 realisations met a normal force"));
-  EXPECT_THAT(check.where, HasSubstr("--condition 1 --realisation 3"));
+  EXPECT_THAT(check.text, StartsWith("2 realisations lost contact with the base (normal force"));
+  EXPECT_THAT(check.place, HasSubstr("--condition 1 --realisation 3"));
 }
 
 TEST(Page, TellsTheSensitivityToToleranceAsTheReportDoes) {
@@ -245,7 +246,7 @@ TEST(Page, TellsTheSensitivityToToleranceAsTheReportDoes) {
   EXPECT_EQ(check_named(report, "sensitivity to tolerance").rating, Rating::note);
   report["result"]["tolerance_sensitivity"]["arithmetic_noise"] = "not_small";
   EXPECT_EQ(check_named(report, "sensitivity to tolerance").rating, Rating::look);
-  EXPECT_THAT(check_named(report, "sensitivity to tolerance").finding,
+  EXPECT_THAT(in_words(check_named(report, "sensitivity to tolerance")),
               AllOf(HasSubstr("3 of 40 response modes"), HasSubstr("set /accuracy/tolerance to")));
   EXPECT_EQ(check_named(changed("/result/tolerance_sensitivity", nullptr), "sensitivity to tolerance").rating,
             Rating::note);
@@ -267,9 +268,9 @@ TEST(Page, AsksForALookWhereMoreThanOnePerCentOfADistributionIsClamped) {
   validity["clamped_draws"]["kinetic_friction_at_static"] = 1000;
   EXPECT_EQ(check_named(report, "clamped random numbers").rating, Rating::note) << "1 % of both";
   validity["clamped_draws"]["kinetic_friction_at_static"] = 1001;
-  const Check check = check_named(report, "clamped random numbers");
+  const Finding check = check_named(report, "clamped random numbers");
   EXPECT_EQ(check.rating, Rating::look);
-  EXPECT_THAT(check.finding, HasSubstr("difference between /friction/static and /friction/kinetic"));
+  EXPECT_THAT(check.remedy, HasSubstr("difference between /friction/static and /friction/kinetic"));
   validity["clamped_draws"]["kinetic_friction_at_static"] = 10;
   validity["clamped"] = 11;
   EXPECT_EQ(check_named(report, "clamped random numbers").rating, Rating::look) << "1.1 % of the realisations";
@@ -315,7 +316,8 @@ TEST(Page, ShowsNoIntervalWhereNothingIsRandom) {
   const Json json = report_of(question);
   const Report report = report_in(json);
   EXPECT_FALSE(report.is_random());
-  for (const std::string& text : {mode_table_html(report), answer_in_brief(report), trust_in_full(checks_of(report))}) {
+  for (const std::string& text :
+       {mode_table_html(report), answer_in_brief(report), trust_in_full(findings_of(report))}) {
     EXPECT_THAT(matches(text, R"((\[[0-9.]+, [0-9.]+))"), IsEmpty()) << text;
     EXPECT_THAT(text, Not(HasSubstr("&lt; "))) << text;
   }

@@ -19,6 +19,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "rocking/output/report.hpp"
 #include "rocking/pages.hpp"
 #include "rocking/realisation/realisation_result.hpp"
 #include "rocking/store/store.hpp"
@@ -261,6 +262,12 @@ TEST_F(Interface, VerifiesAFolderWithItsReport) {
   std::string text = report(experiment, result);
   write_atomically(out / "report.json", text);
   EXPECT_THAT(verify(out).findings, ::testing::IsEmpty());
+  Json of_earlier_program = Json::parse(text);
+  of_earlier_program["result"].erase("findings");
+  of_earlier_program["result"]["warnings"] = {"a sentence"};
+  write_atomically(out / "report.json", of_earlier_program.dump());
+  EXPECT_THAT(verify(out).findings, ::testing::IsEmpty());
+  EXPECT_EQ(parse_report(of_earlier_program.dump()).conditions.size(), 1U);
   const std::size_t digest = text.find(digest_of(result));
   text[digest] = text[digest] == '0' ? '1' : '0';
   write_atomically(out / "report.json", text);

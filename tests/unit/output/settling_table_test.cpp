@@ -134,12 +134,6 @@ TEST(LimitRemedy, SaysSoWhereItCannotBeTold) {
   EXPECT_THAT(limit_remedy(row, ""), HasSubstr("cannot be told"));
 }
 
-TEST(UnresolvedRemedy, ProposesUntilClassifiedAboveFivePerCent) {
-  EXPECT_THAT(unresolved_remedy(0.56, 40, 60),
-              AllOf(HasSubstr("56.0 %"), HasSubstr("\"until_classified\": {\"at_most_periods\": 2000}")));
-  EXPECT_EQ(unresolved_remedy(0.05, 40, 60), "");
-}
-
 TEST(PeriodText, SaysBeyond) {
   EXPECT_EQ(plain_text(period_cell({.level = 0.5, .value = {}, .low = 740.0, .high = {}}, 1000)), "> 1000 [740, -]");
 }

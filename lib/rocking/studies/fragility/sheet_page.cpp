@@ -8,7 +8,7 @@
 #include "analysis/page/html.hpp"
 #include "analysis/page/sections.hpp"
 #include "rocking/figures/sweep_view.hpp"
-#include "rocking/output/alarms.hpp"
+#include "rocking/output/findings.hpp"
 #include "rocking/output/shaking_text.hpp"
 #include "rocking/studies/fragility/study.hpp"
 #include "rocking/text/number_text.hpp"
@@ -87,7 +87,7 @@ std::string motions(const SheetContent& sheet) {
              periods_sentence(sheet.periods), records.size(), sheet.suites.front().curve.levels.size(),
              significant(sheet.suites.front().curve.levels.front().intensity, 3),
              significant(sheet.suites.front().curve.levels.back().intensity, 3), names) +
-         (missing ? fmt::format("<p class=\"small\">{}.</p>\n", escaped(*missing)) : "");
+         (missing ? fmt::format("<p class=\"small\">{}.</p>\n", escaped(in_words(*missing))) : "");
 }
 
 /// The options to scale beside the curves.
@@ -214,7 +214,7 @@ std::string limits(const SheetContent& sheet) {
                                const AnnualRate& rate = suite.rate->chosen;
                                return rate.value > 0.0 ? per_cent(rate.extrapolated_hazard) + " % of the rate" : "";
                              })) +
-         paragraph(true, "Records: ", escaped(far_scaled(sheet.run.ground_motions).value_or(""))) +
+         paragraph(true, "Records: ", escaped(in_words(far_scaled(sheet.run.ground_motions)))) +
          reading_warnings(sheet.run) +
          paragraph(true, "The rates by law and by isotonic shares differ: ",
                    by_option(sheet,

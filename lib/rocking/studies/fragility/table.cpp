@@ -2,7 +2,7 @@
 
 #include <set>
 
-#include "rocking/output/alarms.hpp"
+#include "rocking/output/findings.hpp"
 #include "rocking/output/parameter_text.hpp"
 #include "rocking/output/shaking_text.hpp"
 #include "rocking/text/json.hpp"
@@ -191,14 +191,14 @@ std::string summary_of(const FragilityReport& report) {
 
 /// A warning for each run whose suite lacks records.
 std::string warnings_of(const FragilityReport& report) {
-  std::vector<std::string> warnings;
+  std::vector<Finding> warnings;
   for (const auto& curve : report.curves) {
     const auto missing = left_out_records(std::visit([](const auto& one) { return one.run.left_out; }, curve));
-    if (missing && std::ranges::find(warnings, *missing) == warnings.end()) warnings.push_back(*missing);
+    if (missing && std::ranges::find(warnings, missing->text, &Finding::text) == warnings.end()) {
+      warnings.push_back(*missing);
+    }
   }
-  std::string text;
-  for (const std::string& warning : warnings) text += "warning: " + warning + '\n';
-  return text;
+  return warning_lines(warnings);
 }
 
 std::string tables_of(const FragilityReport& report, RecordTable records, Extent extent) {

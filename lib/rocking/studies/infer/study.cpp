@@ -2,7 +2,7 @@
 
 #include "rocking/api/question_check.hpp"
 #include "rocking/input/condition_family.hpp"
-#include "rocking/output/alarms.hpp"
+#include "rocking/output/findings.hpp"
 
 namespace rocking {
 namespace {
@@ -97,7 +97,10 @@ std::vector<std::string> doubts_of(const Subject& subject, const CountedTests& t
   for (const TestedCondition& condition : tests.conditions) {
     tested.conditions.push_back(condition_with(condition.parameters));
   }
-  return tested.conditions.empty() ? std::vector<std::string>() : suspicious_numbers(tested);
+  std::vector<std::string> doubts;
+  if (tested.conditions.empty()) return doubts;
+  for (const Finding& each : suspicious_numbers(tested)) doubts.push_back(in_words(each));
+  return doubts;
 }
 
 Answer find(const Subject& subject, const InferQuestion& question, const Circumstances& circumstances) {

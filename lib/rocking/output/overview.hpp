@@ -8,7 +8,7 @@
 #include "rocking/output/report.hpp"
 
 /// Numbers about all conditions of a report together, which the page and its tables write.
-namespace rocking::analysis {
+namespace rocking {
 
 /// Realisations of all conditions.
 [[nodiscard]] std::uint64_t realisations_of(const Report& report);
@@ -55,4 +55,4 @@ struct UnresolvedResponses {
 /// Half-width of the widest interval of any mode in any condition.
 [[nodiscard]] double widest_half_width(const Report& report);
 
-}  // namespace rocking::analysis
+}  // namespace rocking

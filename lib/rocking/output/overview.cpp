@@ -1,9 +1,9 @@
-#include "analysis/overview.hpp"
+#include "rocking/output/overview.hpp"
 
 #include <algorithm>
 #include <vector>
 
-namespace rocking::analysis {
+namespace rocking {
 
 using section::ResponseMode;
 
@@ -107,4 +107,4 @@ double widest_half_width(const Report& report) {
   return widest;
 }
 
-}  // namespace rocking::analysis
+}  // namespace rocking

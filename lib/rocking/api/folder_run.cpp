@@ -5,8 +5,10 @@
 #include <system_error>
 #include <utility>
 
+#include "rocking/api/refuse.hpp"
 #include "rocking/base/build_info.hpp"
 #include "rocking/ensemble/extension.hpp"
+#include "rocking/output/report_differences.hpp"
 #include "rocking/scene/check_condition.hpp"
 #include "rocking/store/store_identity.hpp"
 #include "rocking/text/files.hpp"
@@ -29,15 +31,6 @@ void expect_memory(const Plan& plan, const FolderMeans& means) {
                               size_in_words(*means.free_memory) +
                               " are free; divide the sweep between several files, use shorter horizons or fewer "
                               "threads, or use a machine with more memory");
-}
-
-void expect_fixed_numbers(const Experiment& experiment) {
-  for (const Condition& condition : experiment.conditions) {
-    if (!condition.until) continue;
-    throw FolderError(Kind::contradiction, "--shard",
-                      "cannot be combined with `until`, because one part does not know the counts of the others",
-                      "give a number of realisations");
-  }
 }
 
 constexpr std::size_t most_ranges = 12;
@@ -95,16 +88,45 @@ void expect_same_results(const RunFolder& folder, const Identity& identity) {
 }
 
 // Damage is found before rows are added.
-Store mended_store(const RunFolder& folder, const Experiment& experiment, Store store, const Tell& tell) {
-  const auto damage = store.damage();
-  if (!damage) return store;
-  const Repair repair = folder.mend_store(std::move(store), experiment);
-  Store mended = folder.open_store(sqlite::Access::write);
-  tell(*damage + "; " + counted(repair.realisations, "realisation") + " in it " +
-       (repair.realisations == 1 ? "is" : "are") +
-       " intact and kept, the rest is run again: " + listed_realisations(missing_realisations(experiment, mended)) +
-       ". The damaged file is now " + repair.damaged_file.string());
-  return mended;
+void mend(FolderRun& run, const FolderMeans& means) {
+  const auto damage = run.store.damage();
+  if (!damage) return;
+  if (!means.repair) {
+    throw sqlite::UnusableFile(*damage + ". `repair` keeps the intact realisations and runs the rest again");
+  }
+  const Experiment stored = experiment_of(run.store.identity());
+  const Repair repair = run.folder.mend_store(std::move(run.store), stored);
+  run.store = run.folder.open_store(sqlite::Access::write);
+  run.damaged_file = repair.damaged_file;
+  means.tell(*damage + "; " + counted(repair.realisations, "realisation") + " in it " +
+             (repair.realisations == 1 ? "is" : "are") + " intact and kept, the rest is run again: " +
+             listed_realisations(missing_realisations(stored, run.store)) + ". The damaged file is now " +
+             repair.damaged_file.string());
+}
+
+/// Whether the experiments differ in a fixed number of realisations only.
+bool is_extension(const Experiment& experiment, const Identity& identity) {
+  if (experiment.conditions.front().until) return false;
+  const std::vector<std::string> differences = experiment_differences(experiment.canonical_text, identity.experiment);
+  return std::ranges::all_of(differences,
+                             [](const std::string& difference) { return difference.starts_with("/realisations is "); });
+}
+
+// Without being asked to extend it.
+void expect_own_run(const FolderRun& run, const Experiment& experiment, const NewRun& asked) {
+  const Identity& identity = run.store.identity();
+  const bool is_longer = identity.experiment != experiment.canonical_text;
+  if (is_longer && !is_extension(experiment, identity)) {
+    throw FolderError(Kind::in_the_way, run.folder.name(), "has realisations of another experiment",
+                      "choose another folder");
+  }
+  if (is_longer && run.folder.has_report()) {
+    throw FolderError(Kind::in_the_way, run.folder.name(),
+                      "has the report of a run with another number of realisations",
+                      "`rocking resume DIR --realisations N` extends it");
+  }
+  if (is_longer || identity.shard == asked.shard) return;
+  throw FolderError(Kind::in_the_way, run.folder.name(), "has another part of the experiment", "choose another folder");
 }
 
 void expect_extensible(const RunFolder& folder, const Store& store, const Experiment& extension) {
@@ -124,30 +146,65 @@ void expect_extensible(const RunFolder& folder, const Store& store, const Experi
 
 // A finished run stays in its folder until the extended one is complete. An unfinished one has no report yet, and its
 // store is extended in place.
-Store extended_store(RunFolder& folder, const Experiment& experiment, const Experiment& extension, Store store,
-                     const Tell& remark) {
-  if (!folder.is_replacement() && folder.has_report()) {
+void extend(FolderRun& run, const Tell& remark) {
+  if (!run.folder.is_replacement() && run.folder.has_report()) {
     remark(
         "the intervals of the extended run cover as often as stated if the earlier result did not determine its "
         "length; for a run that is extended until its intervals are narrow enough, use `until`");
-    store.close_up();
-    folder.begin_replacement();
+    run.store.close_up();
+    run.folder.begin_replacement();
   } else {
-    fs::remove(folder.report_path());  // of a replacement that was not installed: not of the extension
+    fs::remove(run.folder.report_path());  // of a replacement that was not installed: not of the extension
   }
-  folder.extend_store(std::move(store), experiment, extension);
-  return folder.open_store(sqlite::Access::write);
+  const Experiment former = experiment_of(run.store.identity());
+  run.folder.extend_store(std::move(run.store), former, run.experiment);
+  run.store = run.folder.open_store(sqlite::Access::write);
+}
+
+/// Goes on with a run. `wanted`: gives the experiment, or refuses that of the store.
+FolderRun go_on(RunFolder folder, const std::function<Experiment(const FolderRun& run)>& wanted,
+                const FolderMeans& means) {
+  folder.claim();
+  folder.tidy_up(means.tell);
+  if (folder.has_replacement()) folder.enter_replacement();
+  if (means.repair) count_pages_again(folder.store_path());
+  Store store = folder.open_store(sqlite::Access::write);
+  FolderRun run{.folder = std::move(folder), .experiment = {}, .store = std::move(store)};
+  expect_same_results(run.folder, run.store.identity());
+  mend(run, means);
+  run.experiment = wanted(run);
+  const bool is_longer = run.experiment.canonical_text != run.store.identity().experiment;
+  if (is_longer) expect_extensible(run.folder, run.store, run.experiment);
+  const Plan plan = plan_of(run.experiment, {.threads = means.threads,
+                                             .shard = run.store.identity().shard,
+                                             .stored = completeness(run.experiment, run.store).done,
+                                             .page = means.page});
+  expect_memory(plan, means);
+  if (!plan.at_most) run.folder.expect_room(plan.needs.disk_bytes);
+  if (is_longer) extend(run, means.remark);
+  return run;
 }
 
 }  // namespace
 
 void say_nothing(const std::string& /*notice*/) {}
 
+void check_shard(const Experiment& experiment, const Shard& shard) {
+  if (shard.part < 1 || shard.part > shard.parts) {
+    refuse("shard", std::to_string(shard.part) + '/' + std::to_string(shard.parts),
+           "is not a part of a whole: the part is a number from 1 to that of the parts");
+  }
+  for (const Condition& condition : experiment.conditions) {
+    if (!condition.until) continue;
+    refuse("/realisations", "until", "needs all realisations at once, and a part does not know those of the others");
+  }
+}
+
 FolderRun begin_run(const fs::path& path, const Experiment& experiment, const NewRun& asked, const FolderMeans& means) {
   check_strobe(experiment);
   const Plan plan = plan_of(experiment, {.threads = means.threads, .shard = asked.shard, .page = means.page});
   expect_memory(plan, means);
-  if (asked.shard) expect_fixed_numbers(experiment);
+  if (asked.shard) check_shard(experiment, *asked.shard);
   RunFolder folder(path);
   folder.claim();
   folder.tidy_up(means.tell);
@@ -163,31 +220,29 @@ FolderRun begin_run(const fs::path& path, const Experiment& experiment, const Ne
 }
 
 FolderRun resume_run(const fs::path& path, const Overrides& extension, const FolderMeans& means) {
-  RunFolder folder(path);
+  const RunFolder folder(path);
   if (!folder.has_store() && !folder.has_replacement() && !folder.is_half_installed()) {
     throw FolderError(Kind::missing, folder.name(),
                       "contains no run to resume (realisations.sqlite is missing or empty)");
   }
-  folder.claim();
-  folder.tidy_up(means.tell);
-  if (folder.has_replacement()) folder.enter_replacement();
-  count_pages_again(folder.store_path());
-  Store store = folder.open_store(sqlite::Access::write);
-  expect_same_results(folder, store.identity());
-  const Experiment experiment = experiment_of(store.identity());
-  store = mended_store(folder, experiment, std::move(store), means.tell);
-  const bool is_asked = extension.realisations || !extension.levels.empty();
-  Experiment wanted = is_asked ? experiment_of(store.identity(), extension) : experiment;
-  const bool is_extension = wanted.canonical_text != experiment.canonical_text;
-  if (is_extension) expect_extensible(folder, store, wanted);
-  const Plan plan = plan_of(wanted, {.threads = means.threads,
-                                     .shard = store.identity().shard,
-                                     .stored = completeness(wanted, store).done,
-                                     .page = means.page});
-  expect_memory(plan, means);
-  if (!plan.at_most) folder.expect_room(plan.needs.disk_bytes);
-  if (is_extension) store = extended_store(folder, experiment, wanted, std::move(store), means.remark);
-  return {.folder = std::move(folder), .experiment = std::move(wanted), .store = std::move(store)};
+  return go_on(
+      RunFolder(path), [&extension](const FolderRun& run) { return experiment_of(run.store.identity(), extension); },
+      means);
+}
+
+FolderRun begin_or_continue_run(const fs::path& path, const Experiment& experiment, const NewRun& asked,
+                                const FolderMeans& means) {
+  if (experiment.canonical_text.empty()) {
+    throw FolderError(Kind::contradiction, path.string(), "an experiment without text cannot be kept in a folder",
+                      "read the experiment from a file or from text, or run it in memory");
+  }
+  RunFolder folder(path);
+  if (!folder.has_store()) return begin_run(path, experiment, asked, means);
+  const auto own = [&](const FolderRun& run) {
+    expect_own_run(run, experiment, asked);
+    return experiment;
+  };
+  return go_on(std::move(folder), own, means);
 }
 
 Report report_in(const RunFolder& folder) {

@@ -20,12 +20,14 @@ struct FolderRun {
   RunFolder folder;
   Experiment experiment;
   Store store;
+  std::optional<std::filesystem::path> damaged_file = {};  ///< of a store that was mended: where it is now
 };
 
 /// What a run in a folder takes from its caller: no field changes a result.
 struct FolderMeans {
   unsigned threads = 1;
   bool page = true;                               ///< whether a page will be drawn
+  bool repair = true;                             ///< otherwise a damaged store is an error
   bool is_limited = false;                        ///< ends early at a time that is not known here, and so its needs
   std::optional<std::uint64_t> free_memory = {};  ///< [bytes]; absent: not known
   Tell tell = say_nothing;                        ///< what every caller should know
@@ -52,6 +54,11 @@ struct NewRun {
 /// another run is at work in the folder; otherwise as begin_run and as a store that is opened.
 [[nodiscard]] FolderRun resume_run(const std::filesystem::path& folder, const Overrides& extension,
                                    const FolderMeans& means);
+
+/// Begins a run, or goes on with the one that the folder has of the same experiment, also of one with fewer realisations
+/// as long as no report of it is there. Throws FolderError if it has another run; otherwise as the two.
+[[nodiscard]] FolderRun begin_or_continue_run(const std::filesystem::path& folder, const Experiment& experiment,
+                                              const NewRun& asked, const FolderMeans& means);
 
 /// Joins the parts of a divided run, in a folder of its own, where it replaces an earlier run when it is complete
 /// (`overwrite`). Parts may overlap if their common realisations agree. Throws FolderError if they do not, if the parts

@@ -114,12 +114,7 @@ FolderRun merge_runs(const fs::path& path, const std::vector<fs::path>& parts, b
 
 StoredRun merge(const fs::path& folder, const std::vector<fs::path>& parts) {
   if (parts.empty()) refuse("parts", "", "are missing: give at least one folder");
-  try {
-    merge_runs(folder, parts, false).folder.install_replacement();
-  } catch (const FolderError& error) {
-    if (error.kind() == Kind::missing || error.kind() == Kind::at_work) throw;
-    throw base::InputError(error.problem());
-  }
+  with_input_errors([&] { return merge_runs(folder, parts, false); }).folder.install_replacement();
   return open_run(folder);
 }
 

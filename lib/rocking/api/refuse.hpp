@@ -26,6 +26,18 @@ void expect(std::string_view name, Number value, Number least, Number largest) {
          "must be a whole number from " + std::to_string(least) + " to " + std::to_string(largest));
 }
 
+/// The result of `act`, whose errors of a folder that does not fit are errors of the input for callers of the library.
+template <class Act>
+auto with_input_errors(const Act& act) {
+  try {
+    return act();
+  } catch (const base::FolderError& error) {
+    using Kind = base::FolderError::Kind;
+    if (error.kind() == Kind::missing || error.kind() == Kind::at_work) throw;
+    throw base::InputError(error.problem());
+  }
+}
+
 /// Throws base::InputError if the shard is no part of a whole, or if the experiment cannot be divided.
 void check_shard(const Experiment& experiment, const Shard& shard);
 

@@ -190,9 +190,4 @@ Experiment experiment_of(const Identity& identity, const Overrides& overrides) {
   }
 }
 
-base::InputError refused(const fs::path& folder, std::string reason, std::string remedy) {
-  return base::InputError(
-      {.place = folder.string(), .value = "", .reason = std::move(reason), .remedy = std::move(remedy), .where = {}});
-}
-
 }  // namespace rocking

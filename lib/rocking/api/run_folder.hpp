@@ -96,7 +96,4 @@ class RunFolder {
 /// cannot be read.
 [[nodiscard]] Experiment experiment_of(const Identity& identity, const Overrides& overrides = {});
 
-/// The error of a folder that cannot be used as asked.
-[[nodiscard]] base::InputError refused(const std::filesystem::path& folder, std::string reason, std::string remedy);
-
 }  // namespace rocking

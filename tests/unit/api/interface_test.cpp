@@ -117,7 +117,8 @@ TEST_F(Interface, ExtendsARunToTheBitsOfALongOne) {
   EXPECT_EQ(digest_of(longer), digest_of(run(with(17))));
   EXPECT_THAT(refusal([&] { static_cast<void>(run(with(12), {.folder = in("one")})); }), HasSubstr("17 realisations"));
   static_cast<void>(part("part", Shard{.part = 1, .parts = 2}));
-  EXPECT_THAT(refusal([&] { static_cast<void>(run(with(17), {.folder = in("part")})); }), HasSubstr("merge the parts"));
+  EXPECT_THAT(refusal([&] { static_cast<void>(run(with(17), {.folder = in("part")})); }),
+              HasSubstr("merge the shards"));
 }
 
 // Each run looks, from its thread, whether another can begin in its folder.

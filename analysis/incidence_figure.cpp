@@ -9,6 +9,7 @@
 #include "rocking/figures/palette.hpp"
 #include "rocking/figures/sweep_view.hpp"
 #include "rocking/output/mode_table.hpp"
+#include "rocking/output/parameter_text.hpp"
 #include "rocking/output/settling_table.hpp"
 
 namespace rocking::analysis {
@@ -28,8 +29,8 @@ std::vector<std::size_t> shown_conditions(const Report& report) {
     if (report.conditions[i].result.settling) shown.push_back(i);
   }
   const auto share = [&report](std::size_t i) {
-    const SettlingRow row = settling_row(report.conditions[i]).value();
-    return static_cast<double>(row.unresolved_at_horizon) / static_cast<double>(row.realisations);
+    const ReportedCondition& each = report.conditions[i];
+    return static_cast<double>(unresolved_at_horizon(each)) / static_cast<double>(each.result.realisations);
   };
   std::ranges::stable_sort(shown, std::greater{}, share);
   if (shown.size() > most_incidence_panels) shown.resize(most_incidence_panels);
@@ -58,14 +59,15 @@ Span span_of(const Report& report, const std::vector<std::size_t>& shown) {
   double last = 0.0;
   for (const std::size_t i : shown) {
     const SettlingResult& incidence = *report.conditions[i].result.settling;
-    const SettlingRow row = settling_row(report.conditions[i]).value();
-    if (row.fixed_horizon) horizon = std::min(horizon, static_cast<double>(*row.fixed_horizon));
+    if (const auto fixed = fixed_horizon(report.conditions[i]))
+      horizon = std::min(horizon, static_cast<double>(*fixed));
     for (const auto& [mode, curve] : incidence.incidence) {
       if (curve.empty()) continue;
       first = std::min(first, static_cast<double>(curve.front().time));
       last = std::max(last, static_cast<double>(curve.back().time));
     }
-    if (row.censored > 0 && row.limit) last = std::max(last, static_cast<double>(*row.limit));
+    const auto limit = limit_of(report.conditions[i]);
+    if (incidence.censored > 0 && limit) last = std::max(last, static_cast<double>(*limit));
   }
   if (!std::isfinite(first)) first = std::isfinite(horizon) ? horizon : 1.0;
   const double low = std::max(1.0, std::floor(0.8 * first));
@@ -198,8 +200,7 @@ void add_panel(const Report& report, std::size_t condition, const std::vector<Re
   panel.x.logarithmic = span.high > linear_ratio * span.low;
   panel.x.high = panel.x.logarithmic ? 1.2 * span.high : span.high + 0.04 * (span.high - span.low);
   figure.panels.push_back(std::move(panel));
-  if (const auto horizon = settling_row(report.conditions[condition])->fixed_horizon)
-    add_horizon(*horizon, span, figure);
+  if (const auto horizon = fixed_horizon(report.conditions[condition])) add_horizon(*horizon, span, figure);
   for (std::size_t m = 0; m < modes.size(); ++m) {
     if (!incidence.incidence.contains(modes[m])) continue;
     const std::size_t first = 2 + columns_per_mode * m;

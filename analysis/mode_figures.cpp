@@ -6,6 +6,7 @@
 #include "rocking/figures/palette.hpp"
 #include "rocking/figures/sweep_view.hpp"
 #include "rocking/output/mode_table.hpp"
+#include "rocking/output/parameter_text.hpp"
 
 namespace rocking::analysis {
 namespace {

@@ -1,19 +1,10 @@
 #include "analysis/page/tables.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <map>
-#include <optional>
 #include <vector>
 
-#include <fmt/format.h>
-
 #include "analysis/page/html.hpp"
-#include "analysis/page/words.hpp"
-#include "analysis/table_text.hpp"
-#include "rocking/figures/sweep_view.hpp"
-#include "rocking/output/mode_table.hpp"
-#include "rocking/text/number_text.hpp"
 
 namespace rocking::analysis {
 namespace {
@@ -22,25 +13,6 @@ namespace {
 look::Form form_of(double number, bool is_place) {
   if (number == std::trunc(number) || std::abs(number) >= 1000.0) return look::decimals(0);
   return is_place ? 6 : 3;
-}
-
-look::Cell mode_cell(const ReportedCondition& condition, const section::ResponseMode& mode) {
-  const AnyShare share = share_of(condition, mode);
-  const bool is_nothing = share.count == 0 && !share.interval;
-  return is_nothing ? look::whole(0) : share_cell(share, condition.result.realisations);
-}
-
-/// The response of a condition that is not random.
-look::Cell response_of(const ReportedCondition& condition) {
-  for (const auto& [mode, probability] : condition.result.modes) {
-    if (probability.counts.successes > 0) return to_string(mode);
-  }
-  return {};
-}
-
-std::string column_name(const Axis& axis) {
-  return escaped(axis.quantity) + (axis.symbol.empty() ? "" : ' ' + symbol_html(axis.symbol)) +
-         (axis.unit.empty() ? "" : " [" + with_symbols(axis.unit) + ']');
 }
 
 look::Cell look_of(const Cell& cell, bool is_place) {
@@ -80,55 +52,6 @@ look::Cell look_of(const Cell& value, const Cell& low, const Cell& high) {
 }
 
 }  // namespace
-
-look::Table table_of_conditions(const Report& report, const std::vector<ParameterColumn>& parameters) {
-  look::Table table = table_of(parameters, {});
-  if (report.swept.empty()) table.columns.insert(table.columns.begin(), {.title = "condition"});
-  return table;
-}
-
-look::Row row_of_condition(const Report& report, const std::vector<ParameterColumn>& parameters,
-                           std::size_t condition) {
-  look::Row row = row_of(parameters, condition);
-  if (report.swept.empty()) row.insert(row.begin(), "the only one");
-  return row;
-}
-
-std::string mode_table_html(const Report& report) {
-  const bool random = report.is_random();
-  const look::Caption caption{
-      .label = "Table: response modes",
-      .html = !random
-                  ? "Response of each condition. Nothing is random: one realisation is the response"
-                  : fmt::format("Response modes{} in per cent of the realisations [{} interval, simultaneous for all "
-                                "modes of a condition]; &lt; <i>x</i>: did not occur, <i>x</i> is the upper end of its "
-                                "interval{}",
-                                report.has_settling() ? " in the end" : "", escaped(report.level()),
-                                count_legend(report.most_realisations()))};
-  const std::vector<ParameterColumn> parameters = parameter_columns(report);
-  look::Table table = table_of_conditions(report, parameters);
-  for (std::size_t i = 0; i < parameters.size(); ++i) {
-    table.columns[i + table.columns.size() - parameters.size()].html = column_name(parameters[i].axis);
-  }
-  const auto modes = report.occurring();
-  if (random) {
-    table.columns.push_back({.title = "n", .html = "<i>n</i>"});
-    for (const auto& [mode, count] : modes) add_columns(table, {to_string(mode)});
-  } else {
-    add_columns(table, {"response"});
-  }
-  for (std::size_t i = 0; i < report.conditions.size(); ++i) {
-    const ReportedCondition& condition = report.conditions[i];
-    look::Row& row = table.rows.emplace_back(row_of_condition(report, parameters, i));
-    if (random) {
-      row.push_back(look::whole(condition.result.realisations));
-      for (const auto& [mode, count] : modes) row.push_back(mode_cell(condition, mode));
-    } else {
-      row.push_back(response_of(condition));
-    }
-  }
-  return to_html(table, caption, most_rows);
-}
 
 Table side_by_side(const std::vector<Table>& tables) {
   Table joined{.name = "", .columns = {tables.front().columns.front()}, .rows = {}};
@@ -173,8 +96,13 @@ std::string data_table_html(const Table& table, const std::string& title) {
                  most_rows);
 }
 
-std::string table_html(const look::Table& table, const std::string& title) {
-  return to_html(table, {.label = "Table: " + escaped(title), .html = escaped(title)}, most_rows);
+std::string table_html(const RunTable& table, const std::string& label) {
+  if (table.table.rows.empty()) return "";
+  return to_html(table.table, {.label = "Table: " + escaped(label), .html = escaped(table.caption)}, most_rows);
+}
+
+std::string mode_table_html(const Report& report) {
+  return table_html(response_table(report, look::Media::page), "response modes");
 }
 
 }  // namespace rocking::analysis

@@ -4,9 +4,8 @@
 #include <vector>
 
 #include "rocking/figures/figure.hpp"
-#include "rocking/figures/sweep_view.hpp"
 #include "rocking/look/table.hpp"
-#include "rocking/output/report.hpp"
+#include "rocking/output/run_tables.hpp"
 
 namespace rocking::analysis {
 
@@ -22,14 +21,8 @@ inline constexpr std::size_t most_rows = 2000;
 /// name.
 [[nodiscard]] Table side_by_side(const std::vector<Table>& tables);
 
-/// The first columns of a table: the swept parameters, or the only condition.
-[[nodiscard]] look::Table table_of_conditions(const Report& report, const std::vector<ParameterColumn>& parameters);
-/// The first cells of its row of a condition.
-[[nodiscard]] look::Row row_of_condition(const Report& report, const std::vector<ParameterColumn>& parameters,
-                                         std::size_t condition);
-
-/// A table of a page, sortable.
-[[nodiscard]] std::string table_html(const look::Table& table, const std::string& title);
+/// A table of a page, sortable; empty without rows. `label`: what it is, for readers who cannot see it.
+[[nodiscard]] std::string table_html(const RunTable& table, const std::string& label);
 
 /// The table of a figure, sortable.
 [[nodiscard]] std::string data_table_html(const Table& table, const std::string& title);

@@ -22,6 +22,7 @@
 #include "rocking/base/stop_request.hpp"
 #include "rocking/ensemble/run.hpp"
 #include "rocking/output/mode_table.hpp"
+#include "rocking/output/parameter_text.hpp"
 #include "rocking/output/run_table.hpp"
 #include "rocking/stats/interval.hpp"
 #include "rocking/text/files.hpp"

@@ -11,32 +11,19 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "analysis/tables.hpp"
 #include "drawing.hpp"
 #include "interrupt.hpp"
 #include "output.hpp"
 #include "rocking/api/folder_run.hpp"
-#include "rocking/output/mode_table.hpp"
 #include "rocking/output/run_table.hpp"
-#include "rocking/output/settling_table.hpp"
+#include "rocking/output/run_tables.hpp"
 #include "rocking/rocking.hpp"
 #include "rocking/studies/studies.hpp"
 #include "rocking/text/files.hpp"
 #include "usage.hpp"
 
 namespace rocking::program {
-namespace {
-
 namespace fs = std::filesystem;
-
-/// The table of every condition, however many.
-std::string table_again(const Report& report) {
-  const std::string settling = settling_text(settling_rows(report), table_look().width);
-  return mode_table(table_rows(report), table_look()) + exponent_table(report) +
-         (settling.empty() ? "" : '\n' + settling);
-}
-
-}  // namespace
 
 void HazardFile::add_to(CLI::App& command, const std::string& effect) {
   CLI::Option* file = command
@@ -102,14 +89,14 @@ ExitCode report_again(const ReportRequest& request) {
     std::move(figures.files.begin(), figures.files.end(), std::back_inserter(written));
   }
   const fs::path tables = fs::path(path) / "tables";
-  std::map<std::string, std::string> texts = analysis::table_files(report, formats);
+  std::map<std::string, std::string> texts = table_files(report, formats);
   for (TextFile& table : tables_of(folder, report, hazard, formats)) texts[table.name] = std::move(table.text);
   for (const auto& [name, text] : texts) {
     ensure_writable(tables);
     write_atomically(tables / name, text);
     written.push_back((tables / name).string());
   }
-  print_written(request.loudness, written, formats.contains("text") ? table_again(report) : "");
+  print_written(request.loudness, written, formats.contains("text") ? tables_in_full(report, table_look()) : "");
   const ExitCode page_code = tell(of_the_page, no_page_picture, PictureRole::purpose);
   const ExitCode figure_code = tell(of_figures, no_figure, PictureRole::purpose);
   return figure_code == ExitCode::done ? page_code : figure_code;

@@ -7,13 +7,12 @@
 #include "analysis/draw.hpp"
 #include "analysis/look.hpp"
 #include "analysis/run_figures.hpp"
-#include "analysis/tables.hpp"
 #include "pages/run_page.hpp"
 #include "rocking/api/refuse.hpp"
 #include "rocking/api/run_store.hpp"
 #include "rocking/api/system_facts.hpp"
 #include "rocking/base/number_text.hpp"
-#include "rocking/output/report.hpp"
+#include "rocking/output/run_tables.hpp"
 #include "rocking/studies/studies.hpp"
 #include "rocking/text/files.hpp"
 
@@ -88,14 +87,10 @@ Written write_tables(const StoredRun& stored, const fs::path& folder) {
   const Report report = report_of(stored);
   ensure_writable(folder);
   Written written;
-  const auto write = [&](const char* name, const std::string& text) {
+  for (const auto& [name, text] : table_files(report, {"csv", "latex"})) {
     write_atomically(folder / name, text);
     written.files.push_back(folder / name);
-  };
-  write("modes.csv", analysis::modes_csv(report));
-  write("non_recurrence.csv", analysis::non_recurrence_csv(report));
-  write("quantiles.csv", analysis::quantiles_csv(report));
-  write("modes.tex", analysis::modes_latex(report));
+  }
   return written;
 }
 

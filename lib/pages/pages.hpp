@@ -41,8 +41,8 @@ struct Drawn {
                                                 const Drawn& drawn = {}, const Execution& execution = {},
                                                 const std::optional<HazardCurve>& hazard = {});
 
-/// Writes the tables of a complete run into a folder, which is created if necessary: modes.csv, non_recurrence.csv,
-/// quantiles.csv, modes.tex. Otherwise as write_page.
+/// Writes the tables of a complete run into a folder, which is created if necessary, in CSV and LaTeX: those of
+/// `rocking report --format csv,latex`. Otherwise as write_page.
 [[nodiscard]] ROCKING_API Written write_tables(const StoredRun& stored, const std::filesystem::path& folder);
 
 /// Writes the page of a realisation: one HTML file without external resources, in which the block moves, as `rocking

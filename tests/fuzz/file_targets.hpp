@@ -8,12 +8,12 @@
 #include "analysis/figure_scripts.hpp"
 #include "analysis/page/page.hpp"
 #include "analysis/run_figures.hpp"
-#include "analysis/tables.hpp"
 #include "rocking/base/error.hpp"
 #include "rocking/figures/figure.hpp"
 #include "rocking/input/report_claims.hpp"
 #include "rocking/output/report.hpp"
 #include "rocking/output/report_differences.hpp"
+#include "rocking/output/run_tables.hpp"
 #include "rocking/studies/studies.hpp"
 
 /// Reading of files that rocking wrote and that may have been changed, as in the commands, without drawing and without
@@ -34,9 +34,7 @@ inline Reading try_report(std::string_view text) {
     }
     const std::string page = analysis::page_text(report, drawn);
     if (page.find("<script>alert") != std::string::npos) throw std::logic_error("text of a report runs in its page");
-    static_cast<void>(analysis::modes_csv(report));
-    static_cast<void>(analysis::non_recurrence_csv(report));
-    static_cast<void>(analysis::modes_latex(report));
+    static_cast<void>(table_files(report, {"csv", "latex"}));
     return Reading::used;
   } catch (const base::InputError& error) {
     if (error.problems().empty()) throw std::logic_error("a refusal without a reason");

@@ -146,7 +146,7 @@ def write_sheet(
 
 
 def write_tables(source: Union[Result, _Path], folder: _Path) -> Written:
-    """Write the tables of a complete run: modes.csv, non_recurrence.csv, quantiles.csv, modes.tex.
+    """Write the tables of a complete run in CSV and LaTeX: modes.csv, modes.tex, non_recurrence.csv and others.
 
     source: a Result, or the folder of a run. Errors as write_page().
 
@@ -157,7 +157,7 @@ def write_tables(source: Union[Result, _Path], folder: _Path) -> Written:
     ...     "horizon": {"transient_periods": 5, "sampled_periods": 15}, "realisations": 10, "seed": "0x1"}
     >>> with tempfile.TemporaryDirectory() as folder:
     ...     [file.name for file in rocking.write_tables(rocking.run(slab), folder).files]
-    ['modes.csv', 'non_recurrence.csv', 'quantiles.csv', 'modes.tex']
+    ['modes.csv', 'modes.tex', 'non_recurrence.csv', 'quantiles.csv']
     """
     result = _complete(source)
     return _call("write_tables", result.experiment._core, result._core, os.fspath(folder))

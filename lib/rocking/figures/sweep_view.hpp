@@ -67,20 +67,6 @@ void add_bars(const Table& table, const CategoryBars& bars, Figure& figure);
 /// `Omega_h` as `Ω_h`, as figures and pages write it.
 [[nodiscard]] std::string with_greek(std::string text);
 
-/// The shaking of each condition.
-[[nodiscard]] std::vector<std::optional<Shaking>> shakings_of(const Report& report);
-
-/// A column of a table of all conditions.
-struct ParameterColumn {
-  std::string pointer;              ///< of a swept parameter, or `/excitation/` and the key of a form of the shaking
-  Axis axis;                        ///< what it shows
-  std::vector<std::string> values;  ///< short text of each condition
-};
-
-/// The swept parameters, and beside them the other form of the shaking where it differs between conditions. What is
-/// common to all conditions: common_shaking(report.swept, shakings_of(report)).
-[[nodiscard]] std::vector<ParameterColumn> parameter_columns(const Report& report);
-
 /// What stands at a place of the canonical experiment of one condition, for texts that quote it; null if nothing does.
 /// What is computed follows from ReportedCondition::asked.
 [[nodiscard]] Json value_at(const Report& report, const ReportedCondition& condition, const std::string& pointer);

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <utility>
 
+#include "rocking/base/error.hpp"
 #include "rocking/look/table.hpp"
 #include "rocking/text/number_text.hpp"
 
@@ -49,6 +50,34 @@ void add_columns(Table& table, const std::vector<std::string>& titles) {
 }
 
 void append(Row& row, const Row& cells) { row.insert(row.end(), cells.begin(), cells.end()); }
+
+Table part_in(Media medium, const Table& table) {
+  Table part{
+      .title = table.title, .rows = std::vector<Row>(table.rows.size()), .notes = table.notes, .absent = table.absent};
+  for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    if (!is_shown_in(medium, table.columns[i].media)) continue;
+    part.columns.push_back(table.columns[i]);
+    for (std::size_t r = 0; r < table.rows.size(); ++r) {
+      ROCKING_EXPECT(table.rows[r].size() == table.columns.size());
+      part.rows[r].push_back(table.rows[r][i]);
+    }
+  }
+  return part;
+}
+
+Table narrowed(Table table, std::size_t width) {
+  table = part_in(Media::terminal, table);
+  while (table.columns.size() > 1 && width_of(table) > width) {
+    table.columns.pop_back();
+    for (Row& row : table.rows) row.pop_back();
+  }
+  return table;
+}
+
+Cell without_interval(Cell cell) {
+  if (auto* number = std::get_if<Number>(&cell)) number->interval.reset();
+  return cell;
+}
 
 std::string plain_text(const Cell& cell, const std::string& absent) {
   if (const std::string* words = std::get_if<std::string>(&cell)) return *words;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "rocking/base/number_text.hpp"
 #include "rocking/look/table.hpp"
@@ -34,11 +35,16 @@ std::string fields_of(const Cell& cell, bool has_interval) {
 
 std::string csv_line(const std::vector<Column>& columns, const Row& row) {
   std::string line;
-  for (std::size_t i = 0; i < row.size(); ++i) line += (i == 0 ? "" : ",") + fields_of(row[i], columns[i].has_interval);
+  bool is_first = true;
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    if (!is_shown_in(Media::csv, columns[i].media)) continue;
+    line += (std::exchange(is_first, false) ? "" : ",") + fields_of(row[i], columns[i].has_interval);
+  }
   return line + '\n';
 }
 
-std::string to_csv(const Table& table) {
+std::string to_csv(const Table& all) {
+  const Table table = part_in(Media::csv, all);
   const bool are_several = std::ranges::count(table.columns, true, &Column::has_interval) > 1;
   std::string text;
   for (const Column& column : table.columns) {

@@ -14,23 +14,26 @@ std::string html_of(const Cell& cell) {
   const std::string none = "<span class=\"none\">none</span>";
   if (number == nullptr) return none;
   const std::string value = number->value ? in_form(*number->value, number->form) : none;
-  if (number->bound != '\0')
-    return "<span class=\"none\">" + escaped(std::string{number->bound, ' '}) + value + "</span>";
   const std::string ends = interval_words(*number, "open");
-  return value + (ends.empty() ? "" : " <span class=\"interval\">" + ends + "</span>") + number->after;
+  return (number->bound == '\0'
+              ? value
+              : "<span class=\"none\">" + escaped(std::string{number->bound, ' '}) + value + "</span>") +
+         (ends.empty() ? "" : " <span class=\"interval\">" + ends + "</span>") + number->after;
 }
 
-/// A bound is sorted as 0, other numbers by the number with which their text begins.
+/// An upper bound is sorted as 0, a lower one as its number, other cells by the number with which their text begins.
 std::string element(const char* name, const char* scope, const Cell& cell) {
   const Number* number = std::get_if<Number>(&cell);
   const bool is_bound = number != nullptr && number->bound != '\0';
-  return std::string("<") + name + scope + (is_bound ? " data-value=\"0\"" : "") + '>' + html_of(cell) + "</" + name +
-         '>';
+  const std::string value = is_bound && number->bound == '>' ? in_form(number->value.value_or(0.0), number->form) : "0";
+  return std::string("<") + name + scope + (is_bound ? " data-value=\"" + value + '"' : "") + '>' + html_of(cell) +
+         "</" + name + '>';
 }
 
 }  // namespace
 
-std::string to_html(const Table& table, const Caption& caption, std::size_t most) {
+std::string to_html(const Table& all, const Caption& caption, std::size_t most) {
+  const Table table = part_in(Media::page, all);
   std::string text = "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"" + caption.label +
                      "\"><table class=\"sortable\"><caption><span>" + caption.html + "</span></caption>\n<thead><tr>";
   for (const Column& column : table.columns) {

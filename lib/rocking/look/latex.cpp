@@ -117,7 +117,8 @@ std::string latex_of(char c) {
 
 }  // namespace
 
-std::string to_latex(const Table& table, const std::string& caption) {
+std::string to_latex(const Table& all, const std::string& caption) {
+  const Table table = part_in(Media::latex, all);
   const auto line_of = [](const auto& cells, auto&& latex) {
     std::string line;
     for (const auto& cell : cells) line += (line.empty() ? "    " : " & ") + latex(cell);

@@ -44,11 +44,29 @@ struct Number {
 using Cell = std::variant<std::monostate, std::string, Number>;
 using Row = std::vector<Cell>;
 
+/// Where a table or a column is shown.
+enum class Media : std::uint8_t {
+  terminal = 1,
+  csv = 2,
+  latex = 4,
+  page = 8,
+  publications = 12,
+  readers = 13,
+  all = 15
+};
+[[nodiscard]] constexpr Media operator|(Media a, Media b) {
+  return static_cast<Media>(static_cast<unsigned>(a) | static_cast<unsigned>(b));
+}
+[[nodiscard]] constexpr bool is_shown_in(Media medium, Media media) {
+  return (static_cast<unsigned>(medium) & static_cast<unsigned>(media)) != 0;
+}
+
 struct Column {
   std::string title;          ///< on a terminal and in CSV
   std::string latex = {};     ///< in LaTeX; empty: the title
   std::string html = {};      ///< in HTML; empty: the title, with letters after a `_` as subscripts
   bool has_interval = false;  ///< CSV has two more columns for its ends
+  Media media = Media::all;
 };
 
 /// Rows have as many cells as there are columns.
@@ -67,6 +85,7 @@ struct Table {
 /// The interval alone.
 [[nodiscard]] Cell interval(const std::optional<stats::Interval>& ends, Form form);
 [[nodiscard]] Cell whole(std::uint64_t count);
+[[nodiscard]] Cell without_interval(Cell cell);
 
 [[nodiscard]] std::string in_form(double value, Form form);
 /// `[94.4, 99.8]` with `open` for an open end; empty without an interval.
@@ -80,6 +99,12 @@ void append(Row& row, const Row& cells);
 
 /// Neighbouring rows that differ only in the `count` columns from `first` on become one row, with `0.15 to 0.35` there.
 void merge_rows(Table& table, std::size_t first, std::size_t count);
+
+/// The table with the columns that are shown in this medium; what the renderers show.
+[[nodiscard]] Table part_in(Media medium, const Table& table);
+
+/// Without so many of its last columns that no line on a terminal is longer than `width`, where one column is not.
+[[nodiscard]] Table narrowed(Table table, std::size_t width);
 
 /// A cell as a terminal shows it.
 [[nodiscard]] std::string plain_text(const Cell& cell, const std::string& absent = ".");

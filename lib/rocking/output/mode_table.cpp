@@ -9,13 +9,14 @@
 #include <variant>
 
 #include "rocking/look/text_table.hpp"
+#include "rocking/output/parameter_text.hpp"
 #include "rocking/output/shaking_text.hpp"
-#include "rocking/text/json.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking {
 namespace {
 
+using look::Media;
 using section::ResponseMode;
 
 constexpr std::size_t gap = 2;
@@ -25,41 +26,17 @@ constexpr std::size_t shortest_bar = 12;
 constexpr std::size_t longest_bar = 24;
 constexpr std::size_t modes_beside_a_bar = 3;
 
-// The modes that occur anywhere, in their order, with their counts.
-ModeTally occurring_modes(std::span<const TableRow> conditions) {
-  ModeTally modes;
-  for (const TableRow& condition : conditions) {
-    for (const TableEntry& entry : condition.modes) {
-      if (entry.count > 0) modes[entry.mode] += entry.count;
-    }
-  }
-  return modes;
+look::Cell cell_of(const ReportedCondition& condition, const ResponseMode& mode) {
+  return share_cell(share_of(condition, mode), condition.result.realisations);
 }
 
-look::Cell cell(const TableRow& condition, const ResponseMode& mode) {
-  const auto found = std::ranges::find(condition.modes, mode, &TableEntry::mode);
-  if (found == condition.modes.end()) return {};
-  return share_cell({.count = found->count, .estimate = found->estimate, .interval = found->interval},
-                    condition.realisations);
-}
-
-look::Cell without_interval(look::Cell cell) {
-  if (auto* number = std::get_if<look::Number>(&cell)) number->interval.reset();
-  return cell;
-}
-
-std::uint64_t count_of(const TableRow& condition, const ResponseMode& mode) {
-  const auto found = std::ranges::find(condition.modes, mode, &TableEntry::mode);
-  return found == condition.modes.end() ? 0 : found->count;
-}
-
-std::uint64_t others_in(const TableRow& condition, const std::vector<ResponseMode>& shown) {
-  std::uint64_t others = condition.realisations;
+std::uint64_t others_in(const ReportedCondition& condition, const std::vector<ResponseMode>& shown) {
+  std::uint64_t others = condition.result.realisations;
   for (const ResponseMode& mode : shown) others -= count_of(condition, mode);
   return others;
 }
 
-std::string bar_of(const TableRow& condition, const std::vector<ResponseMode>& shown, const BarLook& look) {
+std::string bar_of(const ReportedCondition& condition, const std::vector<ResponseMode>& shown, const BarLook& look) {
   std::vector<std::uint64_t> counts;
   for (const ResponseMode& mode : shown) counts.push_back(count_of(condition, mode));
   counts.resize(most_marks, 0);
@@ -67,58 +44,32 @@ std::string bar_of(const TableRow& condition, const std::vector<ResponseMode>& s
   return share_bar(counts, look);
 }
 
-std::vector<std::string> swept_in(std::span<const TableRow> conditions) {
-  std::vector<std::string> swept;
-  for (const Parameter& parameter : conditions.front().parameters) swept.push_back(parameter.pointer);
-  return swept;
+ConditionColumn others_column(const std::vector<ResponseMode>& shown, const std::string& mark = {}) {
+  return {{.title = mark + std::string(others_heading)}, [shown](const ReportedCondition& each) {
+            return part_cell(others_in(each, shown), each.result.realisations);
+          }};
 }
 
-std::vector<std::optional<Shaking>> shakings_of(std::span<const TableRow> conditions) {
-  std::vector<std::optional<Shaking>> shakings;
-  for (const TableRow& condition : conditions) shakings.push_back(condition.shaking);
-  return shakings;
-}
-
-/// The shaking that all conditions have in common; empty if there is none.
-std::string common_line(std::span<const TableRow> conditions) {
-  const std::string common = common_shaking(swept_in(conditions), shakings_of(conditions));
-  return common.empty() ? "" : "shaking: " + common + '\n';
-}
-
-/// Whether the factor on a ground motion follows from other numbers, and differs between conditions.
-bool has_scales(std::span<const TableRow> conditions) {
-  const auto is_swept = [](const Parameter& parameter) { return parameter.pointer == "/excitation/scale"; };
-  if (std::ranges::any_of(conditions.front().parameters, is_swept)) return false;
-  const auto differs = [&](const TableRow& row) { return row.scale != conditions.front().scale; };
-  return std::ranges::any_of(conditions, differs);
-}
-
-/// The columns of the swept parameters, and of the shaking in its other form if the lines stay within `width`.
-look::Table parameter_table(std::span<const TableRow> conditions, std::size_t width) {
-  const std::vector<std::string> swept = swept_in(conditions);
-  auto beside = shaking_columns(swept, shakings_of(conditions));
+/// What tells the conditions apart; the other forms of the shaking if the lines stay within `width`.
+ConditionColumns leading_columns(const Report& report, std::size_t width, Media n) {
+  ConditionColumns columns = condition_columns(report, Media::readers, n);
   std::size_t needed = 0;
-  for (const std::string& pointer : swept) needed += last_key(pointer).size() + gap;
-  for (const std::string_view name : beside) needed += name.size() + gap;
-  constexpr std::string_view scale_heading = "scale";
-  bool shows_scale = has_scales(conditions);
-  if (shows_scale) needed += scale_heading.size() + gap;
-  if (width < needed) shows_scale = false;
-  if (width < needed) beside.clear();
-  look::Table table = table_of(conditions.front().parameters, {beside.begin(), beside.end()});
-  if (shows_scale) add_columns(table, {std::string(scale_heading)});
-  for (const TableRow& condition : conditions) {
-    look::Row& row = table.rows.emplace_back(row_of(condition.parameters));
-    for (const std::string_view key : beside) row.emplace_back(column_cell(condition.shaking, key));
-    if (shows_scale) row.push_back(look::number(condition.scale, 4));
+  for (const auto& [column, cell] : columns) {
+    if (is_shown_in(Media::terminal, column.media) && column.title != "n") needed += column.title.size() + gap;
   }
-  table.notes = common_line(conditions);
+  return needed <= width ? columns : condition_columns(report, Media::publications, n);
+}
+
+look::Table run_table_of(const Report& report, const ConditionColumns& columns) {
+  look::Table table = part_in(Media::terminal, table_of(report, columns));
+  const std::string common = common_shaking(report.swept, shakings_of(report));
+  if (!common.empty()) table.notes = "shaking: " + common + '\n';
   return table;
 }
 
 /// The modes that occur, those that a table must have first: overturning; the most frequent mode of each condition; then
 /// the others, as often as they occur.
-struct ModeColumns {
+struct ModeWidths {
   std::vector<ResponseMode> modes;
   std::size_t indispensable = 0;      ///< so many of them
   std::vector<std::size_t> narrow{};  ///< widths without intervals, with the gap before them
@@ -126,47 +77,39 @@ struct ModeColumns {
   std::size_t others = 0;             ///< of all modes without a column of their own, likewise
 };
 
-std::vector<ResponseMode> leading_modes(std::span<const TableRow> conditions) {
-  std::vector<ResponseMode> leading;
-  for (const TableRow& condition : conditions) {
-    const auto most = std::ranges::max_element(condition.modes, {}, &TableEntry::count);
-    if (most != condition.modes.end() && most->count > 0) leading.push_back(most->mode);
-  }
-  return leading;
-}
-
-ModeColumns mode_columns(std::span<const TableRow> conditions) {
-  const ModeTally occurring = occurring_modes(conditions);
-  const std::vector<ResponseMode> leading = leading_modes(conditions);
-  ModeColumns columns{.modes = {}, .others = others_heading.size()};
-  for (const auto& [mode, count] : occurring) columns.modes.push_back(mode);
-  const auto is_indispensable = [&leading](const ResponseMode& mode) {
-    return mode.kind == section::ResponseKind::overturned || std::ranges::find(leading, mode) != leading.end();
+ModeWidths mode_widths(const Report& report) {
+  const ModeTally occurring = report.occurring();
+  ModeWidths widths{.modes = {}, .others = others_heading.size()};
+  for (const auto& [mode, count] : occurring) widths.modes.push_back(mode);
+  const auto is_indispensable = [&report](const ResponseMode& mode) {
+    return mode.kind == section::ResponseKind::overturned ||
+           std::ranges::any_of(report.conditions, [&](const auto& each) {
+             return most_frequent_in(each) == mode && count_of(each, mode) > 0;
+           });
   };
   const auto importance = [&](const ResponseMode& mode) {
     return std::tuple(mode.kind == section::ResponseKind::overturned, is_indispensable(mode), occurring.at(mode));
   };
-  std::ranges::stable_sort(columns.modes, std::ranges::greater(), importance);
-  columns.indispensable = static_cast<std::size_t>(std::ranges::count_if(columns.modes, is_indispensable));
-  for (const ResponseMode& mode : columns.modes) {
+  std::ranges::stable_sort(widths.modes, std::ranges::greater(), importance);
+  widths.indispensable = static_cast<std::size_t>(std::ranges::count_if(widths.modes, is_indispensable));
+  for (const ResponseMode& mode : widths.modes) {
     std::size_t narrow = to_string(mode).size();
-    columns.wide = std::max(columns.wide, narrow + mark_width);
-    for (const TableRow& condition : conditions) {
-      narrow = std::max(narrow, plain_text(without_interval(cell(condition, mode))).size());
-      columns.wide = std::max(columns.wide, plain_text(cell(condition, mode)).size());
+    widths.wide = std::max(widths.wide, narrow + mark_width);
+    for (const ReportedCondition& condition : report.conditions) {
+      const look::Cell cell = cell_of(condition, mode);
+      narrow = std::max(narrow, plain_text(without_interval(cell)).size());
+      widths.wide = std::max(widths.wide, plain_text(cell).size());
     }
-    columns.narrow.push_back(narrow + gap);
+    widths.narrow.push_back(narrow + gap);
   }
-  for (const TableRow& condition : conditions) {
-    columns.others = std::max(columns.others, count_if_open(condition.realisations, condition.realisations).size() + 5);
-  }
-  columns.wide += gap;
-  columns.others += gap;
-  return columns;
+  const std::uint64_t most = report.most_realisations();
+  widths.others = std::max(widths.others, count_if_open(most, most).size() + 5) + gap;
+  widths.wide += gap;
+  return widths;
 }
 
 /// How many columns fit, of which the first `wide` have intervals.
-std::size_t columns_that_fit(const ModeColumns& columns, std::size_t wide, std::size_t room) {
+std::size_t columns_that_fit(const ModeWidths& columns, std::size_t wide, std::size_t room) {
   const auto width_of_first = [&](std::size_t count) {
     std::size_t width = count < columns.modes.size() ? columns.others : 0;
     for (std::size_t i = 0; i < count; ++i) width += i < wide ? columns.wide : columns.narrow[i];
@@ -177,30 +120,9 @@ std::size_t columns_that_fit(const ModeColumns& columns, std::size_t wide, std::
   return count;
 }
 
-look::Table leading_columns(std::span<const TableRow> conditions, std::size_t width, const ModeColumns& cells) {
-  const std::size_t rest = cells.wide + cells.others + gap;
-  look::Table table = parameter_table(conditions, width - std::min(width, rest));
-  add_columns(table, {"n"});
-  for (std::size_t i = 0; i < conditions.size(); ++i) table.rows[i].push_back(look::whole(conditions[i].realisations));
-  return table;
-}
-
-/// The table of a run in which nothing is random.
-look::Table response_table(std::span<const TableRow> conditions, const TableLook& look) {
-  const std::string heading = "response";
-  look::Table table = parameter_table(conditions, look.width - std::min(look.width, heading.size() + gap));
-  add_columns(table, {heading});
-  for (std::size_t i = 0; i < conditions.size(); ++i) {
-    const auto& modes = conditions[i].modes;
-    const auto found = std::ranges::find_if(modes, [](const TableEntry& entry) { return entry.count > 0; });
-    table.rows[i].push_back(found == modes.end() ? look::Cell() : to_string(found->mode));
-  }
-  return table;
-}
-
 /// `friction 0.4/0.35, amplitude 6`, or `the only condition`.
-std::string name_of(const TableRow& condition) {
-  const std::string name = values_of(condition.parameters);
+std::string name_of(const ReportedCondition& condition) {
+  const std::string name = values_of(condition.asked.parameters);
   return name.empty() ? "the only condition" : name;
 }
 
@@ -211,42 +133,52 @@ struct Layout {
   std::size_t bar = 0;
 };
 
-Layout layout_without_bar(std::size_t leading, const ModeColumns& columns, std::size_t width) {
-  const std::size_t room = width - std::min(width, leading);
-  const std::size_t most = room < columns.others ? 0 : (room - columns.others) / columns.wide;
-  if (most >= columns.indispensable) return {.modes = most, .wide = most, .bar = 0};
-  for (std::size_t wide = most;; --wide) {
-    const std::size_t modes = columns_that_fit(columns, wide, room);
-    if (modes >= columns.indispensable || wide == 0) return {.modes = std::max<std::size_t>(1, modes), .wide = wide};
-  }
-}
-
 /// `leading`: the width of the columns before the modes.
-Layout layout_of(std::size_t leading, const ModeColumns& columns, const TableLook& look) {
+Layout layout_of(std::size_t leading, const ModeWidths& columns, const TableLook& look) {
+  const std::size_t all = look.width - std::min(look.width, leading);
+  const std::size_t room = all - std::min(all, columns.others);
   const std::size_t occurring = columns.modes.size();
-  const std::size_t with_bar = leading + columns.others + mark_width + gap + shortest_bar;
-  const std::size_t room = with_bar < look.width ? (look.width - with_bar) / columns.wide : 0;
-  const std::size_t modes = std::min({std::max<std::size_t>(1, room), occurring, most_marks - 1});
-  const std::size_t wanted = std::min(occurring, std::max(modes_beside_a_bar, columns.indispensable));
-  if (!look.bars || occurring < 2 || modes < wanted) return layout_without_bar(leading, columns, look.width);
-  const std::size_t left = look.width - std::min(look.width, with_bar + modes * columns.wide);
-  return {.modes = modes, .wide = modes, .bar = std::min(longest_bar, shortest_bar + left)};
-}
-
-/// Adds the column of a peak if the rows have it and there is room.
-void add_peak(std::span<const TableRow> conditions, std::string_view heading, std::string TableRow::*peak,
-              const TableLook& look, look::Table& table) {
-  std::size_t width = heading.size();
-  for (const TableRow& condition : conditions) {
-    if ((condition.*peak).empty()) return;
-    width = std::max(width, (condition.*peak).size());
+  constexpr std::size_t beside_bar = mark_width + gap;
+  if (look.bars && occurring > 1 && room >= beside_bar + shortest_bar) {
+    const std::size_t fitting = (room - beside_bar - shortest_bar) / columns.wide;
+    const std::size_t modes = std::min({fitting, occurring, most_marks - 1});
+    if (modes >= std::min(occurring, std::max(modes_beside_a_bar, columns.indispensable))) {
+      const std::size_t bar = room - beside_bar - modes * columns.wide;
+      return {.modes = modes, .wide = modes, .bar = std::min(longest_bar, bar)};
+    }
   }
-  if (width_of(table) + gap + width > look.width) return;
-  add_columns(table, {std::string(heading)});
-  for (std::size_t i = 0; i < conditions.size(); ++i) table.rows[i].emplace_back(conditions[i].*peak);
+  std::size_t wide = room / columns.wide;
+  if (wide >= columns.indispensable) return {.modes = wide, .wide = wide};
+  while (wide > 0 && columns_that_fit(columns, wide, all) < columns.indispensable) --wide;
+  return {.modes = std::max<std::size_t>(1, columns_that_fit(columns, wide, all)), .wide = wide};
 }
 
-bool slides(const TableRow& condition) { return count_of(condition, {.kind = section::ResponseKind::slide}) > 0; }
+/// Adds the column of a peak if every condition has it and there is room.
+void add_peak(const Report& report, std::string_view heading,
+              const std::vector<stats::QuantileEstimate>* (*peak)(const PeakQuantiles&), std::size_t width,
+              look::Table& table) {
+  look::Table wider = table;
+  add_columns(wider, {std::string(heading)});
+  for (std::size_t i = 0; i < report.conditions.size(); ++i) {
+    const auto* quantiles = peak(report.conditions[i].result.peaks);
+    if (quantiles == nullptr || quantiles->empty()) return;
+    wider.rows[i].emplace_back(peak_cell(*quantiles));
+  }
+  if (width_of(wider) <= width) table = std::move(wider);
+}
+
+void add_peaks(const Report& report, std::size_t width, look::Table& table) {
+  using Levels = std::vector<stats::QuantileEstimate>;
+  const auto slides = [](const auto& each) { return count_of(each, {.kind = section::ResponseKind::slide}) > 0; };
+  add_peak(
+      report, peak_tilt_heading, [](const PeakQuantiles& peaks) -> const Levels* { return &peaks.tilt.levels; }, width,
+      table);
+  if (std::ranges::none_of(report.conditions, slides)) return;
+  add_peak(
+      report, peak_slip_heading,
+      [](const PeakQuantiles& peaks) -> const Levels* { return peaks.slip ? &peaks.slip->metres : nullptr; }, width,
+      table);
+}
 
 }  // namespace
 
@@ -280,48 +212,50 @@ std::vector<ResponseMode> modes_to_show(const ModeTally& tally, std::size_t most
   return most_frequent(weighted, most);
 }
 
-std::vector<TableRow> table_rows(const Report& report) {
-  const auto modes = report.listed();
-  std::vector<TableRow> rows;
-  for (const ReportedCondition& condition : report.conditions) {
-    TableRow row{.parameters = condition.asked.parameters,
-                 .realisations = condition.result.realisations,
-                 .without_answer = condition.result.without_answer(),
-                 .modes = {},
-                 .is_random = condition.result.is_random(),
-                 .shaking = condition.shaking,
-                 .scale = condition.scale};
-    const PeakQuantiles& peaks = condition.result.peaks;
-    if (!peaks.tilt.levels.empty()) row.peak_tilt = peak_cell(peaks.tilt.levels);
-    if (peaks.slip && !peaks.slip->metres.empty()) row.peak_slip = peak_cell(peaks.slip->metres);
-    for (const section::ResponseMode& mode : modes) {
-      const AnyShare share = share_of(condition, mode);
-      row.modes.push_back({.mode = mode, .count = share.count, .estimate = share.estimate, .interval = share.interval});
-    }
-    rows.push_back(std::move(row));
-  }
-  return rows;
+std::uint64_t count_of(const ReportedCondition& condition, const ResponseMode& mode) {
+  const Estimate* found = condition.result.estimate_of(mode);
+  return found == nullptr ? 0 : found->counts.successes;
 }
 
-std::string overturning_line(std::span<const TableRow> conditions) {
-  if (conditions.empty()) return {};
-  const TableRow* where = nullptr;
-  TableEntry most{.mode = {.kind = section::ResponseKind::overturned}, .count = 0, .estimate = 0.0, .interval = {}};
+ResponseMode most_frequent_in(const ReportedCondition& condition) {
+  const auto count = [](const ModeEstimate& each) { return each.probability.counts.successes; };
+  const auto most = std::ranges::max_element(condition.result.modes, {}, count);
+  return most == condition.result.modes.end() ? ResponseMode{} : most->mode;
+}
+
+ConditionColumns mode_columns(const Report& report, std::size_t most) {
+  if (!report.is_random()) {
+    return {{{.title = "response"}, [](const ReportedCondition& each) -> look::Cell {
+               const ResponseMode mode = most_frequent_in(each);
+               return count_of(each, mode) > 0 ? look::Cell(to_string(mode)) : look::Cell();
+             }}};
+  }
+  const std::vector<ResponseMode> shown = modes_to_show(report.occurring(), most);
+  ConditionColumns columns;
+  for (const ResponseMode& mode : shown) {
+    columns.push_back({{.title = to_string(mode)}, [mode](const auto& each) { return cell_of(each, mode); }});
+  }
+  if (report.occurring().size() > shown.size()) columns.push_back(others_column(shown));
+  return columns;
+}
+
+std::string overturning_line(const Report& report) {
+  const ReportedCondition* where = nullptr;
+  AnyShare most;
   std::size_t overturning = 0;
   std::size_t equal = 0;  // conditions with the largest share
   std::uint64_t realisations = 0;
   std::uint64_t without_answer = 0;
   double bound = 0.0;
-  for (const TableRow& condition : conditions) {
-    realisations += condition.realisations;
-    without_answer += condition.without_answer;
-    const auto found = std::ranges::find(condition.modes, most.mode, &TableEntry::mode);
-    if (found == condition.modes.end()) continue;
-    if (found->interval) bound = std::max(bound, found->interval->high);
-    if (found->count > 0) ++overturning;
-    if (where != nullptr && found->estimate == most.estimate) ++equal;
-    if (found->estimate > most.estimate) {
-      most = *found;
+  for (const ReportedCondition& condition : report.conditions) {
+    realisations += condition.result.realisations;
+    without_answer += condition.result.without_answer();
+    const AnyShare found = share_of(condition, ResponseMode{.kind = section::ResponseKind::overturned});
+    if (found.interval) bound = std::max(bound, found.interval->high);
+    if (found.count > 0) ++overturning;
+    if (where != nullptr && found.estimate == most.estimate) ++equal;
+    if (found.estimate > most.estimate) {
+      most = found;
       where = &condition;
       equal = 1;
     }
@@ -332,47 +266,48 @@ std::string overturning_line(std::span<const TableRow> conditions) {
            (bound > 0.0 ? "; at most " + per_cent(bound) + " % in each condition" : "") + '\n';
   }
   const std::string among =
-      "in " + std::to_string(overturning) + " of " + counted(conditions.size(), "condition") + "; ";
+      "in " + std::to_string(overturning) + " of " + counted(report.conditions.size(), "condition") + "; ";
   if (!most.interval) return "overturning: " + among + "first at " + name_of(*where) + '\n';
   const std::string place = equal == 1 ? "at " : "in " + std::to_string(equal) + " of them, first at ";
   return "overturning: " + among + "most likely " + place + name_of(*where) + ": " + per_cent(most.estimate) + ' ' +
-         per_cent(*most.interval) + " %, " + std::to_string(most.count) + " of " + std::to_string(where->realisations) +
-         '\n';
+         per_cent(*most.interval) + " %, " + std::to_string(most.count) + " of " +
+         std::to_string(where->result.realisations) + '\n';
 }
 
-std::string mode_table(std::span<const TableRow> conditions, const TableLook& look) {
-  if (conditions.empty()) return {};
-  if (std::ranges::none_of(conditions, &TableRow::is_random)) return to_terminal(response_table(conditions, look));
-  const ModeColumns columns = mode_columns(conditions);
-  look::Table table = leading_columns(conditions, look.width, columns);
-  const Layout layout = layout_of(width_of(table), columns, look);
-  const auto first = [&columns](std::size_t count) {
-    std::vector<ResponseMode> modes = columns.modes;
+std::string mode_table(const Report& report, const TableLook& look) {
+  const auto room_beside = [&look](std::size_t width) { return look.width - std::min(look.width, width + gap); };
+  if (!report.is_random()) {
+    const ConditionColumns response = mode_columns(report, 1);
+    ConditionColumns columns = leading_columns(report, room_beside(response.front().column.title.size()), Media::csv);
+    columns.push_back(response.front());
+    return to_terminal(run_table_of(report, columns));
+  }
+  const ModeWidths widths = mode_widths(report);
+  ConditionColumns columns = leading_columns(report, room_beside(widths.wide + widths.others), Media::all);
+  const Layout layout = layout_of(width_of(table_of(report, columns)), widths, look);
+  const auto first = [&widths](std::size_t count) {
+    std::vector<ResponseMode> modes = widths.modes;
     modes.resize(std::min(count, modes.size()));
     std::ranges::sort(modes);
     return modes;
   };
   const std::vector<ResponseMode> shown = first(layout.modes), wide = first(layout.wide);
-  const auto is_wide = [&wide](const ResponseMode& mode) { return std::ranges::binary_search(wide, mode); };
-  const bool with_others = shown.size() < columns.modes.size();
   const auto mark = [&](std::size_t place) { return layout.bar == 0 ? "" : mark_of(place, *look.bars) + ' '; };
-  for (std::size_t i = 0; i < shown.size(); ++i) add_columns(table, {mark(i) + to_string(shown[i])});
-  if (with_others) add_columns(table, {mark(most_marks - 1) + std::string(others_heading)});
-  if (layout.bar > 0) add_columns(table, {"shares"});
-  for (std::size_t i = 0; i < conditions.size(); ++i) {
-    const TableRow& condition = conditions[i];
-    look::Row& row = table.rows[i];
-    for (const ResponseMode& mode : shown) {
-      row.push_back(is_wide(mode) ? cell(condition, mode) : without_interval(cell(condition, mode)));
-    }
-    if (with_others) row.push_back(part_cell(others_in(condition, shown), condition.realisations));
-    if (layout.bar > 0) row.emplace_back(bar_of(condition, shown, {.length = layout.bar, .letters = *look.bars}));
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    const bool is_wide = std::ranges::binary_search(wide, shown[i]);
+    columns.push_back({{.title = mark(i) + to_string(shown[i])}, [mode = shown[i], is_wide](const auto& each) {
+                         return is_wide ? cell_of(each, mode) : without_interval(cell_of(each, mode));
+                       }});
   }
+  if (shown.size() < widths.modes.size()) columns.push_back(others_column(shown, mark(most_marks - 1)));
+  if (layout.bar > 0) {
+    columns.push_back({{.title = "shares"}, [&](const ReportedCondition& each) {
+                         return bar_of(each, shown, {.length = layout.bar, .letters = *look.bars});
+                       }});
+  }
+  look::Table table = run_table_of(report, columns);
   if (wide.size() < shown.size()) table.notes += "where there is no room for an interval: report.json has it\n";
-  add_peak(conditions, peak_tilt_heading, &TableRow::peak_tilt, look, table);
-  if (std::ranges::any_of(conditions, slides)) {
-    add_peak(conditions, peak_slip_heading, &TableRow::peak_slip, look, table);
-  }
+  add_peaks(report, look.width, table);
   return to_terminal(table);
 }
 

@@ -3,17 +3,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "rocking/ensemble/mode_family.hpp"
 #include "rocking/look/text_table.hpp"
-#include "rocking/output/parameter_text.hpp"
+#include "rocking/output/condition_table.hpp"
 #include "rocking/output/report.hpp"
-#include "rocking/scene/experiment.hpp"
-#include "rocking/scene/shaking.hpp"
 
 namespace rocking {
 
@@ -24,16 +21,6 @@ struct TableLook {
   std::optional<std::size_t> most_rows = std::nullopt;  ///< of a run; more conditions are summarised; absent: all rows
 };
 
-/// A response mode in a row of the table.
-struct TableEntry {
-  section::ResponseMode mode;
-  std::uint64_t count = 0;  ///< realisations
-  double estimate = 0.0;    ///< probability
-  /// Simultaneous; with `until` the one that is valid whenever the run stops. Absent where nothing is random, and for
-  /// a mode that did not occur and that the result does not list.
-  std::optional<stats::Interval> interval;
-};
-
 /// The column of the peak tilt, and its explanation.
 inline constexpr std::string_view peak_tilt_heading = "peak tilt";
 inline constexpr std::string_view peak_tilt_legend =
@@ -41,19 +28,6 @@ inline constexpr std::string_view peak_tilt_legend =
 /// Likewise of the peak slip, which is shown where a block slid without rocking.
 inline constexpr std::string_view peak_slip_heading = "peak slip";
 inline constexpr std::string_view peak_slip_legend = "peak slip: likewise of the largest slip, in m";
-
-/// A condition: a row of the table.
-struct TableRow {
-  std::vector<Parameter> parameters;  ///< swept; the same pointers in every row
-  std::uint64_t realisations = 0;
-  std::uint64_t without_answer = 0;  ///< ConditionResult::without_answer
-  std::vector<TableEntry> modes;
-  bool is_random = true;  ///< otherwise the single realisation is the response of the condition, with certainty
-  std::optional<Shaking> shaking = std::nullopt;  ///< absent under a ground motion
-  std::optional<double> scale = std::nullopt;     ///< of a ground motion
-  std::string peak_tilt = {};                     ///< peak_cell, or empty
-  std::string peak_slip = {};                     ///< likewise [m]
-};
 
 /// `98.5 [94.4, 99.8] (48)`, of a response mode in per cent; `< 2.8`, the end of its interval, if it did not occur.
 [[nodiscard]] look::Cell share_cell(const AnyShare& share, std::uint64_t realisations);
@@ -70,8 +44,14 @@ struct TableRow {
 /// Overturning is one of them if it occurs, however rare it is.
 [[nodiscard]] std::vector<section::ResponseMode> modes_to_show(const ModeTally& tally, std::size_t most);
 
-/// A row for each condition of a run. Each row lists the modes that occur in any condition.
-[[nodiscard]] std::vector<TableRow> table_rows(const Report& report);
+/// What happened to its realisations.
+[[nodiscard]] std::uint64_t count_of(const ReportedCondition& condition, const section::ResponseMode& mode);
+/// The mode that most of them have; unresolved if it has none.
+[[nodiscard]] section::ResponseMode most_frequent_in(const ReportedCondition& condition);
+
+/// The columns of the response modes that occur, at most `most` of them, and of all others; where nothing is random, of
+/// the response.
+[[nodiscard]] ConditionColumns mode_columns(const Report& report, std::size_t most);
 
 /// The response modes of every condition as text for a terminal: a row for each condition, a column for each swept
 /// parameter, for the shaking in its other form where that differs between conditions (a last line has what is common
@@ -81,11 +61,10 @@ struct TableRow {
 /// without an interval if need be, and the others are added up in a last column: each row accounts for every realisation. A bar of the modes' shares follows if bars are wanted,
 /// several modes occur, and there is room for it and for three modes (or all); its marks stand before the headings. If
 /// no row is random, there is one column with the response instead. The peak tilt follows if the rows have it and there
-/// is room, and after it the peak slip where a block slid without rocking. Empty without rows.
-[[nodiscard]] std::string mode_table(std::span<const TableRow> conditions, const TableLook& look = {});
+/// is room, and after it the peak slip where a block slid without rocking.
+[[nodiscard]] std::string mode_table(const Report& report, const TableLook& look = {});
 
 /// A line on overturning: where it is most likely, or the largest upper bound of its probability in any condition.
-/// Empty without rows.
-[[nodiscard]] std::string overturning_line(std::span<const TableRow> conditions);
+[[nodiscard]] std::string overturning_line(const Report& report);
 
 }  // namespace rocking

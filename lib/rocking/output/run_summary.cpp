@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "rocking/look/text_table.hpp"
+#include "rocking/output/parameter_text.hpp"
 #include "rocking/text/json.hpp"
 #include "rocking/text/number_text.hpp"
 
@@ -12,6 +13,8 @@ namespace rocking {
 namespace {
 
 using section::ResponseMode;
+
+using Conditions = std::span<const ReportedCondition>;
 
 constexpr ResponseMode overturned{.kind = section::ResponseKind::overturned};
 constexpr std::string_view record_pointer = "/excitation/file";
@@ -22,31 +25,26 @@ struct Range {
   std::size_t last = 0;
 };
 
-ResponseMode most_frequent_in(const TableRow& condition) {
-  const auto most = std::ranges::max_element(condition.modes, {}, &TableEntry::count);
-  return most == condition.modes.end() ? ResponseMode{} : most->mode;
-}
-
-double share_in(const TableRow& condition, const ResponseMode& mode) {
-  const auto found = std::ranges::find(condition.modes, mode, &TableEntry::mode);
-  return found == condition.modes.end() ? 0.0 : found->estimate;
+double share_in(const ReportedCondition& condition, const ResponseMode& mode) {
+  const Estimate* found = condition.result.estimate_of(mode);
+  return found == nullptr ? 0.0 : found->estimate;
 }
 
 /// They may have any response.
-double share_without_answer(const TableRow& condition) {
-  return static_cast<double>(condition.without_answer) / static_cast<double>(condition.realisations);
+double share_without_answer(const ReportedCondition& condition) {
+  return static_cast<double>(condition.result.without_answer()) / static_cast<double>(condition.result.realisations);
 }
 
-bool have_equal_values(const TableRow& a, const TableRow& b, std::size_t entries) {
+bool have_equal_values(const ReportedCondition& a, const ReportedCondition& b, std::size_t entries) {
   for (std::size_t i = 0; i < entries; ++i) {
-    if (a.parameters[i].value != b.parameters[i].value) return false;
+    if (a.asked.parameters[i].value != b.asked.parameters[i].value) return false;
   }
   return true;
 }
 
 /// Neighbours for which `belong` says so.
 template <class Belong>
-std::vector<Range> ranges_of(std::span<const TableRow> conditions, Belong&& belong) {
+std::vector<Range> ranges_of(Conditions conditions, Belong&& belong) {
   std::vector<Range> ranges;
   for (std::size_t i = 0; i < conditions.size(); ++i) {
     if (i > 0 && belong(conditions[i - 1], conditions[i])) {
@@ -65,21 +63,22 @@ struct Grouping {
   bool has_one_mode = false;  ///< each range has one most frequent response
 };
 
-Grouping grouping_of(std::span<const TableRow> conditions, std::size_t most) {
-  const std::size_t entries = conditions.front().parameters.size();
+Grouping grouping_of(Conditions conditions, std::size_t most) {
+  const std::size_t entries = conditions.front().asked.parameters.size();
   const std::size_t outer = entries == 0 ? 0 : entries - 1;
   Grouping found{.ranges = ranges_of(conditions,
-                                     [outer](const TableRow& a, const TableRow& b) {
+                                     [outer](const ReportedCondition& a, const ReportedCondition& b) {
                                        return have_equal_values(a, b, outer) &&
                                               most_frequent_in(a) == most_frequent_in(b);
                                      }),
                  .entries = outer,
                  .has_one_mode = true};
   for (std::size_t kept = outer; found.ranges.size() > most && kept > 0; --kept) {
-    found = {.ranges = ranges_of(
-                 conditions, [kept](const TableRow& a, const TableRow& b) { return have_equal_values(a, b, kept); }),
-             .entries = kept,
-             .has_one_mode = false};
+    found = {
+        .ranges = ranges_of(conditions, [kept](const ReportedCondition& a,
+                                               const ReportedCondition& b) { return have_equal_values(a, b, kept); }),
+        .entries = kept,
+        .has_one_mode = false};
   }
   if (found.ranges.size() <= most) return found;
   found = {.ranges = {}, .entries = 0, .has_one_mode = false};
@@ -95,9 +94,9 @@ std::string span_in_per_cent(double low, double high) {
   return low == high ? per_cent(low) : per_cent(low) + " to " + per_cent(high);
 }
 
-std::string shares_in(std::span<const TableRow> conditions, const ResponseMode& mode) {
+std::string shares_in(Conditions conditions, const ResponseMode& mode) {
   double low = 1.0, high = 0.0;
-  for (const TableRow& condition : conditions) {
+  for (const ReportedCondition& condition : conditions) {
     const double open = share_without_answer(condition);
     low = std::min(low, share_in(condition, mode) - (mode == ResponseMode{} ? open : 0.0));
     high = std::max(high, share_in(condition, mode) + (mode == ResponseMode{} ? 0.0 : open));
@@ -105,17 +104,18 @@ std::string shares_in(std::span<const TableRow> conditions, const ResponseMode& 
   return span_in_per_cent(low, high);
 }
 
-bool may_overturn_in(std::span<const TableRow> conditions) {
-  return std::ranges::any_of(
-      conditions, [](const TableRow& each) { return share_in(each, overturned) > 0.0 || each.without_answer > 0; });
+bool may_overturn_in(Conditions conditions) {
+  return std::ranges::any_of(conditions, [](const ReportedCondition& each) {
+    return share_in(each, overturned) > 0.0 || each.result.without_answer() > 0;
+  });
 }
 
 }  // namespace
 
-std::string run_summary(std::span<const TableRow> conditions, std::size_t most) {
-  if (conditions.empty()) return {};
+std::string run_summary(const Report& report, std::size_t most) {
+  const Conditions conditions = report.conditions;
   const Grouping grouping = grouping_of(conditions, most);
-  const std::vector<Parameter>& swept = conditions.front().parameters;
+  const std::vector<Parameter>& swept = conditions.front().asked.parameters;
   const bool has_range = grouping.entries < swept.size();
   const bool may_overturn = may_overturn_in(conditions);
   look::Table table = table_of({swept.begin(), swept.begin() + static_cast<std::ptrdiff_t>(grouping.entries)}, {});
@@ -126,14 +126,14 @@ std::string run_summary(std::span<const TableRow> conditions, std::size_t most) 
   for (const Range& range : grouping.ranges) {
     const auto own = conditions.subspan(range.first, range.last - range.first + 1);
     look::Row& row = table.rows.emplace_back();
-    for (std::size_t i = 0; i < grouping.entries; ++i) row.emplace_back(short_value(own.front().parameters[i]));
+    for (std::size_t i = 0; i < grouping.entries; ++i) row.emplace_back(short_value(own.front().asked.parameters[i]));
     if (has_range) {
-      const std::string from = short_value(own.front().parameters[grouping.entries]);
-      const std::string to = short_value(own.back().parameters[grouping.entries]);
+      const std::string from = short_value(own.front().asked.parameters[grouping.entries]);
+      const std::string to = short_value(own.back().asked.parameters[grouping.entries]);
       row.emplace_back(from == to ? from : from + " to " + to);
     }
     std::uint64_t realisations = 0;
-    for (const TableRow& condition : own) realisations += condition.realisations;
+    for (const ReportedCondition& condition : own) realisations += condition.result.realisations;
     append(row, {look::whole(own.size()), look::whole(realisations)});
     const ResponseMode mode = most_frequent_in(own.front());
     if (grouping.has_one_mode) append(row, {to_string(mode), shares_in(own, mode)});
@@ -142,9 +142,8 @@ std::string run_summary(std::span<const TableRow> conditions, std::size_t most) 
   return to_terminal(table);
 }
 
-std::string pooled_summary(std::span<const TableRow> conditions, std::size_t most) {
-  if (conditions.empty()) return {};
-  const std::vector<Parameter>& swept = conditions.front().parameters;
+std::string pooled_summary(const Report& report, std::size_t most) {
+  const std::vector<Parameter>& swept = report.conditions.front().asked.parameters;
   const auto record = std::ranges::find(swept, record_pointer, &Parameter::pointer);
   if (record == swept.end()) return {};
   const auto place = static_cast<std::size_t>(record - swept.begin());
@@ -155,8 +154,8 @@ std::string pooled_summary(std::span<const TableRow> conditions, std::size_t mos
     std::uint64_t realisations = 0;
   };
   std::vector<Pooled> groups;
-  for (const TableRow& condition : conditions) {
-    std::vector<Parameter> others = condition.parameters;
+  for (const ReportedCondition& condition : report.conditions) {
+    std::vector<Parameter> others = condition.asked.parameters;
     others.erase(others.begin() + static_cast<std::ptrdiff_t>(place));
     auto group = std::ranges::find_if(groups, [&others](const Pooled& known) {
       return std::ranges::equal(known.others, others, {}, &Parameter::value, &Parameter::value);
@@ -164,7 +163,7 @@ std::string pooled_summary(std::span<const TableRow> conditions, std::size_t mos
     if (group == groups.end()) group = groups.insert(groups.end(), {.others = std::move(others), .shares = {}});
     group->shares.push_back(share_in(condition, overturned));
     group->open += share_without_answer(condition);
-    group->realisations += condition.realisations;
+    group->realisations += condition.result.realisations;
   }
   if (groups.size() > most) return {};
   look::Table table = table_of(groups.front().others, {"records", "n", "overturned", "of a record"});

@@ -1,16 +1,20 @@
 #include "rocking/output/settling_table.hpp"
 
 #include <algorithm>
-#include <functional>
+#include <utility>
+#include <vector>
 
 #include "rocking/ensemble/settling_tally.hpp"
 #include "rocking/look/text_table.hpp"
 #include "rocking/output/long_run_table.hpp"
 #include "rocking/output/mode_table.hpp"
+#include "rocking/output/parameter_text.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking {
 namespace {
+
+using look::Media;
 
 constexpr std::size_t most_remedies = 3;
 
@@ -19,19 +23,18 @@ constexpr std::int64_t first_limit_horizons = 20;
 
 std::string whole_text(const std::optional<std::int64_t>& end) { return end ? std::to_string(*end) : "-"; }
 
-std::string share_text(const SettlingRow& row, std::uint64_t count) {
-  const std::uint64_t of = row.realisations;
-  if (count == 0) {
-    return "0 (< " + per_cent(bound_of_none(of, row.confidence)) + " %)";
-  }
-  return std::to_string(count) + " (" + per_cent_of(count, of) + " %)";
-}
+bool has_settling(const ReportedCondition& condition) { return condition.result.settling.has_value(); }
 
-/// The value that all rows have; empty if they differ or one has none.
-std::string common(std::span<const SettlingRow> rows, std::optional<std::int64_t> SettlingRow::*member) {
-  const auto& first = rows.front().*member;
-  const bool same = first && std::ranges::all_of(rows, [&](const SettlingRow& row) { return row.*member == first; });
-  return same ? std::to_string(*first) : "";
+/// The value that all conditions have; empty if they differ or one has none.
+std::string common(const Report& report, std::optional<std::int64_t> (*of)(const ReportedCondition&)) {
+  std::optional<std::int64_t> found;
+  for (const ReportedCondition& each : report.conditions) {
+    if (!has_settling(each)) continue;
+    const auto number = of(each);
+    if (!number || (found && number != found)) return "";
+    found = number;
+  }
+  return found ? std::to_string(*found) : "";
 }
 
 /// Periods rounded up to two significant digits.
@@ -41,113 +44,182 @@ std::int64_t rounded_up(std::int64_t periods) {
   return (periods + unit - 1) / unit * unit;
 }
 
-struct SettlingColumn {
-  std::string heading;
-  std::function<look::Cell(const SettlingRow&)> cell;
-};
-
-std::string settling_columns(std::span<const SettlingRow> rows, std::size_t width) {
-  const std::string horizon = common(rows, &SettlingRow::fixed_horizon);
-  const std::string at = horizon.empty() ? "at the horizon" : "at " + horizon;
-  const std::vector<SettlingColumn> columns{
-      {"unresolved " + at, [](const SettlingRow& row) { return share_text(row, row.unresolved_at_horizon); }},
-      {"in the end", [](const SettlingRow& row) { return share_text(row, row.censored); }},
-      {"half settled by", [](const SettlingRow& row) { return period_cell(row.median, row.limit); }},
-      {"99 % settled by", [](const SettlingRow& row) { return horizon_text(row.all_but_one_per_cent); }},
-      {"differ " + at, [](const SettlingRow& row) { return look::number(row.differ_at_horizon, look::percentage()); }},
-      {"differ in the end",
-       [](const SettlingRow& row) { return look::number(row.differ_in_the_end, look::percentage()); }}};
-  look::Table table = table_of(rows.front().parameters, {});
-  for (const SettlingRow& row : rows) table.rows.push_back(row_of(row.parameters));
-  for (const SettlingColumn& column : columns) {
-    look::Table wider = table;
-    add_columns(wider, {column.heading});
-    for (std::size_t i = 0; i < rows.size(); ++i) wider.rows[i].push_back(column.cell(rows[i]));
-    if (!table.columns.empty() && width_of(wider) > width) break;
-    table = std::move(wider);
-  }
-  return to_terminal(table);
+look::Cell share_cell_of(std::uint64_t count, const ReportedCondition& condition) {
+  const std::uint64_t all = condition.result.realisations;
+  return count > 0 ? part_cell(count, all) : bound_cell(bound_of_none(all, condition.asked.confidence));
 }
 
-/// How often settled responses were left, and of which mode and condition the rate has the highest lower bound.
-std::string leaving_line(std::span<const SettlingRow> rows) {
+stats::QuantileEstimate quantile_of(const std::vector<stats::QuantileEstimate>& quartiles, double level) {
+  const auto found = std::ranges::find(quartiles, level, &stats::QuantileEstimate::level);
+  return found == quartiles.end() ? stats::QuantileEstimate{} : *found;
+}
+
+constexpr int all_digits = 12;  // of periods, which are whole
+
+look::Number number_of(const stats::QuantileEstimate& found) {
+  return {.value = found.value, .form = all_digits, .interval = look::Ends(found.low, found.high)};
+}
+
+look::Number number_of(const stats::TimeToShare& found) {
+  const auto real = [](const auto& end) { return end ? std::optional(static_cast<double>(*end)) : std::nullopt; };
+  return {
+      .value = real(found.time), .form = look::decimals(0), .interval = look::Ends(real(found.low), real(found.high))};
+}
+
+look::Cell differ_cell(const std::optional<double>& differ, const std::optional<stats::Interval>& interval) {
+  return differ ? look::number(*differ, interval, look::percentage()) : look::Cell();
+}
+
+/// `0.31 [0.01, 1.72]`, left per 1000 watched periods.
+look::Cell rate_of(const Leaving& found) {
+  return look::number(1000.0 * static_cast<double>(found.left) / static_cast<double>(found.watched_periods),
+                      found.per_1000_periods, 2);
+}
+
+/// Of all conditions.
+struct Watched {
   std::uint64_t left = 0;
   std::uint64_t periods = 0;
-  const LeftMode* most = nullptr;
-  const SettlingRow* where = nullptr;
-  for (const SettlingRow& row : rows) {
-    for (const LeftMode& leaving : row.leaving) {
-      left += leaving.left;
-      periods += leaving.watched_periods;
-      if (most != nullptr && leaving.per_1000_periods.low <= most->per_1000_periods.low) continue;
-      most = &leaving;
-      where = &row;
-    }
-  }
-  if (most == nullptr) return "";
-  if (left == 0) return "no settled response was left in " + none_left_text(rows) + '\n';
-  const std::string name = values_of(where->parameters);
-  return "settled responses were left " + counted(left, "time") + " in " + counted(periods, "watched period") +
-         "; most often " + to_string(most->mode) + (name.empty() ? "" : " at " + name) + ": " + leaving_text(*most) +
-         " per 1000 periods" + (may_be_left(*most) ? ". A label is that of a window, not of all time" : "") + '\n';
+  double confidence = 0.0;
+  const Leaving* most = nullptr;  ///< with the highest lower bound of the rate
+  std::string name = {};          ///< of its mode and condition
+};
+
+const SettlingResult& settling_of(const ReportedCondition& condition) { return *condition.result.settling; }
+stats::QuantileEstimate median_of(const ReportedCondition& each) {
+  return quantile_of(settling_of(each).times.quartiles, 0.5);
 }
 
-LongRunRow long_run_row(const LongRuns& runs) {
-  LongRunRow row{.realisations = runs.count, .windows = runs.windows, .shares = {}};
-  for (const auto& [mode, found] : runs.shares) {
-    row.shares.push_back({.mode = mode, .share = found.share, .interval = found.interval});
-  }
-  return row;
+look::Cell differ_at_horizon(const ReportedCondition& each) {
+  return differ_cell(settling_of(each).differ, settling_of(each).differ_interval);
+}
+look::Cell differ_in_the_end(const ReportedCondition& each) {
+  const auto& found = each.result.non_recurrence;
+  return found ? differ_cell(found->differ, found->differ_interval) : look::Cell();
+}
+
+/// For CSV.
+const ConditionColumns& exact_columns() {
+  const auto column = [](const char* title) {
+    return look::Column{.title = title, .has_interval = true, .media = Media::csv};
+  };
+  const auto quartile = [](double level) {
+    return [level](const ReportedCondition& each) {
+      return number_of(quantile_of(settling_of(each).times.quartiles, level));
+    };
+  };
+  static const ConditionColumns columns{
+      {{.title = "unresolved_at_horizon", .media = Media::csv},
+       [](const ReportedCondition& each) { return look::whole(unresolved_at_horizon(each)); }},
+      {{.title = "not_classified", .media = Media::csv},
+       [](const ReportedCondition& each) { return look::whole(settling_of(each).censored); }},
+      {column("lower_quartile"), quartile(0.25)},
+      {column("median"), quartile(0.5)},
+      {column("upper_quartile"), quartile(0.75)},
+      {column("99_percent"),
+       [](const ReportedCondition& each) { return number_of(settling_of(each).times.nearly_all); }},
+      {{.title = "99_percent_basis", .media = Media::csv},
+       [](const ReportedCondition& each) {
+         const stats::TimeToShare& found = settling_of(each).times.nearly_all;
+         return found.is_observed ? "observed" : found.time ? "extrapolated" : "unknown";
+       }},
+      {column("differ_at_horizon"), differ_at_horizon},
+      {column("differ"), differ_in_the_end}};
+  return columns;
+}
+
+/// For readers; a terminal has no room for intervals of the difference.
+ConditionColumns columns_in_words(const Report& report) {
+  const std::string horizon = common(report, fixed_horizon);
+  const std::string at = horizon.empty() ? "at the horizon" : "at " + horizon;
+  const auto column = [](const std::string& title, Media media = Media::readers) {
+    return look::Column{.title = title, .media = media};
+  };
+  const auto alone = [](auto cell) {
+    return [cell](const ReportedCondition& each) { return without_interval(cell(each)); };
+  };
+  return {{column("unresolved " + at),
+           [](const ReportedCondition& each) { return share_cell_of(unresolved_at_horizon(each), each); }},
+          {column("in the end"),
+           [](const ReportedCondition& each) { return share_cell_of(settling_of(each).censored, each); }},
+          {column("half settled by"),
+           [](const ReportedCondition& each) { return period_cell(median_of(each), limit_of(each)); }},
+          {column("99 % settled by"),
+           [](const ReportedCondition& each) { return horizon_text(settling_of(each).times.nearly_all); }},
+          {column("differ " + at, Media::publications), differ_at_horizon},
+          {column("differ in the end", Media::publications), differ_in_the_end},
+          {column("differ " + at, Media::terminal), alone(differ_at_horizon)},
+          {column("differ in the end", Media::terminal), alone(differ_in_the_end)},
+          {column("half diverged by", Media::page), [](const ReportedCondition& each) -> look::Cell {
+             const auto& quartiles = settling_of(each).times.divergence_quartiles;
+             if (quartiles.empty()) return {};
+             return period_cell(quantile_of(quartiles, 0.5), fixed_horizon(each));
+           }}};
+}
+
+std::string settling_legend(const Report& report) {
+  return "unresolved, in the end: per cent of the realisations that were not classified at the fixed horizon and in "
+         "the end; settled by: median and 99 % quantile of the settling period; differ: per cent of pairs of runs with "
+         "different responses [" +
+         report.level() +
+         " interval]; < x: did not occur, x is the upper end of its interval; > x: beyond the observation" +
+         count_legend(report.most_realisations());
 }
 
 }  // namespace
 
-std::optional<SettlingRow> settling_row(const ReportedCondition& condition) {
-  const ConditionResult& result = condition.result;
-  if (!result.settling) return std::nullopt;
-  const SettlingResult& settling = *result.settling;
-  SettlingRow row;
-  row.parameters = condition.asked.parameters;
-  row.realisations = result.realisations;
-  row.confidence = condition.asked.confidence;
-  row.censored = settling.censored;
-  row.all_but_one_per_cent = settling.times.nearly_all;
-  row.differ_at_horizon = settling.differ;
-  const auto unresolved = settling.at_horizon.find(section::ResponseMode{});
-  if (unresolved != settling.at_horizon.end()) row.unresolved_at_horizon = unresolved->second;
-  const Horizon& horizon = condition.asked.horizon;
-  if (horizon.until_classified) {
-    row.limit = horizon.until_classified->at_most_periods;
-    row.held_windows = horizon.until_classified->held_windows;
-  }
-  if (condition.states_horizon) {
-    row.fixed_horizon = std::int64_t{horizon.transient_periods} + horizon.sampled_periods;
-    row.confirmation = (std::int64_t{row.held_windows} - 1) * horizon.sampled_periods;
-  }
-  if (result.non_recurrence) row.differ_in_the_end = result.non_recurrence->differ;
-  for (const auto& [mode, leaving] : settling.leaving) {
-    row.leaving.push_back({.mode = mode,
-                           .left = leaving.left,
-                           .watched_periods = leaving.watched_periods,
-                           .per_1000_periods = leaving.per_1000_periods});
-  }
-  if (settling.long_runs) row.long_runs = long_run_row(*settling.long_runs);
-  const auto median = std::ranges::find(settling.times.quartiles, 0.5, &stats::QuantileEstimate::level);
-  if (median != settling.times.quartiles.end()) row.median = *median;
-  return row;
+std::uint64_t unresolved_at_horizon(const ReportedCondition& condition) {
+  const ModeTally& modes = condition.result.settling.value().at_horizon;
+  const auto found = modes.find(section::ResponseMode{});
+  return found == modes.end() ? 0 : found->second;
 }
 
-std::vector<SettlingRow> settling_rows(const Report& report) {
-  std::vector<SettlingRow> rows;
-  for (const ReportedCondition& condition : report.conditions) {
-    if (auto row = settling_row(condition)) rows.push_back(*std::move(row));
+std::optional<std::int64_t> fixed_horizon(const ReportedCondition& condition) {
+  const Horizon& horizon = condition.asked.horizon;
+  if (!condition.states_horizon) return std::nullopt;
+  return std::int64_t{horizon.transient_periods} + horizon.sampled_periods;
+}
+
+std::optional<std::int64_t> limit_of(const ReportedCondition& condition) {
+  const auto& until = condition.asked.horizon.until_classified;
+  return until ? std::optional<std::int64_t>(until->at_most_periods) : std::nullopt;
+}
+
+std::string common_limit(const Report& report) { return common(report, limit_of); }
+
+RunTable settling_table(const Report& report) {
+  const std::string proviso = end_proviso(report);
+  ConditionColumns columns = condition_columns(report, Media::publications, Media::csv | Media::publications);
+  for (const ConditionColumns& more : {exact_columns(), columns_in_words(report)}) {
+    columns.insert(columns.end(), more.begin(), more.end());
   }
-  return rows;
+  return {.name = "settling",
+          .caption =
+              "When responses settled: " + settling_legend(report) + (proviso.empty() ? "" : ". In the end " + proviso),
+          .table = table_of(report, columns, has_settling)};
+}
+
+RunTable leaving_table(const Report& report) {
+  ConditionTable table(report, {{.title = "mode"},
+                                {.title = "left"},
+                                {.title = "watched_periods", .html = "watched periods"},
+                                {.title = "per_1000_periods", .html = "per 1000 periods", .has_interval = true}});
+  for (const ReportedCondition& condition : report.conditions) {
+    if (!has_settling(condition)) continue;
+    for (const auto& [mode, found] : condition.result.settling->leaving) {
+      table.add(condition,
+                {to_string(mode), look::whole(found.left), look::whole(found.watched_periods), rate_of(found)});
+    }
+  }
+  return {
+      .name = "leaving",
+      .caption = "How often settled responses were left again, with exact " + report.level() + " intervals of the rate",
+      .table = table.table(),
+      .media = Media::csv | Media::page};
 }
 
 look::Cell period_cell(const stats::QuantileEstimate& quantile, const std::optional<std::int64_t>& limit) {
-  constexpr int all = 12;  // periods are whole
-  look::Number cell{.value = quantile.value, .form = all, .interval = look::Ends(quantile.low, quantile.high)};
+  look::Number cell = number_of(quantile);
   if (quantile.value) return cell;
   if (!limit) return plain_text(cell, "> the limit");
   cell.value = static_cast<double>(*limit);
@@ -161,39 +233,50 @@ std::string horizon_text(const stats::TimeToShare& found) {
          whole_text(found.high) + ']';
 }
 
-std::string leaving_text(const LeftMode& leaving) {
-  const double rate = 1000.0 * static_cast<double>(leaving.left) / static_cast<double>(leaving.watched_periods);
-  return significant(rate, 2) + " [" + significant(leaving.per_1000_periods.low, 2) + ", " +
-         significant(leaving.per_1000_periods.high, 2) + ']';
-}
-
-std::string none_left_text(std::span<const SettlingRow> conditions) {
-  std::uint64_t periods = 0;
-  double confidence = 0.0;
-  for (const SettlingRow& row : conditions) {
-    confidence = std::max(confidence, row.confidence);
-    for (const LeftMode& leaving : row.leaving) periods += leaving.watched_periods;
+std::string leaving_text(const Report& report) {
+  Watched all;
+  for (const ReportedCondition& condition : report.conditions) {
+    if (!has_settling(condition)) continue;
+    all.confidence = std::max(all.confidence, condition.asked.confidence);
+    for (const auto& [mode, found] : condition.result.settling->leaving) {
+      all.left += found.left;
+      all.periods += found.watched_periods;
+      if (all.most != nullptr && found.per_1000_periods.low <= all.most->per_1000_periods.low) continue;
+      all.most = &found;
+      all.name = to_string(mode) + (report.swept.empty() ? "" : " at " + values_of(condition.asked.parameters));
+    }
   }
-  return counted(periods, "watched period") + ": on average fewer than " +
-         significant(bound_of_none_left(periods, confidence), 2) +
-         " in 1000 periods. A response that is left after the watched windows keeps its label, so that shares of "
-         "labels may differ from long-run shares (long_run_every measures them)";
+  if (all.most == nullptr) return "";
+  if (all.left == 0) {
+    return "no settled response was left in " + counted(all.periods, "watched period") + ": on average fewer than " +
+           significant(bound_of_none_left(all.periods, all.confidence), 2) +
+           " in 1000 periods. A response that is left after the watched windows keeps its label, so that shares of "
+           "labels may differ from long-run shares (long_run_every measures them)";
+  }
+  const bool may_be_left = all.most->left > 0 && all.most->per_1000_periods.high > 1.0;
+  return "settled responses were left " + counted(all.left, "time") + " in " + counted(all.periods, "watched period") +
+         "; most often " + all.name + ": " + plain_text(rate_of(*all.most)) + " per 1000 periods" +
+         (may_be_left ? ". A label is that of a window, not of all time" : "");
 }
 
-std::string end_proviso(std::span<const SettlingRow> conditions) {
-  const bool is_needed = std::ranges::any_of(conditions, [](const SettlingRow& row) { return row.held_windows < 2; });
+std::string end_proviso(const Report& report) {
+  const bool is_needed = std::ranges::any_of(report.conditions, [](const ReportedCondition& each) {
+    const auto& until = each.asked.horizon.until_classified;
+    return has_settling(each) && (!until || until->held_windows < 2);
+  });
   return is_needed ? "a response is that of the first classified window (held_windows 1) and may be left again later"
                    : "";
 }
 
-bool may_be_left(const LeftMode& leaving) { return leaving.left > 0 && leaving.per_1000_periods.high > 1.0; }
-
-std::string limit_remedy(const SettlingRow& condition, const std::string& name) {
-  const double share = static_cast<double>(condition.censored) / static_cast<double>(condition.realisations);
+std::string limit_remedy(const ReportedCondition& condition, const std::string& name) {
+  if (!has_settling(condition)) return "";
+  const SettlingResult& settling = *condition.result.settling;
+  const double share = static_cast<double>(settling.censored) / static_cast<double>(condition.result.realisations);
+  const auto limit = limit_of(condition);
   if (share <= ResponseTimes::tolerable_share) return "";
-  const stats::TimeToShare& found = condition.all_but_one_per_cent;
+  const stats::TimeToShare& found = settling.times.nearly_all;
   const std::string start = (name.empty() ? "" : name + ": ") + per_cent(share) + " % are not classified" +
-                            (condition.limit ? " after " + std::to_string(*condition.limit) + " periods" : "");
+                            (limit ? " after " + std::to_string(*limit) + " periods" : "");
   if (found.is_observed) {
     return start +
            ", because their observation ended early; a longer horizon does not help (see the realisations that "
@@ -208,30 +291,32 @@ std::string limit_remedy(const SettlingRow& condition, const std::string& name) 
          counted(found.events, "response") + "), 1 % are left after about " + std::to_string(rounded_up(*found.time)) +
          " periods [" + whole_text(found.low) + ", " + whole_text(found.high) +
          "]; later if some of them hardly ever settle. Set /horizon/until_classified/at_most_periods to " +
-         std::to_string(rounded_up(found.high.value_or(*found.time) + condition.confirmation));
+         std::to_string(rounded_up(found.high.value_or(*found.time) +
+                                   (condition.states_horizon ? confirmation_periods(condition.asked.horizon) : 0)));
 }
 
-std::string settling_text(std::span<const SettlingRow> conditions, std::size_t width) {
-  if (conditions.empty()) return "";
-  const std::string limit = common(conditions, &SettlingRow::limit);
+std::string settling_text(const Report& report, std::size_t width) {
+  if (!report.has_settling()) return "";
+  const std::string limit = common_limit(report);
   std::uint64_t realisations = 0;
   std::uint64_t censored = 0;
   std::vector<std::string> remedies;
-  for (const SettlingRow& row : conditions) {
-    realisations += row.realisations;
-    censored += row.censored;
-    if (std::string remedy = limit_remedy(row, values_of(row.parameters)); !remedy.empty())
+  for (const ReportedCondition& each : report.conditions) {
+    if (!has_settling(each)) continue;
+    realisations += each.result.realisations;
+    censored += each.result.settling->censored;
+    if (std::string remedy = limit_remedy(each, values_of(each.asked.parameters)); !remedy.empty())
       remedies.push_back(std::move(remedy));
   }
-  const std::string proviso = end_proviso(conditions);
-  std::string text =
-      "shares are those in the end: an unresolved realisation goes on" +
-      (limit.empty() ? std::string(" to its limit") : " for up to " + limit + " periods") + "; " +
-      std::to_string(censored) + " of " + counted(realisations, "realisation") + " were not classified by then\n" +
-      (proviso.empty() ? "" : "in the end: " + proviso + '\n') + '\n' + settling_columns(conditions, width) +
-      "\nsettled by: median and 99 % quantile of the settling period [interval; -: open]; differ: per cent of pairs of "
-      "runs with different responses\n" +
-      leaving_line(conditions) + long_run_text(conditions, width);
+  const std::string proviso = end_proviso(report);
+  const std::string leaving = leaving_text(report);
+  std::string text = "shares are those in the end: an unresolved realisation goes on" +
+                     (limit.empty() ? std::string(" to its limit") : " for up to " + limit + " periods") + "; " +
+                     std::to_string(censored) + " of " + counted(realisations, "realisation") +
+                     " were not classified by then\n" + (proviso.empty() ? "" : "in the end: " + proviso + '\n') +
+                     '\n' + to_terminal(narrowed(settling_table(report).table, width)) + '\n' +
+                     settling_legend(report) + '\n' + leaving + (leaving.empty() ? "" : "\n") +
+                     long_run_text(report, width);
   for (std::size_t i = 0; i < std::min(remedies.size(), most_remedies); ++i) {
     text += "horizon too short: " + remedies[i] + '\n';
   }

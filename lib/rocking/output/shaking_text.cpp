@@ -152,6 +152,12 @@ const StructType& fields_of(const Shaking*) {
   return fields;
 }
 
+std::vector<std::optional<Shaking>> shakings_of(const Report& report) {
+  std::vector<std::optional<Shaking>> shakings;
+  for (const ReportedCondition& condition : report.conditions) shakings.push_back(condition.shaking);
+  return shakings;
+}
+
 std::string impacts_text(const Report& report) {
   RateRatios ratios;
   for (const ReportedCondition& condition : report.conditions) ratios.add(condition.asked.scene);

@@ -48,6 +48,9 @@ using Shakings = std::span<const std::optional<Shaking>>;
 [[nodiscard]] const StructType& fields_of(const VerticalShaking*);
 
 struct Report;
+/// The shaking of each condition.
+[[nodiscard]] std::vector<std::optional<Shaking>> shakings_of(const Report& report);
+
 /// What impacts leave of the tilt rate, in a sentence (RateRatios).
 [[nodiscard]] std::string impacts_text(const Report& report);
 

@@ -7,11 +7,10 @@
 
 #include <gmock/gmock.h>
 
-#include "analysis/table_text.hpp"
-#include "analysis/tables.hpp"
 #include "rocking/base/error.hpp"
 #include "rocking/figures/trajectory_figures.hpp"
 #include "rocking/look/markup.hpp"
+#include "rocking/output/run_tables.hpp"
 #include "rocking/studies/bifurcation/study.hpp"
 #include "rocking/studies/check_normal/study.hpp"
 #include "rocking/studies/cost/study.hpp"
@@ -23,14 +22,12 @@ namespace {
 
 using rocking::Json;
 using rocking::report_in;
+using rocking::table_file;
 using rocking::analysis::bifurcation_figures;
 using rocking::analysis::Cell;
 using rocking::analysis::cost_figures;
 using rocking::analysis::Figure;
 using rocking::analysis::LayerKind;
-using rocking::analysis::modes_csv;
-using rocking::analysis::modes_latex;
-using rocking::analysis::non_recurrence_csv;
 using rocking::analysis::normal_histogram;
 using rocking::analysis::output_figures;
 using rocking::analysis::phase_portrait;
@@ -351,12 +348,13 @@ TEST(OutputFigures, RefuseWithTheFilesName) {
 
 TEST(Tables, HaveEveryModeOfEveryConditionWithItsNumbers) {
   const auto report = report_in(sample_report());
-  const std::string csv = modes_csv(report);
+  const std::string csv = table_file(report, "modes.csv");
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 6 * 4);
   EXPECT_THAT(csv, HasSubstr("\n\"{\"\"static\"\":0.35,\"\"kinetic\"\":0.3}\",4.0,0.97991465"));
   EXPECT_THAT(csv, HasSubstr(",10,3.0066857"));
   EXPECT_THAT(csv, HasSubstr(",30,\"(1,3)\",4,0.13333333333333333,"));
-  EXPECT_THAT(non_recurrence_csv(report), HasSubstr("30,0.1,0.05,0.30000000000000004,0.2,15,2,12.5,80,\n"));
+  EXPECT_THAT(table_file(report, "non_recurrence.csv"),
+              HasSubstr("30,0.1,0.05,0.30000000000000004,0.2,15,2,12.5,80,\n"));
 }
 
 TEST(LatexText, HasTheSignsThatWereWrittenAndCompilesWithoutPackages) {
@@ -376,18 +374,18 @@ TEST(Tables, BoundWhatDidNotOccurAndShowNoIntervalWhereNothingIsRandom) {
   Json json = sample_report();
   const auto high = json["result"]["conditions"][0]["probabilities"]["overturned"]["simultaneous"][1].get<double>();
   EXPECT_EQ(json["result"]["conditions"][0]["counts"]["overturned"], 0);
-  EXPECT_THAT(modes_latex(report_in(json)), HasSubstr("$<$ " + rocking::per_cent(high)));
+  EXPECT_THAT(table_file(report_in(json), "modes.tex"), HasSubstr("$<$ " + rocking::per_cent(high)));
   for (Json& condition : json["result"]["conditions"]) condition["stopped_because"] = "deterministic";
   const auto report = report_in(json);
   EXPECT_FALSE(report.is_random());
-  EXPECT_THAT(modes_latex(report), Not(HasSubstr("[")));
-  EXPECT_THAT(modes_csv(report), HasSubstr(",4,0.13333333333333333,,\n"));
+  EXPECT_THAT(table_file(report, "modes.tex"), Not(HasSubstr("[")));
+  EXPECT_THAT(table_file(report, "modes.csv"), HasSubstr(",4,0.13333333333333333,,\n"));
 }
 
 TEST(Tables, SetTextForLatexSoThatItIsText) {
   Json json = sample_report();
   json["input"]["experiment"]["title"] = "50 % of #1_a \\input{x} a\u202eb";
-  const std::string latex = modes_latex(report_in(json));
+  const std::string latex = table_file(report_in(json), "modes.tex");
   EXPECT_THAT(latex, HasSubstr("50 \\% of \\#1\\_a \\textbackslash{}input\\{x\\} a\\textbackslash{}u202eb. Response"));
   EXPECT_THAT(latex, HasSubstr("0.35/0.3 & 4 & 0.9799 & 30 & 83.3 ["));
 }

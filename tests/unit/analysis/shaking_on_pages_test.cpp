@@ -14,7 +14,6 @@
 #include "analysis/page/sections.hpp"
 #include "analysis/page/tables.hpp"
 #include "analysis/run_figures.hpp"
-#include "analysis/tables.hpp"
 #include "rocking/figures/sweep_view.hpp"
 #include "rocking/input/read_experiment.hpp"
 #include "rocking/output/report.hpp"
@@ -212,10 +211,11 @@ TEST(ASlice, IsNotSplitByAFormThatTheOtherParameterChanges) {
 TEST(TablesOfARun, HaveTheOtherForm) {
   const Report report = report_of(normalised, R"([{"parameter": "/excitation/amplitude", "values": [3, 4.5]}])");
   EXPECT_THAT(mode_table_html(report), AllOf(HasSubstr("base amplitude [g]"), HasSubstr("1.102")));
-  EXPECT_THAT(modes_csv(report), StartsWith("/excitation/amplitude,amplitude_g,frequency_ratio,frequency_hz,n,mode"));
-  EXPECT_THAT(modes_csv(report), HasSubstr("\n4.5,1.1024"));
-  EXPECT_THAT(modes_latex(report), AllOf(HasSubstr("$A_h$ & $a_h/g$ & $n$"), HasSubstr("4.5 & 1.102 & 1"),
-                                         HasSubstr("Shaking: $\\Omega_h$ 10 = 3.01 Hz.")));
+  EXPECT_THAT(table_file(report, "modes.csv"),
+              StartsWith("/excitation/amplitude,amplitude_g,frequency_ratio,frequency_hz,n,mode"));
+  EXPECT_THAT(table_file(report, "modes.csv"), HasSubstr("\n4.5,1.1024"));
+  EXPECT_THAT(table_file(report, "modes.tex"), AllOf(HasSubstr("$A_h$ & $a_h/g$ & $n$"), HasSubstr("4.5 & 1.102 & 1"),
+                                                     HasSubstr("Shaking: $\\Omega_h$ 10 = 3.01 Hz.")));
 }
 
 TEST(AValue, IsThatOfTheConditionWhateverThePartThatIsSwept) {

@@ -17,22 +17,31 @@ using section::ResponseMode;
 
 /// A table with one row for each call of `add`: realisations of each mode, all others none.
 struct Made {
-  std::vector<TableRow> rows;
+  Report report;
 
   void add(std::vector<Parameter> parameters, const std::vector<std::pair<ResponseMode, std::uint64_t>>& counts) {
-    TableRow row;
-    row.parameters = std::move(parameters);
-    for (const auto& [mode, count] : counts) row.realisations += count;
+    report.swept.clear();
+    for (const Parameter& parameter : parameters) report.swept.push_back(parameter.pointer);
+    ReportedCondition& condition = report.conditions.emplace_back();
+    condition.asked.parameters = std::move(parameters);
+    std::uint64_t& all = condition.result.realisations;
+    for (const auto& [mode, count] : counts) all += count;
     for (const auto& [mode, count] : counts) {
-      const double p = static_cast<double>(count) / static_cast<double>(row.realisations);
-      const stats::Interval interval = count > 0 ? stats::Interval{0.5 * p, p} : stats::Interval{0.0, 0.028};
-      row.modes.push_back({.mode = mode, .count = count, .estimate = p, .interval = interval});
+      Estimate found;
+      found.counts = {.successes = count, .trials = all};
+      found.estimate = static_cast<double>(count) / static_cast<double>(all);
+      found.simultaneous = {.low = 0.5 * found.estimate, .high = count > 0 ? found.estimate : 0.028};
+      condition.result.modes.push_back({.mode = mode, .probability = found});
     }
-    rows.push_back(std::move(row));
+  }
+
+  [[nodiscard]] ConditionResult& result(std::size_t i) { return report.conditions.at(i).result; }
+  [[nodiscard]] stats::Interval& interval(std::size_t i, std::size_t mode) {
+    return result(i).modes.at(mode).probability.simultaneous;
   }
 
   [[nodiscard]] std::vector<std::string> lines(const TableLook& look = {}) const {
-    std::istringstream table(mode_table(rows, look));
+    std::istringstream table(mode_table(report, look));
     std::vector<std::string> all;
     for (std::string line; std::getline(table, line);) all.push_back(line);
     return all;
@@ -55,10 +64,10 @@ TEST(ModeTable, RoundsNoRareModeAwayAndCountsIt) {
   Made made;
   made.add({{"/excitation/amplitude", 4.2}},
            {{section::periodic(1, 1), 299952}, {{section::ResponseKind::overturned}, 48}});
-  made.rows[0].modes[0].interval = {0.99979, 0.99988};
-  made.rows[0].modes[1].interval = {1.18e-4, 2.12e-4};
+  made.interval(0, 0) = {0.99979, 0.99988};
+  made.interval(0, 1) = {1.18e-4, 2.12e-4};
   EXPECT_EQ(made.lines()[1], "      4.2  300000  99.984 [99.979, 99.988] (299952)  0.016 [0.012, 0.021] (48)");
-  EXPECT_EQ(overturning_line(made.rows),
+  EXPECT_EQ(overturning_line(made.report),
             "overturning: in 1 of 1 condition; most likely at amplitude 4.2: 0.016 [0.012, 0.021] %, 48 of 300000\n");
 }
 
@@ -84,6 +93,7 @@ TEST(ModeTable, HasADotWhereAModeHasNoBound) {
   Made made;
   made.add({{"/excitation/amplitude", 1.0}}, {{section::periodic(1, 1), 3}, {section::periodic(1, 5), 1}});
   made.add({{"/excitation/amplitude", 2.0}}, {{section::periodic(1, 1), 4}});
+  made.result(1).modes.front().probability.anytime = stats::Interval{};
   EXPECT_THAT(made.lines()[2], ::testing::EndsWith(" ."));
 }
 
@@ -92,11 +102,10 @@ TEST(ModeTable, ShowsNoIntervalWhereNothingIsRandom) {
   made.add({{"/excitation/amplitude", 1.0}},
            {{{section::ResponseKind::overturned}, 0}, {{section::ResponseKind::rest}, 1}});
   made.add({{"/excitation/amplitude", 10.0}}, {{{section::ResponseKind::overturned}, 1}});
-  for (TableRow& row : made.rows) row.is_random = false;
+  for (const std::size_t i : {0U, 1U}) made.result(i).stopped_because = StoppedBecause::deterministic;
   EXPECT_THAT(made.lines(),
               ::testing::ElementsAre("amplitude    response", "        1        rest", "       10  overturned"));
-  made.rows[0].is_random = true;  // a sweep of a standard deviation from 0 on
-  for (TableEntry& entry : made.rows[1].modes) entry.interval.reset();
+  made.result(0).stopped_because = StoppedBecause::all_realisations_done;  // a sweep of a standard deviation from 0 on
   EXPECT_THAT(made.lines()[2], ::testing::HasSubstr("100.0"));
   EXPECT_THAT(made.lines()[2], ::testing::Not(::testing::HasSubstr("[")));
 }
@@ -142,18 +151,17 @@ TEST(OverturningLine, TellsWhereItIsMostLikelyOrHowLikelyItCanBe) {
   const ResponseMode overturned{.kind = section::ResponseKind::overturned};
   made.add({{"/excitation/amplitude", 1.0}}, {{section::periodic(1, 1), 40}, {overturned, 0}});
   made.add({{"/excitation/amplitude", 2.0}}, {{section::periodic(1, 1), 40}, {overturned, 0}});
-  made.rows[1].modes[1].interval->high = 0.05;
-  EXPECT_EQ(overturning_line(made.rows), "overturning: none in 80 realisations; at most 5.0 % in each condition\n");
+  made.interval(1, 1).high = 0.05;
+  EXPECT_EQ(overturning_line(made.report), "overturning: none in 80 realisations; at most 5.0 % in each condition\n");
   made.add({{"/excitation/amplitude", 3.0}}, {{section::periodic(1, 1), 30}, {overturned, 10}});
-  EXPECT_EQ(overturning_line(made.rows),
+  EXPECT_EQ(overturning_line(made.report),
             "overturning: in 1 of 3 conditions; most likely at amplitude 3: 25.0 [12.5, 25.0] %, 10 of 40\n");
   made.add({{"/excitation/amplitude", 4.0}}, {{section::periodic(1, 1), 30}, {overturned, 10}});
   made.add({{"/excitation/amplitude", 5.0}}, {{section::periodic(1, 1), 31}, {overturned, 9}});
   EXPECT_EQ(
-      overturning_line(made.rows),
+      overturning_line(made.report),
       "overturning: in 3 of 5 conditions; most likely in 2 of them, first at amplitude 3: 25.0 [12.5, 25.0] %, 10 of "
       "40\n");
-  EXPECT_EQ(overturning_line({}), "");
 }
 
 TEST(ModeTable, AddsUpWhatDoesNotFitIn120Columns) {
@@ -170,10 +178,15 @@ TEST(ModeTable, AddsUpWhatDoesNotFitIn120Columns) {
   EXPECT_THAT(lines[1], ::testing::EndsWith(shown == 4 ? "40.0" : "")) << "200 less 90 and three times 10, of 200";
 }
 
+std::vector<stats::QuantileEstimate> levels(double median, double upper) {
+  return {{.level = 0.5, .value = median, .low = {}, .high = {}},
+          {.level = 0.95, .value = upper, .low = {}, .high = {}}};
+}
+
 TEST(ModeTable, EndsWithThePeakTiltWhereThereIsRoom) {
   Made made;
   made.add({}, {{section::periodic(1, 1), 1}});
-  made.rows[0].peak_tilt = "0.41 0.53";
+  made.result(0).peaks.tilt.levels = levels(0.41, 0.53);
   EXPECT_THAT(made.lines(),
               ::testing::ElementsAre("n                (1,1)  peak tilt", "1  100.0 [50.0, 100.0]  0.41 0.53"));
   EXPECT_THAT(made.lines({.width = 33})[0], ::testing::EndsWith("peak tilt"));
@@ -183,10 +196,10 @@ TEST(ModeTable, EndsWithThePeakTiltWhereThereIsRoom) {
 TEST(ModeTable, ShowsTheSlipOfABlockThatSlidWithoutRocking) {
   Made made;
   made.add({}, {{{section::ResponseKind::rest}, 1}});
-  made.rows[0].peak_tilt = "0 0";
-  made.rows[0].peak_slip = "0.6 0.61";
+  made.result(0).peaks.tilt.levels = levels(0.0, 0.0);
+  made.result(0).peaks.slip.emplace().metres = levels(0.6, 0.61);
   EXPECT_THAT(made.lines()[0], ::testing::EndsWith("rest  peak tilt"));
-  made.rows[0].modes.front().mode = {section::ResponseKind::slide};
+  made.result(0).modes.front().mode = {section::ResponseKind::slide};
   EXPECT_THAT(made.lines(), ::testing::ElementsAre("n                slide  peak tilt  peak slip",
                                                    "1  100.0 [50.0, 100.0]        0 0   0.6 0.61"));
 }
@@ -199,60 +212,18 @@ TEST(PeakTiltCell, HasADashWhereOverturningLeavesNoValue) {
   EXPECT_EQ(peak_cell(Quantiles{}), "- -");
 }
 
-TEST(ModeTable, IsEmptyWithoutConditions) { EXPECT_EQ(mode_table({}), ""); }
-
-TEST(TableRows, HaveTheNumbersOfEachConditionOfARun) {
-  Experiment experiment;
-  experiment.conditions.emplace_back().parameters = {{"/excitation/amplitude", 4.5}};
-  ConditionResult condition;
-  condition.realisations = 8;
-  Estimate estimate;
-  estimate.counts = {.successes = 2, .trials = 8};
-  estimate.estimate = 0.25;
-  estimate.simultaneous = {.low = 0.1, .high = 0.5};
-  condition.modes.push_back({.mode = section::periodic(1, 1), .probability = estimate});
-  condition.stopped_because = StoppedBecause::deterministic;
-  const auto rows = table_rows(report_of(experiment, {.conditions = {condition}}, {}));
-  ASSERT_EQ(rows.size(), 1U);
-  EXPECT_EQ(number_in(rows[0].parameters[0].value), 4.5);
-  EXPECT_EQ(rows[0].realisations, 8U);
-  ASSERT_EQ(rows[0].modes.size(), 1U);
-  EXPECT_EQ(rows[0].modes[0].count, 2U);
-  EXPECT_EQ(rows[0].modes[0].estimate, 0.25);
-  EXPECT_FALSE(rows[0].modes[0].interval) << "nothing is random in this scene";
-  condition.stopped_because = StoppedBecause::all_realisations_done;
-  EXPECT_EQ(table_rows(report_of(experiment, {.conditions = {condition}}, {}))[0].modes[0].interval->high, 0.5);
-}
-
-TEST(TableRows, BoundModesThatOccurInOtherConditionsOnly) {
-  Report report;
-  ConditionResult& with = report.conditions.emplace_back().result;
-  with.realisations = 10;
-  with.modes.push_back({.mode = section::periodic(1, 5), .probability = {}});
-  ConditionResult& without = report.conditions.emplace_back().result;
-  without.realisations = 200;
-  without.modes.push_back({.mode = {section::ResponseKind::rest}, .probability = {}});
-  const auto entry = [&report] {
-    const auto row = table_rows(report).at(1);
-    return *std::ranges::find(row.modes, section::periodic(1, 5), &TableEntry::mode);
-  };
-  EXPECT_EQ(entry().count, 0U);
-  EXPECT_EQ(entry().interval.value().high,
+TEST(Share, IsBoundedWhereAModeOccursInOtherConditionsOnly) {
+  ReportedCondition without;
+  without.result.realisations = 200;
+  without.result.modes.push_back({.mode = {section::ResponseKind::rest}, .probability = {}});
+  const AnyShare share = share_of(without, section::periodic(1, 5));
+  EXPECT_EQ(share.count, 0U);
+  EXPECT_EQ(share.interval.value().high,
             simultaneous_interval(section::periodic(1, 5), {.successes = 0, .trials = 200}, 0.95).high);
-  without.modes.front().probability.anytime = stats::Interval{};
-  EXPECT_FALSE(entry().interval) << "the number of realisations depends on their results";
-}
-
-TEST(TableRows, HaveTheIntervalThatIsValidWheneverTheRunStops) {
-  Experiment experiment;
-  experiment.conditions.emplace_back().scene.fluctuation.restitution = 0.1;
-  Estimate estimate;
-  estimate.simultaneous = {.low = 0.5, .high = 1.0};
-  estimate.anytime = {.low = 0.25, .high = 1.0};
-  ConditionResult condition;
-  condition.modes.push_back({.mode = section::periodic(1, 1), .probability = estimate});
-  const auto rows = table_rows(report_of(experiment, {.conditions = {condition}}, {}));
-  EXPECT_EQ(rows[0].modes[0].interval->low, 0.25);
+  without.result.modes.front().probability.anytime = stats::Interval{.low = 0.25, .high = 1.0};
+  EXPECT_FALSE(share_of(without, section::periodic(1, 5)).interval)
+      << "the number of realisations depends on their results";
+  EXPECT_EQ(share_of(without, {section::ResponseKind::rest}).interval.value().low, 0.25);
 }
 
 /// Three modes: one alone, two equally frequent, and one rare.

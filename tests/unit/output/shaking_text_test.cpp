@@ -12,6 +12,7 @@
 
 #include "rocking/input/read_experiment.hpp"
 #include "rocking/output/mode_table.hpp"
+#include "rocking/output/parameter_text.hpp"
 #include "support/experiment_text.hpp"
 
 namespace rocking {
@@ -126,8 +127,7 @@ TEST(ModeTableOfShaking, HasTheOtherFormBesideTheSweptOne) {
   estimate.simultaneous = {.low = 0.5, .high = 1.0};
   condition.modes.push_back({.mode = section::periodic(1, 1), .probability = estimate});
   condition.stopped_because = StoppedBecause::deterministic;
-  const auto rows = table_rows(report_of(experiment, {.conditions = {condition, condition}}, {}));
-  EXPECT_EQ(mode_table(rows),
+  EXPECT_EQ(mode_table(report_of(experiment, {.conditions = {condition, condition}}, {})),
             "amplitude  amplitude_g  response\n"
             "        3       0.7349     (1,1)\n"
             "      4.5        1.102     (1,1)\n"

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "rocking/figures/sweep_view.hpp"
-#include "rocking/output/mode_table.hpp"
+#include "rocking/output/parameter_text.hpp"
 #include "rocking/text/json.hpp"
 #include "rocking/text/number_text.hpp"
 

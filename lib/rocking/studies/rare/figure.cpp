@@ -5,7 +5,7 @@
 
 #include "rocking/figures/palette.hpp"
 #include "rocking/figures/shaded_map.hpp"
-#include "rocking/output/mode_table.hpp"
+#include "rocking/output/parameter_text.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking::analysis {

@@ -95,7 +95,6 @@ std::set<double> places_of(const SettlingResult& incidence, const Span& span) {
 
 constexpr std::size_t columns_per_mode = 5;
 
-/// Columns: period, not_settled, then five of each mode: estimate, pointwise low and high, simultaneous low and high.
 Table table_of_incidence(const Report& report, const SettlingResult& incidence, const std::vector<ResponseMode>& modes,
                          const std::string& name, const Span& span) {
   const std::string level = report.level();
@@ -105,9 +104,8 @@ Table table_of_incidence(const Report& report, const SettlingResult& incidence, 
               .rows = {}};
   for (const ResponseMode& mode : modes) {
     const std::string of = to_string(mode);
-    table.columns.push_back({of, "probability of having settled in " + of + " by then"});
-    table.columns.push_back({of + "_low", "lower end of its pointwise " + level + " interval"});
-    table.columns.push_back({of + "_high", "upper end of it"});
+    add_estimate(table, {of, "probability of having settled in " + of + " by then"},
+                 "lower end of its pointwise " + level + " interval", "upper end of it");
     table.columns.push_back({of + "_band_low", "lower edge of its simultaneous " + level + " band"});
     table.columns.push_back({of + "_band_high", "upper edge of it"});
   }
@@ -128,44 +126,29 @@ Table table_of_incidence(const Report& report, const SettlingResult& incidence, 
   return table;
 }
 
-/// The band between two columns as a ribbon with the steps of its curve; ribbons join places by straight lines.
-Table stepped_band(const Table& whole, std::size_t low, std::size_t high) {
-  Table table{.name = "band of " + whole.columns[low].name + ": " + whole.name,
-              .columns = {whole.columns[0], whole.columns[low], whole.columns[high]},
-              .rows = {},
-              .only_drawn = true};
-  for (const auto& row : whole.rows) {
-    if (!table.rows.empty()) {
-      const auto before = table.rows.back();
-      table.rows.push_back({row[0], before[1], before[2]});
-    }
-    table.rows.push_back({row[0], row[low], row[high]});
+/// Adds the band between LOW_low and LOW_high as a ribbon with the steps of its curve; ribbons join places by straight
+/// lines.
+void add_band(const Table& whole, const std::string& name, const Style& style, Figure& figure) {
+  Table table = drawn_part(whole, "band of " + name + "_low: ", {"period", name + "_low", name + "_high"});
+  std::vector<std::vector<Cell>> stepped;
+  for (const auto& row : table.rows) {
+    if (!stepped.empty()) stepped.push_back({row[0], stepped.back()[1], stepped.back()[2]});
+    stepped.push_back(row);
   }
-  return table;
-}
-
-void add_band(std::size_t table, std::size_t low, const Style& style, double opacity, Figure& figure) {
-  Style ribbon = style;
-  ribbon.hatch = 0;
-  ribbon.opacity = opacity;
-  figure.tables.push_back(stepped_band(figure.tables[table], low, low + 1));
-  figure.panels.back().layers.push_back(
-      {.kind = LayerKind::ribbon, .table = figure.tables.size() - 1, .columns = {0, 1, 2}, .style = ribbon});
+  table.rows = std::move(stepped);
+  add_drawn(std::move(table), {.kind = LayerKind::ribbon, .style = style}, figure);
 }
 
 /// Shades the time before the fixed horizon.
 void add_horizon(std::int64_t horizon, const Span& span, Figure& figure) {
   const auto place = static_cast<double>(horizon);
   if (place <= span.low || span.high <= place) return;
-  figure.tables.push_back({.name = "fixed horizon",
-                           .columns = {{"from", "start of the shading"}, {"to", "fixed horizon"}},
-                           .rows = {{span.low, place}},
-                           .only_drawn = true});
-  figure.panels.back().layers.push_back({.kind = LayerKind::spans,
-                                         .table = figure.tables.size() - 1,
-                                         .columns = {0, 1},
-                                         .style = {.colour = "#c8c8c8", .opacity = 0.25},
-                                         .legend = "up to the fixed horizon"});
+  add_drawn(
+      {.name = "fixed horizon",
+       .columns = {{"from", "start of the shading"}, {"to", "fixed horizon"}},
+       .rows = {{span.low, place}}},
+      {.kind = LayerKind::spans, .style = {.colour = "#c8c8c8", .opacity = 0.25}, .legend = "up to the fixed horizon"},
+      figure);
 }
 
 /// Of several swept parameters the values, `0.35/0.3, 6`: a panel is too narrow for their names, which the caption has.
@@ -201,26 +184,22 @@ void add_panel(const Report& report, std::size_t condition, const std::vector<Re
   panel.x.high = panel.x.logarithmic ? 1.2 * span.high : span.high + 0.04 * (span.high - span.low);
   figure.panels.push_back(std::move(panel));
   if (const auto horizon = fixed_horizon(report.conditions[condition])) add_horizon(*horizon, span, figure);
-  for (std::size_t m = 0; m < modes.size(); ++m) {
-    if (!incidence.incidence.contains(modes[m])) continue;
-    const std::size_t first = 2 + columns_per_mode * m;
-    add_band(table, first + 3, style_of(modes[m]), 0.1, figure);
-    add_band(table, first + 1, style_of(modes[m]), 0.2, figure);
+  const Table whole = figure.tables[table];
+  for (const ResponseMode& mode : modes) {
+    if (!incidence.incidence.contains(mode)) continue;
+    add_band(whole, to_string(mode) + "_band", ribbon_of(style_of(mode), 0.1), figure);
+    add_band(whole, to_string(mode), ribbon_of(style_of(mode)), figure);
   }
-  auto& layers = figure.panels.back().layers;
   Style style = style_of(ResponseMode{});
   style.colour = "#707070";
   style.dash = 5;
   style.width = 1.2;
-  layers.push_back(
-      {.kind = LayerKind::steps, .table = table, .columns = {0, 1}, .style = style, .legend = "not yet settled"});
-  for (std::size_t m = 0; m < modes.size(); ++m) {
-    if (!incidence.incidence.contains(modes[m])) continue;
-    layers.push_back({.kind = LayerKind::steps,
-                      .table = table,
-                      .columns = {0, 2 + columns_per_mode * m},
-                      .style = style_of(modes[m]),
-                      .legend = to_string(modes[m])});
+  draw({.kind = LayerKind::steps, .table = table, .style = style, .legend = "not yet settled"}, {}, figure);
+  for (const ResponseMode& mode : modes) {
+    if (!incidence.incidence.contains(mode)) continue;
+    const std::string label = to_string(mode);
+    draw({.kind = LayerKind::steps, .table = table, .style = style_of(mode), .legend = label}, {"period", label},
+         figure);
   }
 }
 

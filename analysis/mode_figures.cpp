@@ -89,7 +89,6 @@ Table band_table(const Report& report, const SweepView& view, const Slice& slice
   return table;
 }
 
-// Columns: x, n, then count, estimate, low, high of each mode.
 Table probability_table(const Report& report, const SweepView& view, const Slice& slice) {
   const std::string level = report.level() + " simultaneous interval";
   Table table{.name = table_name(slice), .columns = {view.column, {"n", "realisations"}}, .rows = {}};
@@ -97,9 +96,8 @@ Table probability_table(const Report& report, const SweepView& view, const Slice
   for (const ResponseMode& mode : modes) {
     const std::string name = to_string(mode);
     table.columns.push_back({name + "_count", "realisations that were " + name});
-    table.columns.push_back({name, "estimated probability of " + name});
-    table.columns.push_back({name + "_low", "lower end of its " + level});
-    table.columns.push_back({name + "_high", "upper end of its " + level});
+    add_estimate(table, {name, "estimated probability of " + name}, "lower end of its " + level,
+                 "upper end of its " + level);
   }
   for (const std::size_t i : slice.conditions) {
     const ReportedCondition& condition = report.conditions[i];
@@ -115,31 +113,23 @@ Table probability_table(const Report& report, const SweepView& view, const Slice
   return table;
 }
 
-/// The interval of a mode, also where it does not occur. Columns: x, low, high.
-Table ribbon_table(const Table& probabilities, std::size_t first) {
-  Table table{.name = "ribbon of " + probabilities.columns[first + 1].name + ": " + probabilities.name,
-              .columns = {probabilities.columns[0], probabilities.columns[first + 2], probabilities.columns[first + 3]},
-              .rows = {},
-              .only_drawn = true};
-  for (const auto& row : probabilities.rows) table.rows.push_back({row[0], row[first + 2], row[first + 3]});
-  return table;
-}
-
-/// A probability along a line, with its interval.
-void add_line(const ResponseMode& mode, std::size_t table, std::size_t first, Figure& figure) {
-  Panel& panel = figure.panels[table];
-  Style ribbon = style_of(mode);
-  ribbon.hatch = 0;
-  ribbon.opacity = 0.22;
-  if (mode.kind == section::ResponseKind::unresolved) ribbon.colour = "#a0a0a0";
-  figure.tables.push_back(ribbon_table(figure.tables[table], first));
-  panel.layers.insert(
-      panel.layers.begin(),
-      {.kind = LayerKind::ribbon, .table = figure.tables.size() - 1, .columns = {0, 1, 2}, .style = ribbon});
+/// A probability along a line, with its interval, also where it does not occur.
+void add_line(const ResponseMode& mode, std::size_t table, const std::string& x, Figure& figure) {
+  const std::string name = to_string(mode);
+  std::vector<Layer>& layers = figure.panels[table].layers;
+  const bool is_unresolved = mode.kind == section::ResponseKind::unresolved;
+  Style ribbon = ribbon_of(style_of(mode), 0.22);
+  if (is_unresolved) ribbon.colour = "#a0a0a0";
+  const Table& whole = figure.tables[table];
   Style line = style_of(mode);
-  if (mode.kind == section::ResponseKind::unresolved) line.colour = "#707070";
-  panel.layers.push_back(
-      {.kind = LayerKind::line, .table = table, .columns = {0, first + 1}, .style = line, .legend = to_string(mode)});
+  if (is_unresolved) line.colour = "#707070";
+  layers.push_back(
+      {.kind = LayerKind::line, .table = table, .columns = places_of(whole, {x, name}), .style = line, .legend = name});
+  layers.insert(layers.begin(), {.kind = LayerKind::ribbon,
+                                 .table = figure.tables.size(),
+                                 .columns = first_columns(LayerKind::ribbon),
+                                 .style = ribbon});
+  figure.tables.push_back(drawn_part(whole, "ribbon of " + name + ": ", {x, name + "_low", name + "_high"}));
 }
 
 /// Of categories: the modes side by side, with their intervals. Of one condition the axis names the modes.
@@ -149,15 +139,10 @@ void add_mode_bars(const Report& report, const SweepView& view, std::size_t slic
   Panel& panel = figure.panels[slice];
   if (report.swept.empty()) panel.x = {.quantity = "response mode", .symbol = "", .unit = ""};
   for (std::size_t m = 0; m < modes.size(); ++m) {
-    const std::size_t first = 3 + 4 * m;
-    const CategoryBars bars{.number = m,
-                            .of = modes.size(),
-                            .columns = {first, first + 1, first + 2},
-                            .style = style_of(modes[m]),
-                            .legend = to_string(modes[m]),
-                            .panel = slice};
+    const std::string name = to_string(modes[m]);
+    const CategoryBars bars{m, modes.size(), {name, name + "_low", name + "_high"}, style_of(modes[m]), name, slice};
     add_bars(whole, bars, figure);
-    if (report.swept.empty()) panel.x.ticks.push_back({.place = bars.shift(), .text = to_string(modes[m])});
+    if (report.swept.empty()) panel.x.ticks.push_back({.place = bars.shift(), .text = name});
   }
   set_range(view, spans_around(places_of(view, view.slices[slice])), panel);
 }
@@ -223,11 +208,7 @@ void add_bands(const Report& report, std::size_t table, Panel& panel) {
   const auto modes = shown_modes(report);
   const auto add = [&](std::size_t place, const Style& style, const std::string& legend) {
     const std::size_t first = first_edge + 2 * place;
-    panel.layers.push_back({.kind = LayerKind::boxes,
-                            .table = table,
-                            .columns = {1, 2, first, first + 1},
-                            .style = style,
-                            .legend = legend});
+    panel.layers.push_back({LayerKind::boxes, table, {1, 2, first, first + 1}, style, legend});
   };
   for (std::size_t m = 0; m < modes.size(); ++m) add(m, style_of(modes[m]), to_string(modes[m]));
   if (report.occurring().size() > modes.size()) add(modes.size(), style_of_others(), "others");
@@ -280,7 +261,8 @@ Figure mode_probabilities(const Report& report) {
   }
   for (std::size_t i = 0; i < view.slices.size(); ++i) {
     if (!view.is_line) add_mode_bars(report, view, i, figure);
-    for (std::size_t m = 0; view.is_line && m < modes.size(); ++m) add_line(modes[m], i, 2 + 4 * m, figure);
+    if (!view.is_line) continue;
+    for (const ResponseMode& mode : modes) add_line(mode, i, view.column.name, figure);
   }
   const std::string joined = view.is_line ? " (markers, joined to guide the eye)" : " (markers)";
   const std::string interval = view.is_line ? "ribbon, also where a mode did not occur" : "bars with caps";

@@ -66,24 +66,17 @@ Table divergence_table(const Report& report, const SweepView& view, const Slice&
 }
 
 /// Adds a ribbon and its curve, or bars of categories, for the table that was added last.
-void add_curve(const SweepView& view, std::size_t number, const std::array<std::size_t, 3>& columns, Figure& figure) {
-  const Slice& slice = view.slices[number];
+void add_curve(const SweepView& view, std::size_t number, const std::array<std::string, 3>& columns, Figure& figure) {
+  const std::string name = name_of(view.slices[number]);
+  const Style style = style_of_curve(number);
   if (!view.is_line) {
     const Table whole = figure.tables.back();
-    return add_bars(whole, {number, view.slices.size(), columns, style_of_curve(number), name_of(slice)}, figure);
+    return add_bars(whole, {number, view.slices.size(), columns, style, name}, figure);
   }
-  Panel& panel = figure.panels.front();
+  const auto& [value, low, high] = columns;
   const std::size_t table = figure.tables.size() - 1;
-  Style ribbon = style_of_curve(number);
-  ribbon.hatch = 0;
-  ribbon.opacity = 0.2;
-  panel.layers.push_back(
-      {.kind = LayerKind::ribbon, .table = table, .columns = {0, columns[1], columns[2]}, .style = ribbon});
-  panel.layers.push_back({.kind = LayerKind::line,
-                          .table = table,
-                          .columns = {0, columns[0]},
-                          .style = style_of_curve(number),
-                          .legend = name_of(slice)});
+  draw({.kind = LayerKind::ribbon, .table = table, .style = ribbon_of(style)}, {view.column.name, low, high}, figure);
+  draw({.kind = LayerKind::line, .table = table, .style = style, .legend = name}, {view.column.name, value}, figure);
 }
 
 Figure empty_figure(const Report& report, const SweepView& view) {
@@ -169,7 +162,7 @@ std::optional<Figure> non_recurrence(const Report& report) {
       .quantity = "probability that two runs differ", .symbol = "", .unit = "", .low = 0.0, .high = 1.0};
   for (std::size_t i = 0; i < view.slices.size(); ++i) {
     figure.tables.push_back(difference_table(report, view, view.slices[i]));
-    add_curve(view, i, {2, 3, 4}, figure);
+    add_curve(view, i, {"differ", "low", "high"}, figure);
   }
   figure.caption =
       "Probability that two runs of one condition, with independent random numbers, differ in response mode, with "
@@ -192,7 +185,7 @@ std::optional<Figure> divergence_quartiles(const Report& report) {
     const auto& rows = figure.tables.back().rows;
     any = any ||
           std::any_of(rows.begin(), rows.end(), [](const auto& row) { return std::holds_alternative<double>(row[4]); });
-    add_curve(view, i, {3, 4, 6}, figure);
+    add_curve(view, i, {"median", "lower", "upper_drawn"}, figure);
   }
   if (!any) return std::nullopt;
   figure.caption =
@@ -217,17 +210,15 @@ std::optional<Figure> divergence_times(const Report& report, const Store& store)
               .x = {.quantity = "time", .symbol = "", .unit = "excitation periods", .low = 1.0, .logarithmic = true},
               .y = {.quantity = "share of pairs that have diverged", .symbol = "", .unit = "", .low = 0.0, .high = 1.0},
               .layers = {}};
-  panel.x.high = std::max(last_period(report, all), 2.0);
+  const double end = std::max(last_period(report, all), 2.0);
+  panel.x.high = end;
+  figure.panels.push_back(std::move(panel));
   for (std::size_t i = 0; i < all.size(); ++i) {
     const std::string name = name_of_condition(report, report.conditions[all[i].condition]);
-    figure.tables.push_back(table_of(all[i], name.empty() ? "the only condition" : name, *panel.x.high));
-    panel.layers.push_back({.kind = LayerKind::steps,
-                            .table = i,
-                            .columns = {0, 1},
-                            .style = style_of_curve(i),
-                            .legend = figure.tables.back().name});
+    figure.tables.push_back(table_of(all[i], name.empty() ? "the only condition" : name, end));
+    draw({.kind = LayerKind::steps, .table = i, .style = style_of_curve(i), .legend = figure.tables.back().name}, {},
+         figure);
   }
-  figure.panels.push_back(std::move(panel));
   figure.caption =
       "Share of pairs of runs, with independent random numbers, that have diverged (are more than 0.01 apart in (Θ, "
       "Θ′) at a strobe "

@@ -59,9 +59,8 @@ std::string percent_of(double level) { return significant(100.0 * level, 4); }
 void add_columns(const Report& report, const std::string& unit, Table& table) {
   for (const double level : drawn_levels) {
     const std::string key = level == 0.5 ? "median" : "q" + percent_of(level);
-    table.columns.push_back({key, (level == 0.5 ? "median" : percent_of(level) + " % quantile") + unit});
-    table.columns.push_back({key + "_low", "lower end of its " + report.level() + " interval" + unit});
-    table.columns.push_back({key + "_high", "upper end of it" + unit});
+    add_estimate(table, {key, (level == 0.5 ? "median" : percent_of(level) + " % quantile") + unit},
+                 "lower end of its " + report.level() + " interval" + unit, "upper end of it" + unit);
   }
 }
 
@@ -89,61 +88,42 @@ Table quantile_table(const Report& report, const SweepView& view, const Slice& s
 
 /// The ends of the median's interval where both exist: gnuplot would fill a ribbon with one end down to the axis.
 Table ribbon_table(const Table& whole) {
-  Table table{.name = whole.name,
-              .columns = {whole.columns[0], whole.columns[4], whole.columns[5]},
-              .rows = {},
-              .grid = std::nullopt,
-              .only_drawn = true};
-  for (const std::vector<Cell>& row : whole.rows) {
-    const bool has_both = std::holds_alternative<double>(row[4]) && std::holds_alternative<double>(row[5]);
-    table.rows.push_back(has_both ? std::vector<Cell>{row[0], row[4], row[5]} : std::vector<Cell>{row[0], {}, {}});
+  Table table = drawn_part(whole, "", {whole.columns[0].name, "median_low", "median_high"});
+  for (auto& row : table.rows) {
+    if (!std::holds_alternative<double>(row[1]) || !std::holds_alternative<double>(row[2])) row[1] = row[2] = Cell();
   }
   return table;
 }
 
-/// Adds the median and the outer quantiles of categories, with their intervals.
-void add_quantile_bars(const SweepView& view, std::size_t number, const Drawn& drawn, Figure& figure) {
+/// Adds what is drawn of the table that was added last: the median with its interval, and the outer quantiles, of
+/// categories with theirs.
+void add_quantiles(const SweepView& view, std::size_t number, const Drawn& drawn, Figure& figure) {
   const std::string name = view.slices[number].name.empty() ? "" : view.slices[number].name + ", ";
-  const Table whole = figure.tables.back();
+  const std::string legend = name + (drawn.is_signed ? "5 % and 95 % quantiles" : "95 % quantile");
   const Style style = style_of_curve(number);
   Style outer = style;
   outer.marker = 6;  // a circle: not filled
-  add_bars(whole, {number, view.slices.size(), {3, 4, 5}, style, name + "median"}, figure);
-  if (drawn.is_signed) add_bars(whole, {number, view.slices.size(), {6, 7, 8}, outer, ""}, figure);
-  const std::string legend = drawn.is_signed ? "5 % and 95 % quantiles" : "95 % quantile";
-  add_bars(whole, {number, view.slices.size(), {9, 10, 11}, outer, name + legend}, figure);
-}
-
-/// Adds the curves of the table that was added last, and the table of their ribbon.
-void add_quantile_curves(const SweepView& view, std::size_t number, const Drawn& drawn, Figure& figure) {
-  if (!view.is_line) return add_quantile_bars(view, number, drawn, figure);
-  const Slice& slice = view.slices[number];
-  Panel& panel = figure.panels.front();
-  const std::size_t table = figure.tables.size() - 1;
-  figure.tables.push_back(ribbon_table(figure.tables.back()));
-  Style ribbon = style_of_curve(number);
-  ribbon.hatch = 0;
-  ribbon.opacity = 0.2;
-  const std::string name = slice.name.empty() ? "" : slice.name + ", ";
-  panel.layers.push_back({.kind = LayerKind::ribbon, .table = table + 1, .columns = {0, 1, 2}, .style = ribbon});
-  panel.layers.push_back({.kind = LayerKind::line,
-                          .table = table,
-                          .columns = {0, 3},
-                          .style = style_of_curve(number),
-                          .legend = name + "median"});
-  Style outer = style_of_curve(number);
+  if (!view.is_line) {
+    const Table whole = figure.tables.back();
+    const auto add = [&](const std::string& key, const Style& look, const std::string& words) {
+      add_bars(whole, {number, view.slices.size(), {key, key + "_low", key + "_high"}, look, words}, figure);
+    };
+    add("median", style, name + "median");
+    if (drawn.is_signed) add("q5", outer, "");
+    return add("q95", outer, legend);
+  }
   outer.dash = 2;
   outer.width = 1.0;
-  outer.marker = 6;  // a circle: not filled
   outer.size = 0.4;
-  if (drawn.is_signed) {
-    panel.layers.push_back({.kind = LayerKind::line, .table = table, .columns = {0, 6}, .style = outer});
-  }
-  panel.layers.push_back({.kind = LayerKind::line,
-                          .table = table,
-                          .columns = {0, 9},
-                          .style = outer,
-                          .legend = name + (drawn.is_signed ? "5 % and 95 % quantiles" : "95 % quantile")});
+  const std::size_t table = figure.tables.size() - 1;
+  const auto add = [&](const char* key, const Style& look, const std::string& words) {
+    draw({.kind = LayerKind::line, .table = table, .style = look, .legend = words}, {view.column.name, key}, figure);
+  };
+  figure.tables.push_back(ribbon_table(figure.tables.back()));
+  draw({.kind = LayerKind::ribbon, .table = table + 1, .style = ribbon_of(style)}, {}, figure);
+  add("median", style, name + "median");
+  if (drawn.is_signed) add("q5", outer, "");
+  add("q95", outer, legend);
 }
 
 bool has_values(const Report& report, const Drawn& drawn) {
@@ -170,7 +150,7 @@ Figure quantile_figure(const Report& report, const Drawn& drawn) {
   figure.panels.push_back(std::move(panel));
   for (std::size_t i = 0; i < view.slices.size(); ++i) {
     figure.tables.push_back(quantile_table(report, view, view.slices[i], drawn));
-    add_quantile_curves(view, i, drawn, figure);
+    add_quantiles(view, i, drawn, figure);
   }
   figure.caption = std::string(drawn.meaning) + ": median with its " + report.level() + " interval (" +
                    (view.is_line ? "ribbon" : "bars") + "), and the " +

@@ -45,13 +45,15 @@ class TiltedBlock {
   double cosine_, sine_;
 };
 
-/// Collects the tables and layers of the sketch.
+/// Adds to the last panel of the figure.
 class Sketch {
  public:
+  explicit Sketch(Figure& figure) : figure_(figure) {}
+
   void path(const std::string& name, const std::vector<Point>& points, LayerKind kind, const Style& style) {
     Table table{.name = name, .columns = corners, .rows = {}};
     for (const Point& point : points) table.rows.push_back({rounded_length(point.x), rounded_length(point.y)});
-    add(std::move(table), kind, {0, 1}, style);
+    add_drawn(std::move(table), {.kind = kind, .style = style}, figure_);
   }
   void arrow(const std::string& name, const Point& from, const Point& way) {
     Table table{.name = name, .columns = corners, .rows = {}};
@@ -59,7 +61,7 @@ class Sketch {
     table.columns.push_back({"dy", "upwards [m]"});
     table.rows.push_back(
         {rounded_length(from.x), rounded_length(from.y), rounded_length(way.x), rounded_length(way.y)});
-    add(std::move(table), LayerKind::arrows, {0, 1, 2, 3}, {.colour = "#d55e00", .width = 2.0});
+    add_drawn(std::move(table), {.kind = LayerKind::arrows, .style = {.colour = "#d55e00", .width = 2.0}}, figure_);
   }
   void word(const std::string& text, const Point& where) {
     words_.rows.push_back({rounded_length(where.x), rounded_length(where.y), text});
@@ -72,21 +74,10 @@ class Sketch {
     }
     path(name, points, LayerKind::line, {.colour = "#0072b2", .marker = 0, .width = 1.2});
   }
-  void finish(Figure& figure) {
-    add(std::move(words_), LayerKind::texts, {0, 1, 2}, {});
-    figure.tables = std::move(tables_);
-    figure.panels.front().layers = std::move(layers_);
-  }
+  void finish() { add_drawn(std::move(words_), {.kind = LayerKind::texts}, figure_); }
 
  private:
-  void add(Table table, LayerKind kind, std::vector<std::size_t> columns, const Style& style) {
-    table.only_drawn = true;
-    layers_.push_back({.kind = kind, .table = tables_.size(), .columns = std::move(columns), .style = style});
-    tables_.push_back(std::move(table));
-  }
-
-  std::vector<Table> tables_;
-  std::vector<Layer> layers_;
+  Figure& figure_;
   Table words_{.name = "words", .columns = {corners[0], corners[1], {"text", "text at this point"}}, .rows = {}};
 };
 
@@ -229,7 +220,7 @@ Figure scene_sketch(const Report& report) {
   panel.y.low = -0.26 * size;
   panel.y.high = 1.08 * height + width * std::sin(tilt);
   const TiltedBlock block(outline, tilt);
-  Sketch sketch;
+  Sketch sketch(figure);
   draw_base(sketch, size, outline);
   draw_block(sketch, block);
   draw_angles(sketch, block, size, geometry, tilt);
@@ -241,7 +232,7 @@ Figure scene_sketch(const Report& report) {
     sketch.word("B", block.at(0.5 * width, height + 0.045 * size));
     sketch.word("H", block.at(width + 0.045 * size, 0.6 * height));
   }
-  sketch.finish(figure);
+  sketch.finish();
   const bool is_first = report.conditions.size() > 1;
   figure.caption = (is_first ? "The first of " + std::to_string(report.conditions.size()) + " conditions: " : "") +
                    scene_in_words(report, report.conditions.front()) + ". The tilt θ is drawn at " +

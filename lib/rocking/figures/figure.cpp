@@ -1,7 +1,7 @@
 #include "rocking/figures/figure.hpp"
 
+#include <algorithm>
 #include <charconv>
-
 #include <utility>
 
 #include "rocking/base/error.hpp"
@@ -15,11 +15,47 @@ std::string label_of(const Axis& axis) {
   return label;
 }
 
+std::vector<std::size_t> first_columns(LayerKind kind) {
+  switch (kind) {
+    case LayerKind::image: return {};
+    case LayerKind::line:
+    case LayerKind::points:
+    case LayerKind::steps:
+    case LayerKind::spans:
+    case LayerKind::polygon: return {0, 1};
+    case LayerKind::ribbon:
+    case LayerKind::texts: return {0, 1, 2};
+    case LayerKind::boxes:
+    case LayerKind::error_bars:
+    case LayerKind::arrows: return {0, 1, 2, 3};
+  }
+  return {};
+}
+
+std::vector<std::size_t> places_of(const Table& table, const std::vector<std::string>& names) {
+  std::vector<std::size_t> places;
+  for (const std::string& name : names) {
+    const auto found = std::ranges::find(table.columns, name, &Column::name);
+    ROCKING_EXPECT(found != table.columns.end());
+    places.push_back(static_cast<std::size_t>(found - table.columns.begin()));
+  }
+  return places;
+}
+
+void draw(Layer layer, const std::vector<std::string>& columns, Figure& figure) {
+  if (!columns.empty()) layer.columns = places_of(figure.tables.at(layer.table), columns);
+  if (layer.columns.empty()) layer.columns = first_columns(layer.kind);
+  figure.panels.back().layers.push_back(std::move(layer));
+}
+
 void add_layer(Table table, LayerKind kind, const Style& style, const std::string& legend, Figure& figure) {
   if (table.rows.empty()) return;
   for (Panel& panel : figure.panels) {
-    panel.layers.push_back(
-        {.kind = kind, .table = figure.tables.size(), .columns = {0, 1}, .style = style, .legend = legend});
+    panel.layers.push_back({.kind = kind,
+                            .table = figure.tables.size(),
+                            .columns = first_columns(kind),
+                            .style = style,
+                            .legend = legend});
   }
   figure.tables.push_back(std::move(table));
 }
@@ -29,7 +65,23 @@ void add_drawn(Table table, Layer layer, Figure& figure) {
   table.only_drawn = true;
   layer.table = figure.tables.size();
   figure.tables.push_back(std::move(table));
-  figure.panels.back().layers.push_back(std::move(layer));
+  draw(std::move(layer), {}, figure);
+}
+
+void add_estimate(Table& table, const Column& estimate, const std::string& low, const std::string& high) {
+  table.columns.push_back(estimate);
+  table.columns.push_back({estimate.name + "_low", low});
+  table.columns.push_back({estimate.name + "_high", high});
+}
+
+Table drawn_part(const Table& whole, const std::string& what, const std::vector<std::string>& columns) {
+  Table part{.name = what + whole.name, .columns = {}, .rows = {}, .grid = std::nullopt, .only_drawn = true};
+  part.rows.resize(whole.rows.size());
+  for (const std::size_t place : places_of(whole, columns)) {
+    part.columns.push_back(whole.columns[place]);
+    for (std::size_t i = 0; i < whole.rows.size(); ++i) part.rows[i].push_back(whole.rows[i][place]);
+  }
+  return part;
 }
 
 std::string number_text(double number) {

@@ -78,8 +78,8 @@ enum class LayerKind : std::uint8_t {
 
 struct Layer {
   LayerKind kind;
-  std::size_t table = 0;             ///< of the figure
-  std::vector<std::size_t> columns;  ///< indices of columns of the table, from 0
+  std::size_t table = 0;                  ///< of the figure
+  std::vector<std::size_t> columns = {};  ///< their places in the table; draw() takes their names
   Style style = {};
   std::string legend = {};  ///< empty: no entry in the legend
 };
@@ -108,11 +108,27 @@ struct Figure {
   Arrangement arrangement = Arrangement::grid;
 };
 
+/// The first columns, as many as this kind of layer has.
+[[nodiscard]] std::vector<std::size_t> first_columns(LayerKind kind);
+
+/// The places of the columns with these names.
+[[nodiscard]] std::vector<std::size_t> places_of(const Table& table, const std::vector<std::string>& names);
+
+/// Adds a layer of its table to the last panel. `columns`: their names, in the order of the kind; empty: the first ones.
+void draw(Layer layer, const std::vector<std::string>& columns, Figure& figure);
+
 /// Adds a table of x and y, unless it has no rows, and a layer of it to each panel.
 void add_layer(Table table, LayerKind kind, const Style& style, const std::string& legend, Figure& figure);
 
-/// Adds a table that is only drawn, unless it has no rows, and this layer of it to the last panel.
+/// Adds a table that is only drawn, unless it has no rows, and this layer of it to the last panel; of its first columns,
+/// if the layer names none.
 void add_drawn(Table table, Layer layer, Figure& figure);
+
+/// Adds the column of an estimate, and NAME_low and NAME_high of its interval.
+void add_estimate(Table& table, const Column& estimate, const std::string& low, const std::string& high);
+
+/// These columns alone, as a table that is only drawn; its name begins with `what`.
+[[nodiscard]] Table drawn_part(const Table& whole, const std::string& what, const std::vector<std::string>& columns);
 
 /// The shortest decimal text of a number that reads back to the same bits.
 [[nodiscard]] std::string number_text(double number);

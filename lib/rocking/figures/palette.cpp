@@ -40,4 +40,10 @@ Style style_of_curve(std::size_t number) {
   return style_of(modes[number % modes.size()]);
 }
 
+Style ribbon_of(Style style, double opacity) {
+  style.hatch = 0;
+  style.opacity = opacity;
+  return style;
+}
+
 }  // namespace rocking::analysis

@@ -19,4 +19,7 @@ namespace rocking::analysis {
 /// Style of curve `number`, counted from 0, of several curves of one kind; number 7 has the style of number 0.
 [[nodiscard]] Style style_of_curve(std::size_t number);
 
+/// Of the interval around a curve of this style.
+[[nodiscard]] Style ribbon_of(Style style, double opacity = 0.2);
+
 }  // namespace rocking::analysis

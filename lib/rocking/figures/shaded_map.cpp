@@ -40,10 +40,7 @@ void add_shades(const ShadedMap& map, const Shading& shading, const std::string&
     Table table = boxes_of(map, shading, i);
     table.name = name + ", " + words;
     add_drawn(std::move(table),
-              {.kind = LayerKind::boxes,
-               .columns = {0, 1, 2, 3},
-               .style = {.colour = shades.at(i)},
-               .legend = shading.quantity + ' ' + words},
+              {.kind = LayerKind::boxes, .style = {.colour = shades.at(i)}, .legend = shading.quantity + ' ' + words},
               figure);
   }
 }

@@ -219,19 +219,17 @@ double CategoryBars::shift() const {
 
 void add_bars(const Table& table, const CategoryBars& bars, Figure& figure) {
   const auto& [value, low, high] = bars.columns;
-  Table drawn{.name = "bars of " + table.columns[value].name + ": " + table.name,
-              .columns = {table.columns[0], table.columns[value], table.columns[low], table.columns[high]},
-              .rows = {},
-              .only_drawn = true};
-  for (const auto& row : table.rows) {
-    drawn.rows.push_back({std::get<double>(row[0]) + bars.shift(), row[value], row[low], row[high]});
-  }
-  const std::size_t number = figure.tables.size();
-  figure.tables.push_back(std::move(drawn));
+  Table drawn = drawn_part(table, "bars of " + value + ": ", {table.columns.front().name, value, low, high});
+  for (auto& row : drawn.rows) row[0] = std::get<double>(row[0]) + bars.shift();
   std::vector<Layer>& layers = figure.panels.at(bars.panel).layers;
-  layers.push_back({.kind = LayerKind::error_bars, .table = number, .columns = {0, 1, 2, 3}, .style = bars.style});
-  layers.push_back(
-      {.kind = LayerKind::points, .table = number, .columns = {0, 1}, .style = bars.style, .legend = bars.legend});
+  for (const LayerKind kind : {LayerKind::error_bars, LayerKind::points}) {
+    layers.push_back({.kind = kind,
+                      .table = figure.tables.size(),
+                      .columns = first_columns(kind),
+                      .style = bars.style,
+                      .legend = kind == LayerKind::points ? bars.legend : ""});
+  }
+  figure.tables.push_back(std::move(drawn));
 }
 
 SweepView view_of(const Report& report, std::size_t most) {

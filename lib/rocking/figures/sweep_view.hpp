@@ -46,7 +46,7 @@ void set_range(const SweepView& view, Panel& panel);
 /// Values with their intervals at the places of categories, between which no line means anything.
 struct CategoryBars {
   std::size_t number, of;              ///< place among the bars that stand side by side
-  std::array<std::size_t, 3> columns;  ///< of the value, its lower and its upper end in the table of the slice
+  std::array<std::string, 3> columns;  ///< of the value, its lower and its upper end in the table of the slice
   Style style;
   std::string legend;
   std::size_t panel = 0;  ///< of the figure

@@ -111,6 +111,7 @@ Table impact_table(const TrajectoryFile& file, std::string_view kind, const Wind
 void add_unless_empty(Table table, Layer layer, const std::vector<std::size_t>& panels, Figure& figure) {
   if (table.rows.empty()) return;
   layer.table = figure.tables.size();
+  layer.columns = first_columns(layer.kind);
   figure.tables.push_back(std::move(table));
   for (const std::size_t panel : panels) figure.panels[panel].layers.push_back(layer);
 }
@@ -119,23 +120,19 @@ void shade_contacts(const TrajectoryFile& file, const Window& window, Figure& fi
   constexpr std::array<std::pair<std::string_view, std::string_view>, 4> contact_shades{
       {{"rest", "at rest"}, {"slide", "sliding"}, {"rock_slide", "rocking and sliding"}, {"overturned", "overturned"}}};
   for (const auto& [contact, words] : contact_shades) {
-    add_unless_empty(
-        span_table(file, contact, window),
-        {.kind = LayerKind::spans, .columns = {0, 1}, .style = style_of_contact(contact), .legend = std::string(words)},
-        {0, 1}, figure);
+    add_unless_empty(span_table(file, contact, window),
+                     {.kind = LayerKind::spans, .style = style_of_contact(contact), .legend = std::string(words)},
+                     {0, 1}, figure);
   }
 }
 
 void mark_impacts(const TrajectoryFile& file, const Window& window, Figure& figure) {
-  add_unless_empty(impact_table(file, "impact_stick", window),
-                   {.kind = LayerKind::points,
-                    .columns = {0, 1},
-                    .style = {.marker = 6, .width = 1.2, .size = 0.7},
-                    .legend = "impact that sticks"},
-                   {0}, figure);
+  add_unless_empty(
+      impact_table(file, "impact_stick", window),
+      {.kind = LayerKind::points, .style = {.marker = 6, .width = 1.2, .size = 0.7}, .legend = "impact that sticks"},
+      {0}, figure);
   add_unless_empty(impact_table(file, "impact_slip", window),
                    {.kind = LayerKind::points,
-                    .columns = {0, 1},
                     .style = {.colour = "#d55e00", .marker = 2, .width = 1.5, .size = 0.8},
                     .legend = "impact that slips"},
                    {0}, figure);
@@ -155,9 +152,9 @@ Figure time_history(const TrajectoryFile& file, const Window& window) {
   figure.tables.push_back(history_table(file, window));
   shade_contacts(file, window, figure);
   const Style curve{.colour = "#000000", .marker = 0, .width = 1.6};
+  draw({.kind = LayerKind::line, .style = curve}, {"time", "slip"}, figure);
   figure.panels[0].layers.push_back(
-      {.kind = LayerKind::line, .table = 0, .columns = {0, 1}, .style = curve, .legend = "response"});
-  figure.panels[1].layers.push_back({.kind = LayerKind::line, .table = 0, .columns = {0, 3}, .style = curve});
+      {.kind = LayerKind::line, .columns = first_columns(LayerKind::line), .style = curve, .legend = "response"});
   mark_impacts(file, window, figure);
   figure.caption =
       "Tilt Θ = θ/ψ, over ψ of its side, and slip X (over the half diagonal R) of one realisation. Shaded: any state "
@@ -174,15 +171,13 @@ Figure responses(const std::vector<TrajectoryFile>& files, const Window& window)
   figure.title = "Responses of several realisations";
   double end = 0.0;
   for (const TrajectoryFile& file : files) end = std::max(end, file.history.back().time);
-  Panel panel{.title = "", .x = time_axis(window, end), .y = {"tilt", "Θ", ""}, .layers = {}};
+  figure.panels.push_back({.title = "", .x = time_axis(window, end), .y = {"tilt", "Θ", ""}, .layers = {}});
   for (std::size_t i = 0; i < files.size(); ++i) {
     figure.tables.push_back(history_table(files[i], window));
     Style style = style_of_curve(i);
     style.marker = 0;
-    panel.layers.push_back(
-        {.kind = LayerKind::line, .table = i, .columns = {0, 1}, .style = style, .legend = described(files[i])});
+    draw({.kind = LayerKind::line, .table = i, .style = style, .legend = described(files[i])}, {}, figure);
   }
-  figure.panels.push_back(std::move(panel));
   figure.caption = "Tilt Θ = θ/ψ, over ψ of its side, of " + std::to_string(files.size()) +
                    " realisations against time." + words_on_ended(files, window);
   return figure;
@@ -193,30 +188,23 @@ Figure phase_portrait(const std::vector<TrajectoryFile>& files, const Window& wi
   figure.name = "phase_portrait";
   figure.title = "Phase portrait";
   if (files.size() == 1) figure.subtitle = described(files.front());
-  Panel panel{.title = "", .x = {"tilt", "Θ", ""}, .y = {"tilt rate", "Θ′", ""}, .layers = {}};
+  figure.panels.push_back({.title = "", .x = {"tilt", "Θ", ""}, .y = {"tilt rate", "Θ′", ""}, .layers = {}});
   for (std::size_t i = 0; i < files.size(); ++i) {
     figure.tables.push_back(path_table(files[i], window));
     Style style = style_of_curve(i);
     style.marker = 0;
     style.dash = 1;
     style.width = 1.0;
-    panel.layers.push_back({.kind = LayerKind::line,
-                            .table = figure.tables.size() - 1,
-                            .columns = {0, 1},
-                            .style = style,
-                            .legend = files.size() > 1 ? described(files[i]) : ""});
+    const std::string legend = files.size() > 1 ? described(files[i]) : "";
+    draw({.kind = LayerKind::line, .table = figure.tables.size() - 1, .style = style, .legend = legend}, {}, figure);
   }
   for (std::size_t i = 0; i < files.size(); ++i) {
     figure.tables.push_back(strobe_table(files[i], window));
     Style style = files.size() > 1 ? style_of_curve(i) : Style{.colour = "#d55e00"};
     style.size = size_of_markers(files[i]);
-    panel.layers.push_back({.kind = LayerKind::points,
-                            .table = figure.tables.size() - 1,
-                            .columns = {0, 1},
-                            .style = style,
-                            .legend = files.size() > 1 ? "" : "once an excitation period"});
+    const std::string legend = files.size() > 1 ? "" : "once an excitation period";
+    draw({.kind = LayerKind::points, .table = figure.tables.size() - 1, .style = style, .legend = legend}, {}, figure);
   }
-  figure.panels.push_back(std::move(panel));
   figure.caption =
       "Path (Θ, Θ′) of each realisation, where Θ = θ/ψ with ψ of its side, interrupted at impacts, where Θ′ jumps; "
       "points: once an "
@@ -230,15 +218,13 @@ Figure poincare(const std::vector<TrajectoryFile>& files, const Window& window) 
   Figure figure;
   figure.name = "poincare";
   figure.title = "Poincaré section";
-  Panel panel{.title = "", .x = {"tilt", "Θ", ""}, .y = {"tilt rate", "Θ′", ""}, .layers = {}};
+  figure.panels.push_back({.title = "", .x = {"tilt", "Θ", ""}, .y = {"tilt rate", "Θ′", ""}, .layers = {}});
   for (std::size_t i = 0; i < files.size(); ++i) {
     figure.tables.push_back(strobe_table(files[i], window));
     Style style = style_of_curve(i);
     style.size = size_of_markers(files[i]);
-    panel.layers.push_back(
-        {.kind = LayerKind::points, .table = i, .columns = {0, 1}, .style = style, .legend = described(files[i])});
+    draw({.kind = LayerKind::points, .table = i, .style = style, .legend = described(files[i])}, {}, figure);
   }
-  figure.panels.push_back(std::move(panel));
   figure.caption = "States (Θ, Θ′) once an excitation period" +
                    (window.from > 0.0 ? ", from period " + number_text(window.from) + " on." : std::string(".")) +
                    words_on_ended(files, window);

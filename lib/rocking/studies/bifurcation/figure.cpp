@@ -121,12 +121,8 @@ void add_points(const DrawnDiagram& diagram, const Steps& steps, const Column& v
     if (mode.kind == section::ResponseKind::unresolved) style.colour = "#707070";
     style.size = table.rows.size() < few_points ? 0.6 : 0.3;
     style.width = 0.8;
-    figure.panels.back().layers.push_back({.kind = LayerKind::points,
-                                           .table = figure.tables.size(),
-                                           .columns = {0, 1},
-                                           .style = style,
-                                           .legend = to_string(mode)});
     figure.tables.push_back(std::move(table));
+    draw({LayerKind::points, figure.tables.size() - 1, {}, style, to_string(mode)}, {}, figure);
   }
 }
 
@@ -159,8 +155,7 @@ Figure figure_of(DrawnDiagram diagram, Axis x, const std::string& pointer, const
     figure.panels.back().y.low = diagram.tilts.low - room;
     figure.panels.back().y.high = diagram.tilts.high + room;
     if (as_image) {
-      figure.panels.back().layers.push_back({.kind = LayerKind::image, .table = figure.tables.size(), .columns = {}});
-      figure.tables.push_back(image_table(diagram, steps, words));
+      add_drawn(image_table(diagram, steps, words), {.kind = LayerKind::image}, figure);
     } else {
       add_points(diagram, steps, value, figure);
     }

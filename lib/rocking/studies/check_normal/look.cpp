@@ -215,16 +215,12 @@ Figure normal_histogram(const SamplerCheck& check) {
                            .x = {.quantity = "value", .symbol = "", .unit = ""},
                            .y = {.quantity = "numbers in a bin", .symbol = "", .unit = "", .low = 0.0},
                            .layers = {}});
-  figure.panels.back().layers = {{.kind = LayerKind::boxes,
-                                  .table = 0,
-                                  .columns = {0, 1, 2, 3},
-                                  .style = {.colour = "#9fc5e8"},
-                                  .legend = "random numbers"},
-                                 {.kind = LayerKind::line,
-                                  .table = 1,
-                                  .columns = {0, 1},
-                                  .style = {.colour = "#d55e00", .marker = 0, .width = 2.0},
-                                  .legend = law + " distribution"}};
+  draw({.kind = LayerKind::boxes, .style = {.colour = "#9fc5e8"}, .legend = "random numbers"}, {}, figure);
+  draw({.kind = LayerKind::line,
+        .table = 1,
+        .style = {.colour = "#d55e00", .marker = 0, .width = 2.0},
+        .legend = law + " distribution"},
+       {}, figure);
   figure.caption = "Mean " + value_text(found.mean) + ", standard deviation " + value_text(found.standard_deviation) +
                    ", skewness " + value_text(found.skewness.test) + ", kurtosis " + value_text(found.kurtosis.test) +
                    " (" + significant(found.kurtosis.of_law.value_or(3.0), 5) + " for a " + law + " distribution).";

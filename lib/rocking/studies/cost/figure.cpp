@@ -28,7 +28,6 @@ std::string own_tolerance_in_words(const CostReport& report) {
          ".";
 }
 
-/// Columns: tolerance, median, largest, changed, low, high, time, and the tolerance as text.
 Table tolerance_table(const CostReport& report) {
   Table table{
       .name = "tolerances",
@@ -60,12 +59,10 @@ Table tolerance_table(const CostReport& report) {
   return table;
 }
 
-Layer curve(std::size_t number, std::vector<std::size_t> columns, std::string legend) {
-  return {.kind = LayerKind::line,
-          .table = 0,
-          .columns = std::move(columns),
-          .style = style_of_curve(number),
-          .legend = std::move(legend)};
+/// Of the first table.
+void add_curve(std::size_t number, const std::string& x, const std::string& y, const std::string& legend,
+               Figure& figure) {
+  draw({.kind = LayerKind::line, .style = style_of_curve(number), .legend = legend}, {x, y}, figure);
 }
 
 void add_title(Figure& figure, const CostReport& report) {
@@ -82,20 +79,18 @@ Figure cost_tolerance(const CostReport& report) {
   figure.title = "Effect and cost of a tolerance";
   figure.arrangement = Arrangement::stacked;
   figure.tables = {tolerance_table(report)};
-  figure.panels = {
-      {.title = "",
-       .x = tolerance_axis(),
-       .y = {.quantity = "error", .symbol = "", .unit = "", .logarithmic = true},
-       .layers = {curve(0, {0, 1}, "median"), curve(1, {0, 2}, "largest")}},
-      {.title = "",
-       .x = tolerance_axis(),
-       .y = {.quantity = "changed modes", .symbol = "", .unit = "%", .low = 0.0},
-       .layers = {curve(0, {0, 3}, ""),
-                  {.kind = LayerKind::error_bars, .table = 0, .columns = {0, 3, 4, 5}, .style = style_of_curve(0)}}},
-      {.title = "",
-       .x = tolerance_axis(),
-       .y = {.quantity = "time per period", .symbol = "", .unit = "µs", .low = 0.0},
-       .layers = {curve(0, {0, 6}, "")}}};
+  const auto add_panel = [&figure](Axis y) {
+    figure.panels.push_back({.title = "", .x = tolerance_axis(), .y = std::move(y), .layers = {}});
+  };
+  add_panel({.quantity = "error", .symbol = "", .unit = "", .logarithmic = true});
+  add_curve(0, "tolerance", "median_error", "median", figure);
+  add_curve(1, "tolerance", "largest_error", "largest", figure);
+  add_panel({.quantity = "changed modes", .symbol = "", .unit = "%", .low = 0.0});
+  add_curve(0, "tolerance", "changed", "", figure);
+  draw({.kind = LayerKind::error_bars, .style = style_of_curve(0)},
+       {"tolerance", "changed", "changed_low", "changed_high"}, figure);
+  add_panel({.quantity = "time per period", .symbol = "", .unit = "µs", .low = 0.0});
+  add_curve(0, "tolerance", "time", "", figure);
   figure.caption = "Error: largest difference from the tightest tolerance in Θ, Θ′, V over the first " +
                    std::to_string(cost_error_periods) +
                    " periods. Changed modes with the exact interval of a sample. " + own_tolerance_in_words(report);
@@ -111,7 +106,9 @@ Figure work_precision(const CostReport& report) {
   figure.panels = {{.title = "",
                     .x = {.quantity = "error in the first periods", .symbol = "", .unit = "", .logarithmic = true},
                     .y = {.quantity = "processor time per period", .symbol = "", .unit = "µs", .low = 0.0},
-                    .layers = {curve(0, {1, 6}, "median"), curve(1, {2, 6}, "largest")}}};
+                    .layers = {}}};
+  add_curve(0, "median_error", "time", "median", figure);
+  add_curve(1, "largest_error", "time", "largest", figure);
   figure.caption = "One point for each tolerance from " + cell_text(figure.tables[0].rows.front()[7]) + " to " +
                    cell_text(figure.tables[0].rows[figure.tables[0].rows.size() - 2][7]) +
                    "; tighter tolerances are to the left.";
@@ -119,7 +116,6 @@ Figure work_precision(const CostReport& report) {
   return figure;
 }
 
-/// Columns: factor, periods, time, mean half-width, largest half-width, Wilson's.
 Table realisations_table(const CostReport& report) {
   Table table{
       .name = "realisations",
@@ -143,11 +139,13 @@ Figure cost_realisations(const CostReport& report) {
   figure.name = "cost_realisations";
   figure.title = "Cost of narrower intervals in time";
   figure.tables = {realisations_table(report)};
-  figure.panels = {
-      {.title = "",
-       .x = {.quantity = "processor time of the run", .symbol = "", .unit = "s", .logarithmic = true},
-       .y = {.quantity = "half-width", .symbol = "", .unit = "%", .logarithmic = true},
-       .layers = {curve(1, {2, 4}, "widest"), curve(2, {2, 5}, "widest of Wilson's"), curve(0, {2, 3}, "mean")}}};
+  figure.panels = {{.title = "",
+                    .x = {.quantity = "processor time of the run", .symbol = "", .unit = "s", .logarithmic = true},
+                    .y = {.quantity = "half-width", .symbol = "", .unit = "%", .logarithmic = true},
+                    .layers = {}}};
+  add_curve(1, "time", "widest", "widest", figure);
+  add_curve(2, "time", "wilson", "widest of Wilson's", figure);
+  add_curve(0, "time", "mean", "mean", figure);
   for (const auto& row : figure.tables[0].rows) {
     const double time = std::get<double>(row[2]);
     figure.panels[0].x.ticks.push_back(

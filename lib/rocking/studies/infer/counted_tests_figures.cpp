@@ -65,23 +65,12 @@ void add_condition(const InferReport& report, const ReportedTests& tests, Figure
                            .y = {.quantity = "share of the tests", .symbol = "", .unit = "", .low = 0.0, .high = 1.0},
                            .layers = {}});
   add_drawn(predicted_table(tests),
-            {.kind = LayerKind::boxes,
-             .columns = {0, 1, 2, 3},
-             .style = {.colour = "#c6dbef"},
-             .legend = "predicted by the estimate"},
-            figure);
+            {.kind = LayerKind::boxes, .style = {.colour = "#c6dbef"}, .legend = "predicted by the estimate"}, figure);
   figure.tables.push_back(std::move(counts));
   const Table counted = figure.tables.back();
   Style style = style_of_curve(0);
   style.colour = "#08306b";
-  add_bars(counted,
-           {.number = 0,
-            .of = 1,
-            .columns = {3, 4, 5},
-            .style = style,
-            .legend = "counted",
-            .panel = figure.panels.size() - 1},
-           figure);
+  add_bars(counted, {0, 1, {"share", "low", "high"}, style, "counted", figure.panels.size() - 1}, figure);
 }
 
 /// Of candidates that differ in one parameter only its values are named.
@@ -121,8 +110,7 @@ void add_markers(const Table& table, std::size_t column, Figure& figure) {
                            .legend = legend};
   Table drawn{.name = "drawn: " + legend, .columns = {table.columns[0], table.columns[column]}, .rows = {}};
   for (const auto& row : table.rows) drawn.rows.push_back({std::get<double>(row[0]) + place.shift(), row[column]});
-  add_drawn(std::move(drawn),
-            {.kind = LayerKind::points, .columns = {0, 1}, .style = place.style, .legend = place.legend}, figure);
+  add_drawn(std::move(drawn), {.kind = LayerKind::points, .style = place.style, .legend = place.legend}, figure);
 }
 
 }  // namespace

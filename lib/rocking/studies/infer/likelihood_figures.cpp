@@ -63,10 +63,8 @@ Table estimate_table(const InferReport& report, const ReportedUnknown& unknown, 
               .rows = {{*unknown.estimate, unknown.interval->low, unknown.interval->high}}};
   if (!unknown.posterior) return table;
   const UnknownPosterior& posterior = *unknown.posterior;
-  table.columns.insert(table.columns.end(),
-                       {{"posterior_mean", "mean with the priors"},
-                        {"posterior_mean_low", "lower end of its " + level + " posterior interval"},
-                        {"posterior_mean_high", "upper end of it"}});
+  add_estimate(table, {"posterior_mean", "mean with the priors"}, "lower end of its " + level + " posterior interval",
+               "upper end of it");
   table.rows.front().insert(table.rows.front().end(),
                             {posterior.mean, posterior.interval.low, posterior.interval.high});
   return table;
@@ -79,24 +77,21 @@ void add_profile(const InferReport& report, const ReportedUnknown& unknown, Figu
                            .x = axis,
                            .y = {.quantity = "likelihood ratio", .symbol = "", .unit = "", .low = 0.0, .high = 1.05},
                            .layers = {}});
-  const std::size_t estimate = figure.tables.size();
   figure.tables.push_back(estimate_table(report, unknown, value));
-  figure.panels.back().layers.push_back({.kind = LayerKind::spans,
-                                         .table = estimate,
-                                         .columns = {1, 2},
-                                         .style = {.colour = "#c6dbef"},
-                                         .legend = level_of(report) + " interval"});
+  draw({.kind = LayerKind::spans,
+        .table = figure.tables.size() - 1,
+        .style = {.colour = "#c6dbef"},
+        .legend = level_of(report) + " interval"},
+       {"low", "high"}, figure);
   add_drawn(profile_table(unknown, value),
             {.kind = LayerKind::line,
-             .columns = {0, 1},
              .style = {.colour = "#08306b", .marker = 0},
              .legend = "likelihood over the largest one"},
             figure);
   add_drawn({.name = "estimate of " + value.meaning,
              .columns = {value, {"likelihood_ratio", "1, the largest one"}},
              .rows = {{*unknown.estimate, 1.0}}},
-            {.kind = LayerKind::points, .columns = {0, 1}, .style = {.colour = estimate_colour}, .legend = "estimate"},
-            figure);
+            {.kind = LayerKind::points, .style = {.colour = estimate_colour}, .legend = "estimate"}, figure);
 }
 
 std::string unknown_in_words(const ReportedUnknown& unknown) {
@@ -149,8 +144,7 @@ void add_pair(const InferReport& report, std::size_t x, std::size_t y, Figure& f
   add_drawn({.name = name + ", estimate",
              .columns = {{"x", label_of(across)}, {"y", label_of(up)}},
              .rows = {{*report.unknowns[x].estimate, *report.unknowns[y].estimate}}},
-            {.kind = LayerKind::points, .columns = {0, 1}, .style = {.colour = estimate_colour}, .legend = "estimate"},
-            figure);
+            {.kind = LayerKind::points, .style = {.colour = estimate_colour}, .legend = "estimate"}, figure);
 }
 
 }  // namespace

@@ -67,12 +67,12 @@ Figure time_figure(const ReportedMotion& motion) {
   Style style = style_of_curve(0);
   style.width = 0.8;
   style.size = 0.0;
-  for (std::size_t i = 0; i < series_panels.size(); ++i) {
-    const SeriesPanel& panel = series_panels[i];
+  for (const SeriesPanel& panel : series_panels) {
     figure.panels.push_back({.title = "",
                              .x = {.quantity = "time", .symbol = "t", .unit = "s"},
                              .y = {.quantity = panel.quantity, .symbol = "", .unit = panel.unit},
-                             .layers = {{.kind = LayerKind::line, .columns = {0, i + 1}, .style = style}}});
+                             .layers = {}});
+    draw({.kind = LayerKind::line, .style = style}, {"time_s", panel.key}, figure);
   }
   return figure;
 }

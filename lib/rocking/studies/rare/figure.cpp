@@ -87,7 +87,6 @@ Figure committor_figure(const RareReport& report, const std::vector<const Report
     add_committor(map, title, figure);
     add_drawn(strobe_points(*condition, map, title),
               {.kind = LayerKind::points,
-               .columns = {0, 1},
                .style = {.colour = "#d55e00", .size = 0.4},
                .legend = "strobe points of paths to the event"},
               figure);
@@ -134,7 +133,7 @@ Figure path_figure(const RareReport& report, const std::vector<const ReportedRar
       const std::string name = "path " + std::to_string(number);
       Table table = tilt_table(path, figure.panels.back().title + ", " + name);
       if (!table.rows.empty()) end = std::max(end, std::get<double>(table.rows.back().front()));
-      add_drawn(std::move(table), {.kind = LayerKind::line, .columns = {0, 1}, .style = style, .legend = name}, figure);
+      add_drawn(std::move(table), {.kind = LayerKind::line, .style = style, .legend = name}, figure);
     }
   }
   for (Panel& panel : figure.panels) panel.x.high = end;

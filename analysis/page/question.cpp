@@ -31,29 +31,26 @@ std::string number(const Json& value) {
   return value.is_object() ? escaped(quantity_in_words(quantity_in(value))) : escaped(brief(value));
 }
 
-/// A number of the mean block of each condition.
-Spread of_blocks(const Report& report, double dynamics::Geometry::*number) {
+/// A number of each condition.
+template <class Number>
+Spread spread_over(const Report& report, Number&& number_of_condition) {
   std::vector<double> numbers;
-  for (const ReportedCondition& condition : report.conditions) {
-    numbers.push_back(dynamics::geometry_of(mean_block(condition.asked.scene)).*number);
-  }
+  for (const ReportedCondition& condition : report.conditions) numbers.push_back(number_of_condition(condition));
   return spread_of(numbers);
 }
 
-/// Of an edge of each of them, 0 left and 1 right.
+dynamics::Geometry geometry_in(const ReportedCondition& condition) {
+  return dynamics::geometry_of(mean_block(condition.asked.scene));
+}
+
+/// Of an edge of the mean block, 0 left and 1 right.
 Spread of_edges(const Report& report, std::size_t side, double dynamics::Edge::*number) {
-  std::vector<double> numbers;
-  for (const ReportedCondition& condition : report.conditions) {
-    numbers.push_back(dynamics::geometry_of(mean_block(condition.asked.scene)).edges[side].*number);
-  }
-  return spread_of(numbers);
+  return spread_over(report, [&](const auto& each) { return geometry_in(each).edges[side].*number; });
 }
 
 bool is_swept(const Report& report, const std::string& pointer) {
-  for (const std::string& swept : report.swept) {
-    if (swept == pointer || pointer.starts_with(swept + '/')) return true;
-  }
-  return false;
+  return std::ranges::any_of(
+      report.swept, [&](const std::string& swept) { return swept == pointer || pointer.starts_with(swept + '/'); });
 }
 
 std::string swept_mark(const Report& report, const std::string& pointer) {
@@ -71,12 +68,8 @@ bool is_random(const Report& report, const std::string& pointer) {
 
 /// A form of the shaking over all conditions; absent if one of them has none.
 std::optional<Spread> shaking_spread(const Report& report, std::string_view key) {
-  std::vector<double> numbers;
-  for (const ReportedCondition& condition : report.conditions) {
-    if (!condition.shaking) return std::nullopt;
-    numbers.push_back(number_of(*condition.shaking, key));
-  }
-  return spread_of(numbers);
+  if (!std::ranges::all_of(report.conditions, [](const auto& each) { return each.shaking.has_value(); })) return {};
+  return spread_over(report, [key](const auto& each) { return number_of(*each.shaking, key); });
 }
 
 /// `A_h = 4.5`, `1.1 g`, `0.5 to 1.1 g` in HTML.
@@ -112,13 +105,12 @@ std::string side_in_brief(const Report& report, Quantity SceneBlock::*side, cons
   const auto in_words = [&](const std::string& size) {
     return fmt::format("{} m {}{}", size, word, swept_mark(report, pointer));
   };
-  std::vector<double> numbers;
-  for (const ReportedCondition& condition : report.conditions) {
-    const Quantity& own = condition.asked.scene.block.*side;
-    if (is_drawn(own)) return in_words(quantity_in_words(report.conditions.front().asked.scene.block.*side));
-    numbers.push_back(mean_of(own));
+  const auto is_random = [&](const auto& each) { return is_drawn(each.asked.scene.block.*side); };
+  if (std::ranges::any_of(report.conditions, is_random)) {
+    return in_words(quantity_in_words(report.conditions.front().asked.scene.block.*side));
   }
-  return in_words(spread_in_words(spread_of(numbers), 6));
+  const auto mean = [&](const auto& each) { return mean_of(each.asked.scene.block.*side); };
+  return in_words(spread_in_words(spread_over(report, mean), 6));
 }
 
 /// Of its outline, or where the mass is laid out otherwise of the mean numbers of the first condition.
@@ -193,23 +185,14 @@ std::string random_in_brief(const Report& report) {
     std::string words = name;
     std::ranges::replace(words, '_', ' ');
     words = escaped(words);
-    for (const char* key : {"sigma", "relative_sigma"}) {
+    for (const auto& [key, format] :
+         {std::pair("sigma", " with &sigma; = {}{}"), std::pair("relative_sigma", " with relative &sigma; = {}{}"),
+          std::pair("law", ", law {}{}"), std::pair("correlation", ", correlation {}{}"),
+          std::pair("refresh_slip_m", ", of the place: drawn for each {} m of slip{}")}) {
       if (!scatter.contains(key)) continue;
       const std::string place = "/fluctuation/" + name + '/' + key;
-      words += fmt::format(" with {}&sigma; = {}{}", key == std::string_view("sigma") ? "" : "relative ",
-                           escaped(setting_text(report, place, scatter.at(key))), swept_mark(report, place));
-    }
-    for (const char* key : {"law", "correlation"}) {
-      if (!scatter.contains(key)) continue;
-      const std::string place = "/fluctuation/" + name + '/' + key;
-      words += fmt::format(", {} {}{}", key, escaped(setting_text(report, place, scatter.at(key))),
+      words += fmt::format(fmt::runtime(format), escaped(setting_text(report, place, scatter.at(key))),
                            swept_mark(report, place));
-    }
-    if (scatter.contains("refresh_slip_m")) {
-      const std::string place = "/fluctuation/" + name + "/refresh_slip_m";
-      words +=
-          fmt::format(", of the place: drawn for each {} m of slip{}",
-                      escaped(setting_text(report, place, scatter.at("refresh_slip_m"))), swept_mark(report, place));
     }
     add(words);
   }
@@ -295,9 +278,8 @@ std::string horizon_in_brief(const Report& report) {
     return "each as long as the base moves, and until the block has come to rest";
   }
   const auto spread = [&report](int Horizon::*periods) {
-    std::vector<double> numbers;
-    for (const ReportedCondition& condition : report.conditions) numbers.push_back(condition.asked.horizon.*periods);
-    return spread_of(numbers);
+    return spread_over(report,
+                       [periods](const auto& each) { return static_cast<double>(each.asked.horizon.*periods); });
   };
   const Spread transient = spread(&Horizon::transient_periods);
   return fmt::format("{} of transient, then {} sampled",
@@ -353,7 +335,7 @@ std::string question_in_brief(const Report& report) { return question_at_once(re
 
 std::string question_in_full(const Report& report) {
   const auto in_words = [&](double dynamics::Geometry::*number) {
-    return spread_in_words(of_blocks(report, number), 4);
+    return spread_in_words(spread_over(report, [=](const auto& each) { return geometry_in(each).*number; }), 4);
   };
   std::string rows;
   if (has_unlike_edges(report)) {

@@ -84,39 +84,6 @@ TEST_F(UntilClassified, HasTheSameBytesWhenStoppedResumedOrExtended) {
   EXPECT_EQ(lasting_part("longer/report.json"), lasting_part("whole/report.json"));
 }
 
-TEST_F(UntilClassified, TellsByWhenOnTheTerminalOnThePageAndInTables) {
-  const auto outcome = rocking("run until.json -o whole -q");
-  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
-  EXPECT_THAT(outcome.output, AllOf(HasSubstr("shares are those in the end"), HasSubstr("unresolved at 80")));
-  EXPECT_THAT(read("whole/report.html"), AllOf(HasSubstr("id=\"by-when\""), HasSubstr("<figure id=\"incidence\""),
-                                               HasSubstr("How often settled responses were left again")));
-  EXPECT_THAT(rocking("report whole --format text").output, HasSubstr("shares are those in the end"));
-  ASSERT_EQ(rocking("report whole --format csv,latex -q").exit_code, 0);
-  EXPECT_THAT(read("whole/tables/settling.csv"), HasSubstr("unresolved_at_horizon"));
-  EXPECT_THAT(read("whole/tables/incidence.csv"), HasSubstr("\"(1,3)\""));
-  EXPECT_THAT(read("whole/tables/leaving.csv"), HasSubstr("per_1000_periods"));
-  EXPECT_THAT(read("whole/tables/settling.tex"), HasSubstr("in the end"));
-  EXPECT_THAT(read("whole/tables/modes.tex"), HasSubstr("Response modes in the end"));
-}
-
-TEST_F(UntilClassified, GivesLongRunSharesOnTheTerminalOnThePageAndInTables) {
-  const auto outcome = rocking("run until.json -o whole -q");
-  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
-  EXPECT_THAT(outcome.output,
-              AllOf(HasSubstr("long-run shares of time"), HasSubstr("A response mode in the end is the label of a "
-                                                                    "window")));
-  EXPECT_THAT(read("whole/report.html"), AllOf(HasSubstr("Long-run shares of time"), HasSubstr("label of a window")));
-  EXPECT_THAT(rocking("report whole --format text").output, HasSubstr("long-run shares of time"));
-  ASSERT_EQ(rocking("report whole --format csv,latex -q").exit_code, 0);
-  EXPECT_THAT(read("whole/tables/long_run_shares.tex"), HasSubstr("Long-run shares of time"));
-  const Json report = Json::parse(read("whole/report.json"));
-  const Json& found = report["result"]["conditions"][1]["incidence"]["long_run_shares"];
-  const Json& harmonic = found["modes"]["(1,1)"];
-  EXPECT_THAT(read("whole/tables/long_run_shares.csv"),
-              HasSubstr("\"(1,1)\",8,8," + harmonic["share"].dump() + ',' + harmonic["interval"][0].dump() + ',' +
-                        harmonic["interval"][1].dump() + '\n'));
-}
-
 TEST_F(UntilClassified, GivesNoLongRunSharesWithoutLongRuns) {
   const auto outcome = rocking("run without.json -o without -q");
   EXPECT_THAT(outcome.output, Not(HasSubstr("long-run shares of time")));

@@ -346,17 +346,6 @@ TEST(OutputFigures, RefuseWithTheFilesName) {
   EXPECT_THAT(refusal("[1]"), HasSubstr("/format"));
 }
 
-TEST(Tables, HaveEveryModeOfEveryConditionWithItsNumbers) {
-  const auto report = report_in(sample_report());
-  const std::string csv = table_file(report, "modes.csv");
-  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 6 * 4);
-  EXPECT_THAT(csv, HasSubstr("\n\"{\"\"static\"\":0.35,\"\"kinetic\"\":0.3}\",4.0,0.97991465"));
-  EXPECT_THAT(csv, HasSubstr(",10,3.0066857"));
-  EXPECT_THAT(csv, HasSubstr(",30,\"(1,3)\",4,0.13333333333333333,"));
-  EXPECT_THAT(table_file(report, "non_recurrence.csv"),
-              HasSubstr("30,0.1,0.05,0.30000000000000004,0.2,15,2,12.5,80,\n"));
-}
-
 TEST(LatexText, HasTheSignsThatWereWrittenAndCompilesWithoutPackages) {
   using rocking::look::latex_text;
   EXPECT_EQ(latex_text("a < b > c | d"), "a \\textless{} b \\textgreater{} c \\textbar{} d");

@@ -211,11 +211,6 @@ TEST(ASlice, IsNotSplitByAFormThatTheOtherParameterChanges) {
 TEST(TablesOfARun, HaveTheOtherForm) {
   const Report report = report_of(normalised, R"([{"parameter": "/excitation/amplitude", "values": [3, 4.5]}])");
   EXPECT_THAT(mode_table_html(report), AllOf(HasSubstr("base amplitude [g]"), HasSubstr("1.102")));
-  EXPECT_THAT(table_file(report, "modes.csv"),
-              StartsWith("/excitation/amplitude,amplitude_g,frequency_ratio,frequency_hz,n,mode"));
-  EXPECT_THAT(table_file(report, "modes.csv"), HasSubstr("\n4.5,1.1024"));
-  EXPECT_THAT(table_file(report, "modes.tex"), AllOf(HasSubstr("$A_h$ & $a_h/g$ & $n$"), HasSubstr("4.5 & 1.102 & 1"),
-                                                     HasSubstr("Shaking: $\\Omega_h$ 10 = 3.01 Hz.")));
 }
 
 TEST(AValue, IsThatOfTheConditionWhateverThePartThatIsSwept) {

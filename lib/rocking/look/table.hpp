@@ -44,7 +44,7 @@ struct Number {
 using Cell = std::variant<std::monostate, std::string, Number>;
 using Row = std::vector<Cell>;
 
-/// Where a table or a column is shown.
+/// Where a table or a column is shown: one medium, or several. Publications are LaTeX and pages.
 enum class Media : std::uint8_t {
   terminal = 1,
   csv = 2,

@@ -44,7 +44,7 @@ inline constexpr std::string_view peak_slip_legend = "peak slip: likewise of the
 /// Overturning is one of them if it occurs, however rare it is.
 [[nodiscard]] std::vector<section::ResponseMode> modes_to_show(const ModeTally& tally, std::size_t most);
 
-/// What happened to its realisations.
+/// Its realisations with this mode.
 [[nodiscard]] std::uint64_t count_of(const ReportedCondition& condition, const section::ResponseMode& mode);
 /// The mode that most of them have; unresolved if it has none.
 [[nodiscard]] section::ResponseMode most_frequent_in(const ReportedCondition& condition);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "rocking/output/mode_table.hpp"
+
 namespace rocking {
 
 using section::ResponseMode;
@@ -16,19 +18,14 @@ std::uint64_t realisations_of(const Report& report) {
 std::map<ResponseMode, Prevalence> prevalences_of(const Report& report) {
   std::map<ResponseMode, Prevalence> found;
   for (const ReportedCondition& condition : report.conditions) {
-    const ResponseMode* most = nullptr;
-    std::uint64_t highest = 0;
     for (const auto& [mode, probability] : condition.result.modes) {
       const std::uint64_t count = probability.counts.successes;
       if (count == 0) continue;
       found[mode].occurs += 1;
       found[mode].realisations += count;
-      if (count > highest) {
-        highest = count;
-        most = &mode;
-      }
     }
-    if (most != nullptr) found[*most].most_likely += 1;
+    const ResponseMode most = most_frequent_in(condition);
+    if (count_of(condition, most) > 0) found[most].most_likely += 1;
   }
   return found;
 }

@@ -19,12 +19,6 @@ using Conditions = std::span<const ReportedCondition>;
 constexpr ResponseMode overturned{.kind = section::ResponseKind::overturned};
 constexpr std::string_view record_pointer = "/excitation/file";
 
-/// Conditions one after another.
-struct Range {
-  std::size_t first = 0;
-  std::size_t last = 0;
-};
-
 double share_in(const ReportedCondition& condition, const ResponseMode& mode) {
   const Estimate* found = condition.result.estimate_of(mode);
   return found == nullptr ? 0.0 : found->estimate;
@@ -42,49 +36,41 @@ bool have_equal_values(const ReportedCondition& a, const ReportedCondition& b, s
   return true;
 }
 
-/// Neighbours for which `belong` says so.
-template <class Belong>
-std::vector<Range> ranges_of(Conditions conditions, Belong&& belong) {
-  std::vector<Range> ranges;
-  for (std::size_t i = 0; i < conditions.size(); ++i) {
-    if (i > 0 && belong(conditions[i - 1], conditions[i])) {
-      ranges.back().last = i;
-    } else {
-      ranges.push_back({i, i});
-    }
-  }
-  return ranges;
-}
-
-/// Ranges, and of how many entries of the sweep each has one value.
+/// Ranges of neighbours, and of how many entries of the sweep each has one value.
 struct Grouping {
-  std::vector<Range> ranges;
+  std::vector<Conditions> ranges;
   std::size_t entries = 0;
   bool has_one_mode = false;  ///< each range has one most frequent response
 };
 
-Grouping grouping_of(Conditions conditions, std::size_t most) {
-  const std::size_t entries = conditions.front().asked.parameters.size();
-  const std::size_t outer = entries == 0 ? 0 : entries - 1;
-  Grouping found{.ranges = ranges_of(conditions,
-                                     [outer](const ReportedCondition& a, const ReportedCondition& b) {
-                                       return have_equal_values(a, b, outer) &&
-                                              most_frequent_in(a) == most_frequent_in(b);
-                                     }),
-                 .entries = outer,
-                 .has_one_mode = true};
-  for (std::size_t kept = outer; found.ranges.size() > most && kept > 0; --kept) {
-    found = {
-        .ranges = ranges_of(conditions, [kept](const ReportedCondition& a,
-                                               const ReportedCondition& b) { return have_equal_values(a, b, kept); }),
-        .entries = kept,
-        .has_one_mode = false};
+/// Neighbours for which `belong` says so.
+template <class Belong>
+std::vector<Conditions> ranges_of(Conditions all, Belong&& belong) {
+  std::vector<Conditions> ranges;
+  for (std::size_t first = 0, i = 1; i <= all.size(); ++i) {
+    if (i < all.size() && belong(all[i - 1], all[i])) continue;
+    ranges.push_back(all.subspan(first, i - first));
+    first = i;
   }
+  return ranges;
+}
+
+Grouping grouping_of(Conditions all, std::size_t most) {
+  const std::size_t entries = all.front().asked.parameters.size();
+  std::size_t kept = entries == 0 ? 0 : entries - 1;
+  const auto belong = [&kept](const ReportedCondition& a, const ReportedCondition& b) {
+    return have_equal_values(a, b, kept);
+  };
+  const auto have_one_mode = [&](const ReportedCondition& a, const ReportedCondition& b) {
+    return belong(a, b) && most_frequent_in(a) == most_frequent_in(b);
+  };
+  Grouping found{.ranges = ranges_of(all, have_one_mode), .entries = kept, .has_one_mode = true};
+  for (; found.ranges.size() > most && kept > 0; --kept) found = {.ranges = ranges_of(all, belong), .entries = kept};
   if (found.ranges.size() <= most) return found;
-  found = {.ranges = {}, .entries = 0, .has_one_mode = false};
-  const std::size_t length = (conditions.size() + most - 1) / most;
-  for (std::size_t i = 0; i < conditions.size(); i += length) {
-    found.ranges.push_back({i, std::min(i + length, conditions.size()) - 1});
+  found = {};
+  const std::size_t length = (all.size() + most - 1) / most;
+  for (std::size_t i = 0; i < all.size(); i += length) {
+    found.ranges.push_back(all.subspan(i, std::min(length, all.size() - i)));
   }
   return found;
 }
@@ -123,8 +109,7 @@ std::string run_summary(const Report& report, std::size_t most) {
   add_columns(table, {"conditions", "n"});
   if (grouping.has_one_mode) add_columns(table, {"response", "its share"});
   if (may_overturn) add_columns(table, {"overturned"});
-  for (const Range& range : grouping.ranges) {
-    const auto own = conditions.subspan(range.first, range.last - range.first + 1);
+  for (const Conditions own : grouping.ranges) {
     look::Row& row = table.rows.emplace_back();
     for (std::size_t i = 0; i < grouping.entries; ++i) row.emplace_back(short_value(own.front().asked.parameters[i]));
     if (has_range) {

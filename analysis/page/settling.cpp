@@ -5,7 +5,6 @@
 #include "analysis/page/html.hpp"
 #include "analysis/page/tables.hpp"
 #include "rocking/figures/sweep_view.hpp"
-#include "rocking/output/long_run_table.hpp"
 #include "rocking/output/settling_table.hpp"
 #include "rocking/text/number_text.hpp"
 

@@ -10,7 +10,6 @@
 #include "rocking/base/error.hpp"
 #include "rocking/input/quantities_in_text.hpp"
 #include "rocking/output/parameter_text.hpp"
-#include "rocking/output/quantity_name.hpp"
 #include "rocking/text/json.hpp"
 #include "rocking/text/number_text.hpp"
 

@@ -7,7 +7,6 @@
 #include "rocking/input/quantities_in_text.hpp"
 #include "rocking/look/markup.hpp"
 #include "rocking/output/parameter_text.hpp"
-#include "rocking/output/quantity_name.hpp"
 #include "rocking/output/shaking_text.hpp"
 #include "rocking/text/json.hpp"
 

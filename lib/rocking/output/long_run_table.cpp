@@ -1,4 +1,4 @@
-#include "rocking/output/long_run_table.hpp"
+#include "rocking/output/settling_table.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "rocking/look/markup.hpp"
-#include "rocking/output/long_run_table.hpp"
 #include "rocking/output/mode_table.hpp"
 #include "rocking/output/settling_table.hpp"
 #include "rocking/output/shaking_text.hpp"

@@ -6,7 +6,6 @@
 
 #include "rocking/ensemble/settling_tally.hpp"
 #include "rocking/look/text_table.hpp"
-#include "rocking/output/long_run_table.hpp"
 #include "rocking/output/mode_table.hpp"
 #include "rocking/output/parameter_text.hpp"
 #include "rocking/text/number_text.hpp"

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -57,5 +58,17 @@ inline constexpr double worrying_unresolved_share = 0.05;
 /// What to do about a limit at which more than one per cent of a condition is not classified: the limit that would do,
 /// or that it cannot be told; empty if it is less. `name`: of the condition, empty if there is one only.
 [[nodiscard]] std::string limit_remedy(const ReportedCondition& condition, const std::string& name);
+
+// Long-run shares of time: of the windows of the realisations with a long run (`long_run_every`), by response mode.
+
+/// For publications: a row for each condition with long runs, a column for each of the most frequent modes in per cent,
+/// `64.0 [52.1, 74.8]`; `< 7.0`, an upper bound, of a mode that no window has.
+[[nodiscard]] RunTable long_run_table(const Report& report);
+/// For CSV: a row for each condition and response mode of its long runs.
+[[nodiscard]] RunTable long_run_share_table(const Report& report);
+
+/// Text for a terminal: a table of the conditions in which more than one mode occurs, with lines up to `width`, and
+/// the number of the others. Empty without long runs.
+[[nodiscard]] std::string long_run_text(const Report& report, std::size_t width);
 
 }  // namespace rocking

@@ -2,8 +2,6 @@
 
 #include "rocking/output/settling_table.hpp"
 
-#include "rocking/output/long_run_table.hpp"
-
 #include <gmock/gmock.h>
 
 namespace rocking {

@@ -72,7 +72,7 @@ static const StructType& fields_of(const ReportedEffort*) {
 
 /// Read over, and never written.
 static Field warnings_of_earlier_programs() {
-  Field field = derived<[](const Report&) { return std::vector<std::string>(); }>(
+  Field field = derived<[](const Report&) { return std::optional<std::vector<std::string>>(); }>(
       "warnings", "of earlier programs, in place of `findings`", {}, WithoutValue::omitted);
   field.has_value = [](const void*) { return false; };
   return field;

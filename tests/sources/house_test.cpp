@@ -249,8 +249,8 @@ Weight weight_of(const std::set<std::string>& folders) {
 TEST(TheHouse, WeighsNoMoreThanBefore) {
   const Weight product = weight_of({"lib", "analysis", "experiments"});
   EXPECT_LE(product.files, 798U);
-  EXPECT_LE(product.lines, 92'400U);
-  EXPECT_LE(weight_of({"tests"}).lines, 59'100U);
+  EXPECT_LE(product.lines, 91'900U);
+  EXPECT_LE(weight_of({"tests"}).lines, 58'950U);
 }
 
 TEST(TheHouseRules, FindAnArrowThatGoesUpOrSideways) {

@@ -55,7 +55,7 @@ struct ClampedNumber {
 };
 
 /// In the order of clamp_kinds.
-constexpr std::array<ClampedNumber, clamp_kinds.size()> numbers{{
+constexpr std::array<ClampedNumber, clamp_kinds.size()> meanings{{
     {&Clamps::kinetic_at_zero, "kinetic friction below 0",
      "reduce the sigma of its fluctuation or increase /friction/kinetic", "kinetic friction", law_of_kinetic},
     {&Clamps::kinetic_at_static, "kinetic friction above the static friction in force",
@@ -72,12 +72,12 @@ constexpr std::array<ClampedNumber, clamp_kinds.size()> numbers{{
     {&Clamps::length_at_bound, "width or height of the block outside of its bounds",
      "reduce the sigma of /block/width_m or /block/height_m"},
 }};
-static_assert(std::ranges::equal(numbers, clamp_kinds, {}, &ClampedNumber::count, &ClampKind::count));
+static_assert(std::ranges::equal(meanings, clamp_kinds, {}, &ClampedNumber::count, &ClampKind::count));
 
 /// What clamps of a kind mean, with what they leave of the law: `kinetic friction below 0. The probabilities are those of
 /// other numbers: the kinetic friction in force has mean 0.348 and sigma 0.0274, not 0.35 and 0.03`.
 std::string meaning_of(const Scene& scene, std::size_t kind) {
-  const ClampedNumber& number = numbers[kind];
+  const ClampedNumber& number = meanings[kind];
   const auto given = number.law == nullptr ? std::nullopt : number.law(scene);
   if (!given) return number.what;
   const auto in_force = law_in_force(
@@ -137,16 +137,16 @@ Finding clamped_numbers(const Report& report) {
   found.text = "random numbers were clamped in " + per_cent(worst->of_realisations) + " % of the realisations and " +
                per_cent(worst->of_draws) + " % of the draws of condition " + std::to_string(worst->condition) +
                ", the most of any; mostly " + meaning_of(condition.asked.scene, kind);
-  found.remedy = numbers[kind].remedy;
+  found.remedy = meanings[kind].remedy;
   return found;
 }
 
 std::vector<Finding> foreseen_clamps(const Experiment& experiment) {
   const std::vector<SampledClamps> sampled = sample_clamps(experiment);
   std::vector<Finding> findings;
-  for (std::size_t kind = 0; kind < numbers.size(); ++kind) {
+  for (std::size_t kind = 0; kind < meanings.size(); ++kind) {
     const auto of_draws = [kind](const SampledClamps& here) {
-      return share(here.clamps.*numbers[kind].count, here.realisations);
+      return share(here.clamps.*meanings[kind].count, here.realisations);
     };
     const auto worst = std::ranges::max_element(sampled, {}, of_draws);
     if (worst == sampled.end() || of_draws(*worst) <= tolerable_clamped_share) continue;
@@ -157,7 +157,7 @@ std::vector<Finding> foreseen_clamps(const Experiment& experiment) {
                  " % of their draws" +
                  (is_one ? "" : " in condition " + std::to_string(worst->condition) + ", the most of any") + ": " +
                  meaning_of(experiment.conditions[worst->condition].scene, kind),
-         .remedy = numbers[kind].remedy});
+         .remedy = meanings[kind].remedy});
   }
   return findings;
 }

@@ -39,7 +39,7 @@ struct Kind {
   Rating rating;     ///< if there are some
 };
 
-constexpr std::array kinds{
+constexpr std::array kinds_of_cases{
     Kind{&Validity::contradictions, "sticking and slipping",
          "at every instant one of the two was consistent with the equations",
          " had an instant at which neither is consistent with the equations", Rating::look},
@@ -167,7 +167,7 @@ std::string warning_lines(const std::vector<Finding>& findings) {
 std::vector<Finding> findings_of(const Report& report) {
   std::vector<Finding> findings = precision_findings(report);
   findings.insert(findings.end(), {contact(report), answers(report)});
-  for (const Kind& kind : kinds) findings.push_back(finding_of(report, kind));
+  for (const Kind& kind : kinds_of_cases) findings.push_back(finding_of(report, kind));
   findings.push_back(late_settling(report));
   findings.push_back(clamped_numbers(report));
   for (auto& found : {left_out_records(report.left_out), far_scaled(report.ground_motions),

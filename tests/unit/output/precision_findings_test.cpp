@@ -14,7 +14,7 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-constexpr ResponseMode overturned{.kind = ResponseKind::overturned};
+constexpr ResponseMode overturning{.kind = ResponseKind::overturned};
 
 /// Conditions of amplitude 0, 1, 2, ... of whose 100 realisations k overturned, with an interval of half-width 0.05.
 struct Made {
@@ -33,7 +33,7 @@ struct Made {
                       .alone = {},
                       .simultaneous = {0.0, 1.0},
                       .anytime = stats::Interval{0.25, 0.375}};
-    found.modes.push_back({.mode = overturned, .probability = estimate});
+    found.modes.push_back({.mode = overturning, .probability = estimate});
     estimate.anytime = stats::Interval{0.5, 0.6};
     found.modes.push_back({.mode = {.kind = ResponseKind::rest}, .probability = estimate});
     result.conditions.push_back(found);
@@ -64,8 +64,8 @@ TEST(UnreachedPrecision, NamesTheConditionTheModeAndBothHalfWidths) {
 
 TEST(UnreachedPrecision, IsRelativeToTheEstimateWhereThatWasWanted) {
   Made made;
-  made.add({.relative_half_width = 0.1, .mode = overturned}, StoppedBecause::at_most_reached, 25);
-  made.add({.relative_half_width = 0.1, .mode = overturned}, StoppedBecause::at_most_reached, 0);
+  made.add({.relative_half_width = 0.1, .mode = overturning}, StoppedBecause::at_most_reached, 25);
+  made.add({.relative_half_width = 0.1, .mode = overturning}, StoppedBecause::at_most_reached, 0);
   made.add({.relative_half_width = 0.1, .mode = section::periodic(2, 5)}, StoppedBecause::at_most_reached, 25);
   EXPECT_THAT(made.text(), AllOf(HasSubstr("amplitude 0, overturned: 25 % of the estimate instead of 10 %"),
                                  HasSubstr("amplitude 1, overturned: did not occur"),

@@ -106,7 +106,7 @@ class EveryStudy(unittest.TestCase):
         run = self.sensible["fragility"]["source"][0]
         hazard = self.sensible["fragility"]["hazard"][0]
         for asked, place in ((dict(joint_hazard={}), "joint_hazard"), (dict(survived=100.0), "survived"),
-                             (dict(hazard=[]), "hazard"), (dict(event="much"), "event"),
+                             (dict(hazard=[]), "hazard"), (dict(event="much"), "event/0"),
                              (dict(hazard=hazard, years=[None]), "years/0"), (dict(threads="two"), "threads"),
                              (dict(hazard=5), "hazard"), (dict(progress=1), "progress")):
             with self.assertRaises(rocking.InputError, msg=asked) as raised:

@@ -143,7 +143,7 @@ class Interrupting(unittest.TestCase):
                 self.assertEqual(left, {"realisations.sqlite"})
                 for error in outcomes.values():
                     if not isinstance(error, str):
-                        self.assertRegex(str(error), "is working in this folder|realisations of another experiment")
+                        self.assertRegex(str(error), "is working in this folder|contains a run|realisations of another experiment")
 
     def test_a_run_in_progress_can_be_looked_at(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -80,6 +80,18 @@ class ContractViolation : public std::logic_error {
 
 }  // namespace rocking::base
 
+namespace rocking {
+
+/// Why a value will not do, and what would.
+struct Refusal {
+  std::string reason;
+  std::string remedy;
+};
+
+using Problems = std::vector<base::Problem>;
+
+}  // namespace rocking
+
 /// Checks `condition` in builds with contracts (preset `dev`). If it is false, throws ContractViolation with its text.
 #if defined(ROCKING_CONTRACTS)
 #define ROCKING_EXPECT(condition) \

@@ -76,7 +76,7 @@ void FieldReader::field(const Key& key, const ValueType& type, void* value, Abse
   if (!canonical.is_null()) write(key.name, std::move(canonical));
 }
 
-double FieldReader::number(const Key& key, const NumberRule& rule) {
+double FieldReader::number(const Key& key, const Rule& rule) {
   double number = 0.0;
   value(key, number, rule, Absent::error);
   return number;

@@ -6,7 +6,6 @@
 #include <string_view>
 #include <vector>
 
-#include "rocking/base/number_rule.hpp"
 #include "rocking/fields/field_visitor.hpp"
 #include "rocking/text/json.hpp"
 
@@ -45,7 +44,7 @@ class FieldReader final : public FieldVisitor {
 
   [[nodiscard]] bool has(std::string_view key) { return found(key) != nullptr; }
   /// The number at a key that must be there; 0 of a fault.
-  [[nodiscard]] double number(const Key& key, const NumberRule& rule);
+  [[nodiscard]] double number(const Key& key, const Rule& rule);
 
   /// Reports the keys that nobody asked for; returns the canonical object.
   [[nodiscard]] Json finish();

@@ -12,7 +12,6 @@
 #include <utility>
 #include <vector>
 
-#include "rocking/base/number_rule.hpp"
 #include "rocking/fields/value_type.hpp"
 #include "rocking/fields/written_types.hpp"
 
@@ -98,9 +97,9 @@ class FieldVisitor {
   }
 
   /// A member that is read as `rule` and its C++ type say: `written_type(&value, rule)`.
-  template <class T, class Rule>
-  void value(const Key& key, T& value, const Rule& rule, Absent absent) {
-    if constexpr (std::is_base_of_v<ValueType, Rule>) {
+  template <class T, class TypeOrRule>
+  void value(const Key& key, T& value, const TypeOrRule& rule, Absent absent) {
+    if constexpr (std::is_base_of_v<ValueType, TypeOrRule>) {
       field(key, rule, &value, absent);
     } else {
       field(key, written_type(&value, rule), &value, absent);

@@ -29,75 +29,82 @@ std::optional<std::int64_t> whole_number(const Json& value) {
   return static_cast<std::int64_t>(number);
 }
 
+/// `1 to 1000000`
+std::string ends_of(const Rule& rule) {
+  return std::to_string(static_cast<std::int64_t>(*rule.least)) + " to " +
+         std::to_string(static_cast<std::int64_t>(*rule.most));
+}
+
+template <class Number>
+std::string text_of(Number number) {
+  if constexpr (std::is_integral_v<Number>)
+    return std::to_string(number);
+  else
+    return base::shortest(number);
+}
+
 }  // namespace
 
-void NumberType::read(const Json& json, const ReadingPlace& place, void* value) const {
-  double& number = *static_cast<double*>(value) = 0.0;
-  constexpr std::array<std::string_view, 6> no_numbers{"NaN", "nan", "Infinity", "-Infinity", "inf", "-inf"};
-  if (json.is_string() && std::ranges::find(no_numbers, json.get<std::string>()) != no_numbers.end()) {
-    return place.reject(json, "is not a finite number", "give one, as in " + example());
+template <class Number>
+std::string NumberType<Number>::demand() const {
+  if constexpr (std::is_integral_v<Number>) return "must be a whole number from " + ends_of(rule_);
+  return std::string(rule_.demand);
+}
+
+template <class Number>
+Number NumberType<Number>::safe() const {
+  return std::is_integral_v<Number> ? static_cast<Number>(*rule_.least) : Number{};
+}
+
+template <class Number>
+void NumberType<Number>::read(const Json& json, const ReadingPlace& place, void* value) const {
+  Number& number = *static_cast<Number*>(value) = safe();
+  if constexpr (std::is_integral_v<Number>) {
+    const auto found = whole_number(json);
+    if (!found || !rule_.allows(static_cast<double>(*found))) return place.reject(json, demand(), rule_.remedy());
+    number = static_cast<Number>(*found);
+  } else {
+    constexpr std::array<std::string_view, 6> no_numbers{"NaN", "nan", "Infinity", "-Infinity", "inf", "-inf"};
+    if (json.is_string() && std::ranges::find(no_numbers, json.get<std::string>()) != no_numbers.end()) {
+      return place.reject(json, "is not a finite number", "give one, as in " + example());
+    }
+    if (!json.is_number()) {
+      return place.reject(json, wrong_type("a number", json),
+                          json.is_string() ? "write it without quotes, as in " + example() : rule_.remedy());
+    }
+    if (!rule_.allows(json.get<double>())) return place.reject(json, demand(), rule_.remedy());
+    number = json.get<double>();
   }
-  if (!json.is_number()) {
-    return place.reject(json, wrong_type("a number", json),
-                        json.is_string() ? "write it without quotes, as in " + example() : rule_.remedy());
-  }
-  if (!rule_.allows(json.get<double>())) return place.reject(json, std::string(rule_.demand), rule_.remedy());
-  number = json.get<double>();
 }
 
-void NumberType::report_missing(const ReadingPlace& place, void* value) const {
+template <class Number>
+void NumberType<Number>::report_missing(const ReadingPlace& place, void* value) const {
   ValueType::report_missing(place, value);
-  *static_cast<double*>(value) = 0.0;
+  *static_cast<Number*>(value) = safe();
 }
 
-void NumberType::check(const void* value, const ReadingPlace& place) const {
-  const double number = *static_cast<const double*>(value);
-  if (rule_.allows(number)) return;
-  place.problems->push_back({place.pointer, base::shortest(number), std::string(rule_.demand), rule_.remedy()});
+template <class Number>
+void NumberType<Number>::check(const void* value, const ReadingPlace& place) const {
+  const Number number = *static_cast<const Number*>(value);
+  if (rule_.allows(static_cast<double>(number))) return;
+  place.problems->push_back({place.pointer, text_of(number), demand(), rule_.remedy()});
 }
 
-Json NumberType::schema(const Rule&) const { return type_of<double>().schema(rule_.bounds); }
-
-ValueType::Shown NumberType::shown(const void* value) const {
-  return {.allowed = interval_text(rule_.bounds), .standard = base::shortest(*static_cast<const double*>(value))};
+template <class Number>
+Json NumberType<Number>::schema(const Rule&) const {
+  return type_of<Number>().schema(rule_);
 }
 
-template <class Integer>
-void IntegerType<Integer>::read(const Json& json, const ReadingPlace& place, void* value) const {
-  const auto number = whole_number(json);
-  const bool is_sound = number && rule_.allows(*number);
-  *static_cast<Integer*>(value) = static_cast<Integer>(is_sound ? *number : rule_.low);
-  if (!is_sound) place.reject(json, rule_.demand(), rule_.remedy());
+template <class Number>
+ValueType::Shown NumberType<Number>::shown(const void* value) const {
+  return {.allowed = std::is_integral_v<Number> ? "integer, " + ends_of(rule_) : interval_text(rule_),
+          .standard = text_of(*static_cast<const Number*>(value))};
 }
 
-template <class Integer>
-void IntegerType<Integer>::report_missing(const ReadingPlace& place, void* value) const {
-  ValueType::report_missing(place, value);
-  *static_cast<Integer*>(value) = static_cast<Integer>(rule_.low);
-}
-
-template <class Integer>
-void IntegerType<Integer>::check(const void* value, const ReadingPlace& place) const {
-  const Integer number = *static_cast<const Integer*>(value);
-  if (rule_.allows(number)) return;
-  place.problems->push_back({place.pointer, std::to_string(number), rule_.demand(), rule_.remedy()});
-}
-
-template <class Integer>
-Json IntegerType<Integer>::schema(const Rule&) const {
-  return type_of<std::int64_t>().schema(
-      {.least = static_cast<double>(rule_.low), .most = static_cast<double>(rule_.high)});
-}
-
-template <class Integer>
-ValueType::Shown IntegerType<Integer>::shown(const void* value) const {
-  return {.allowed = "integer, " + std::to_string(rule_.low) + " to " + std::to_string(rule_.high),
-          .standard = std::to_string(*static_cast<const Integer*>(value))};
-}
-
-template class IntegerType<int>;
-template class IntegerType<std::int64_t>;
-template class IntegerType<std::uint64_t>;
+template class NumberType<double>;
+template class NumberType<int>;
+template class NumberType<std::int64_t>;
+template class NumberType<std::uint64_t>;
 
 void TextType::read(const Json& json, const ReadingPlace& place, void* value) const {
   if (!json.is_string()) return place.reject(json, wrong_type("text", json), "write it in quotes");

@@ -1,52 +1,38 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
-#include "rocking/base/number_rule.hpp"
 #include "rocking/fields/value_type.hpp"
 
 /// Values that people write, each with the rule that it must keep. Their faults are told with what would do.
 namespace rocking {
 
+/// A number; a whole one also where it is spelled 2e3 or 500.0, with a least and a largest value.
+template <class Number>
 class NumberType final : public ValueType {
  public:
-  explicit NumberType(const NumberRule& rule) : rule_(rule) {}
-  [[nodiscard]] Json json(const void* value) const override { return *static_cast<const double*>(value); }
-  /// Of a fault the number is 0.
+  explicit NumberType(const Rule& rule) : rule_(rule) {}
+  [[nodiscard]] Json json(const void* value) const override { return *static_cast<const Number*>(value); }
+  /// Of a fault it is 0, or the smallest whole number that the rule allows.
   void read(const Json& json, const ReadingPlace& place, void* value) const override;
   void report_missing(const ReadingPlace& place, void* value) const override;
   void check(const void* value, const ReadingPlace& place) const override;
   [[nodiscard]] Json schema(const Rule&) const override;
   [[nodiscard]] Shown shown(const void* value) const override;
   [[nodiscard]] std::string example() const override { return std::string(rule_.example); }
-  [[nodiscard]] const NumberRule& rule() const { return rule_; }
+  [[nodiscard]] const Rule& rule() const { return rule_; }
 
  private:
-  NumberRule rule_;
-};
+  [[nodiscard]] std::string demand() const;
+  [[nodiscard]] Number safe() const;
 
-/// A whole number, also where it is spelled 2e3 or 500.0.
-template <class Integer>
-class IntegerType final : public ValueType {
- public:
-  explicit IntegerType(const IntegerRule& rule) : rule_(rule) {}
-  [[nodiscard]] Json json(const void* value) const override { return *static_cast<const Integer*>(value); }
-  /// Of a fault it is the smallest that the rule allows.
-  void read(const Json& json, const ReadingPlace& place, void* value) const override;
-  void report_missing(const ReadingPlace& place, void* value) const override;
-  void check(const void* value, const ReadingPlace& place) const override;
-  [[nodiscard]] Json schema(const Rule&) const override;
-  [[nodiscard]] Shown shown(const void* value) const override;
-  [[nodiscard]] std::string example() const override { return std::to_string(rule_.example); }
-
- private:
-  IntegerRule rule_;
+  Rule rule_;
 };
 
 class TextType final : public ValueType {
@@ -66,7 +52,7 @@ struct ListLength {
 /// A list of numbers.
 class NumbersType final : public ValueType {
  public:
-  NumbersType(const ListLength& length, const NumberRule& rule) : length_(length), number_(rule) {}
+  NumbersType(const ListLength& length, const Rule& rule) : length_(length), number_(rule) {}
   [[nodiscard]] Json json(const void* value) const override;
   void read(const Json& json, const ReadingPlace& place, void* value) const override;
   void report_missing(const ReadingPlace& place, void* value) const override;
@@ -78,7 +64,7 @@ class NumbersType final : public ValueType {
   [[nodiscard]] Refusal refusal(const ReadingPlace& place) const;
 
   ListLength length_;
-  NumberType number_;
+  NumberType<double> number_;
 };
 
 /// One of several names. `chosen` and `choose` are the place among them of what a value holds.
@@ -129,11 +115,9 @@ class OpaqueType final : public ValueType {
 };
 
 /// The type of a member and a rule, for FieldVisitor::value.
-[[nodiscard]] inline NumberType written_type(const double*, const NumberRule& rule) { return NumberType(rule); }
-template <class Integer>
-[[nodiscard]] IntegerType<Integer> written_type(const Integer*, const IntegerRule& rule) {
-  return IntegerType<Integer>(rule);
-}
+template <class Number>
+requires std::is_arithmetic_v<Number>
+[[nodiscard]] NumberType<Number> written_type(const Number*, const Rule& rule) { return NumberType<Number>(rule); }
 
 /// `[1e-06, 1e+06]`, with round brackets at ends that do not belong to it.
 [[nodiscard]] std::string interval_text(const Rule& bounds);

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "rocking/base/number_rule.hpp"
+#include "rocking/base/error.hpp"
 
 namespace rocking {
 

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string_view>
 
-#include "rocking/base/number_rule.hpp"
+#include "rocking/base/error.hpp"
 
 /// Files that are not read, named as what they look like, with the way to go.
 namespace rocking {

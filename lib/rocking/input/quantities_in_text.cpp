@@ -13,7 +13,7 @@
 namespace rocking {
 namespace {
 
-constexpr NumberRule any_number{.bounds = {}, .demand = "must be a number", .example = "1.0"};
+constexpr Rule any_number{.demand = "must be a number", .example = "1.0"};
 
 void add_places(const Scene& scene, std::vector<DrawnPlace>& places) {
   for_each_quantity(scene, [&places](const QuantityPlace& what, const Quantity&) {

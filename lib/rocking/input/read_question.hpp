@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "rocking/base/number_rule.hpp"
+#include "rocking/base/error.hpp"
 #include "rocking/input/ground_motion_files.hpp"
 #include "rocking/scene/experiment_keys.hpp"
 #include "rocking/text/json.hpp"

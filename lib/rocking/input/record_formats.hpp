@@ -7,7 +7,7 @@
 #include <optional>
 #include <string_view>
 
-#include "rocking/base/number_rule.hpp"
+#include "rocking/base/error.hpp"
 #include "rocking/fields/value_type.hpp"
 #include "rocking/scene/experiment.hpp"
 #include "rocking/scene/ground_motion_reading.hpp"

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "rocking/base/number_rule.hpp"
+#include "rocking/base/error.hpp"
 
 /// Tables that select records: PEER's `_SearchResults.csv`, and the records and factors of each level.
 namespace rocking {

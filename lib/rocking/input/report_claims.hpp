@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "rocking/base/number_rule.hpp"
+#include "rocking/base/error.hpp"
 #include "rocking/text/json.hpp"
 
 namespace rocking {

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "rocking/base/error.hpp"
-#include "rocking/base/number_rule.hpp"
 #include "rocking/input/ground_motion_files.hpp"
 #include "rocking/input/sweep.hpp"
 #include "rocking/scene/experiment.hpp"

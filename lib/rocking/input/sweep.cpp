@@ -6,7 +6,7 @@
 namespace rocking {
 namespace {
 
-constexpr NumberRule any_number{.bounds = {}, .demand = "must be a number", .example = "1.0"};
+constexpr Rule any_number{.demand = "must be a number", .example = "1.0"};
 
 /// What the rounding of from, to and step moves a point by, at most, in steps: a few ulps of a million.
 constexpr double rounding = 1e-9;

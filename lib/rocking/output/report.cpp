@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "rocking/base/error.hpp"
-#include "rocking/base/number_rule.hpp"
 #include "rocking/ensemble/mode_family.hpp"
 #include "rocking/input/condition_family.hpp"
 #include "rocking/input/quantities_in_text.hpp"
@@ -53,7 +52,7 @@ class CountChecker {
   }
 
   void check(const ConditionResult& result) {
-    if (result.realisations > static_cast<std::uint64_t>(rules::realisations.high)) {
+    if (static_cast<double>(result.realisations) > *rules::realisations.most) {
       return reject("/realisations", result.realisations,
                     "is greater than the largest number that an experiment may have");
     }

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "rocking/base/number_rule.hpp"
+#include "rocking/base/error.hpp"
 #include "rocking/scene/experiment.hpp"
 
 namespace rocking {

@@ -215,7 +215,7 @@ std::vector<double> keys_of_periods(FieldVisitor& in, std::string_view strength,
 
 /// What a table says of a record that it selects. Returns the factor on its accelerations.
 double keys_of_selection(FieldVisitor& in, Recorded& recorded) {
-  const auto number = [&in](const Key& key, std::optional<double>& value, const NumberRule& rule) {
+  const auto number = [&in](const Key& key, std::optional<double>& value, const Rule& rule) {
     in.optional(key.name, value, [&](double& found) { in.value(key, found, rule, Absent::omitted); });
   };
   std::optional<double> factor;

@@ -327,7 +327,7 @@ void keys_of(FieldVisitor& in, Horizon& horizon, const Scene& scene) {
   const DefaultHorizon standard =
       is_reading ? default_horizon(scene) : DefaultHorizon{horizon.transient_periods, horizon.sampled_periods};
   const Absent follows = in.follows_from(horizon_follows_from(scene.excitation));
-  const bool is_too_long = standard.sampled_periods > rules::sampled_periods.high;
+  const bool is_too_long = !rules::sampled_periods.allows(static_cast<double>(standard.sampled_periods));
   if (is_reading) {
     horizon.transient_periods = static_cast<int>(standard.transient_periods);
     if (!is_too_long) horizon.sampled_periods = static_cast<int>(standard.sampled_periods);

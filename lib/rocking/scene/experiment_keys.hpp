@@ -20,7 +20,7 @@ namespace rocking {
 /// A unit in which a number may be given, by a key of its own.
 struct UnitKey {
   Key key;
-  const NumberRule& rule;
+  const Rule& rule;
 };
 
 /// How strong a ground motion is made.
@@ -73,7 +73,7 @@ inline constexpr auto law_names = []<std::size_t... i>(std::index_sequence<i...>
 
 /// Goes through the keys of the law that the quantity has, which stand in the object that is its value. `rule` bounds
 /// every value that is given, and the mean.
-void keys_of_law(FieldVisitor& in, Quantity& quantity, const NumberRule& rule);
+void keys_of_law(FieldVisitor& in, Quantity& quantity, const Rule& rule);
 
 /// Why the numbers of a law are none together.
 [[nodiscard]] std::optional<Refusal> refusal_of_law(const Quantity& quantity);
@@ -81,7 +81,7 @@ void keys_of_law(FieldVisitor& in, Quantity& quantity, const NumberRule& rule);
 /// A number, or an object with one key, the name of a law. `rule` bounds every value that a law gives, and its mean.
 class QuantityType final : public ValueType {
  public:
-  explicit QuantityType(const NumberRule& rule) : number_(rule) {}
+  explicit QuantityType(const Rule& rule) : number_(rule) {}
   [[nodiscard]] Json json(const void* value) const override;
   /// Of a fault the quantity is 0.
   void read(const Json& json, const ReadingPlace& place, void* value) const override;
@@ -92,10 +92,10 @@ class QuantityType final : public ValueType {
   [[nodiscard]] std::string example() const override { return number_.example(); }
 
  private:
-  NumberType number_;
+  NumberType<double> number_;
 };
 
-[[nodiscard]] inline QuantityType written_type(const Quantity*, const NumberRule& rule) { return QuantityType(rule); }
+[[nodiscard]] inline QuantityType written_type(const Quantity*, const Rule& rule) { return QuantityType(rule); }
 
 /// A quantity as one of several keys gives it.
 struct QuantityInUnit {
@@ -120,7 +120,7 @@ bool one_of(FieldVisitor& in, const std::array<UnitKey, size>& units, QuantityIn
 /// A list of two quantities: those on the left and on the right.
 class QuantityPairType final : public ValueType {
  public:
-  explicit QuantityPairType(const NumberRule& rule) : quantity_(rule) {}
+  explicit QuantityPairType(const Rule& rule) : quantity_(rule) {}
   [[nodiscard]] Json json(const void* value) const override;
   void read(const Json& json, const ReadingPlace& place, void* value) const override;
   void check(const void* value, const ReadingPlace& place) const override;
@@ -140,7 +140,7 @@ class QuantityPairType final : public ValueType {
 /// A form in which a value may stand in a file: a number or a law alone, a word, or an object with one key.
 struct Form {
   std::string_view name;            ///< the word, or the key; empty: the number or law stands alone
-  const NumberRule* rule;           ///< of the number or the law; null: a word
+  const Rule* rule;                 ///< of the number or the law; null: a word
   bool may_be_drawn = true;         ///< whether a law may stand in place of the number
   bool may_differ_by_side = false;  ///< whether a list of two may stand there: left and right
 };

@@ -179,7 +179,7 @@ class PartsType final : public ValueType {
 const ValueType& parts_type() { return the_only<PartsType>(); }
 
 Json law_schema() {
-  constexpr NumberRule any_number{.bounds = {}, .demand = "", .example = ""};
+  constexpr Rule any_number;
   Json laws = Json::array();
   for (std::size_t i = 0; i < law_names.size(); ++i) {
     std::vector<KeyRow> rows;
@@ -260,7 +260,7 @@ Json FormsType::schema(const Rule& rule) const {
       schema["oneOf"].push_back({{"const", name}});
       continue;
     }
-    Json number = form.may_be_drawn ? QuantityType(*form.rule).schema({}) : NumberType(*form.rule).schema({});
+    Json number = form.may_be_drawn ? QuantityType(*form.rule).schema({}) : NumberType<double>(*form.rule).schema({});
     if (form.may_differ_by_side) number["oneOf"].push_back(QuantityPairType(*form.rule).schema({}));
     schema["oneOf"].push_back(closed_object({{name, number}}, Json::array({name})));
   }
@@ -268,7 +268,7 @@ Json FormsType::schema(const Rule& rule) const {
 }
 
 ValueType::Shown FormsType::shown(const void*) const {
-  std::string allowed = "*quantity* " + interval_text(forms_.front().rule->bounds);
+  std::string allowed = "*quantity* " + interval_text(*forms_.front().rule);
   for (const Form& form : forms_.subspan(1)) {
     const std::string name(form.name);
     allowed += &form == &forms_.back() ? ", or `" : ", `";
@@ -276,7 +276,7 @@ ValueType::Shown FormsType::shown(const void*) const {
       allowed += name + '`';
     } else {
       allowed += "{\"" + name + "\": r}` with " + (form.may_be_drawn ? "*quantity* " : "") + "r in " +
-                 interval_text(form.rule->bounds) + (form.may_differ_by_side ? " or `[left, right]` of them" : "");
+                 interval_text(*form.rule) + (form.may_differ_by_side ? " or `[left, right]` of them" : "");
     }
   }
   return {.allowed = allowed, .standard = ""};

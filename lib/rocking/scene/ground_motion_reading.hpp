@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "rocking/base/number_rule.hpp"
+#include "rocking/base/error.hpp"
 #include "rocking/dynamics/excitation/shape.hpp"
 
 namespace rocking {

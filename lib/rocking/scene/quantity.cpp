@@ -41,7 +41,7 @@ void Uniform::divide(double divisor) {
 
 namespace {
 
-void keys_of(FieldVisitor& in, Uniform& law, const NumberRule& rule) {
+void keys_of(FieldVisitor& in, Uniform& law, const Rule& rule) {
   std::vector<double> ends{law.low, law.high};
   in.value({Uniform::name, "both ends of an interval"}, ends, NumbersType({.least = 2, .most = 2}, rule),
            Absent::error);
@@ -135,12 +135,12 @@ void Normal::divide(double divisor) {
 
 namespace {
 
-void keys_of_mean_and_sigma(FieldVisitor& in, double& mean, double& sigma, const NumberRule& rule) {
+void keys_of_mean_and_sigma(FieldVisitor& in, double& mean, double& sigma, const Rule& rule) {
   in.value({"mean", "of the number"}, mean, rule, Absent::error);
   in.value({"sigma", "its standard deviation"}, sigma, rules::sigma, Absent::error);
 }
 
-void keys_of(FieldVisitor& in, Normal& law, const NumberRule& rule) {
+void keys_of(FieldVisitor& in, Normal& law, const Rule& rule) {
   in.object({Normal::name, "mean and standard deviation"}, Absent::error, [&](FieldVisitor& keys) {
     keys_of_mean_and_sigma(keys, law.mean, law.sigma, rule);
     keys.optional("between", law.between, [&](Reach& between) {
@@ -191,7 +191,7 @@ void Lognormal::divide(double divisor) {
 
 namespace {
 
-void keys_of(FieldVisitor& in, Lognormal& law, const NumberRule& rule) {
+void keys_of(FieldVisitor& in, Lognormal& law, const Rule& rule) {
   in.object({Lognormal::name, "mean and standard deviation of the number, not of its logarithm"}, Absent::error,
             [&](FieldVisitor& keys) { keys_of_mean_and_sigma(keys, law.mean, law.sigma, rule); });
 }
@@ -224,7 +224,7 @@ void Triangular::divide(double divisor) {
 
 namespace {
 
-void keys_of(FieldVisitor& in, Triangular& law, const NumberRule& rule) {
+void keys_of(FieldVisitor& in, Triangular& law, const Rule& rule) {
   std::vector<double> corners{law.low, law.mode, law.high};
   in.value({Triangular::name, "smallest value, most likely value, largest value"}, corners,
            NumbersType({.least = 3, .most = 3}, rule), Absent::error);
@@ -277,7 +277,7 @@ void Values::divide(double divisor) {
 
 namespace {
 
-void keys_of(FieldVisitor& in, Values& law, const NumberRule& rule) {
+void keys_of(FieldVisitor& in, Values& law, const Rule& rule) {
   in.value({Values::name, "the values among which one is chosen"}, law.values,
            NumbersType({.least = 1, .most = most_values}, rule), Absent::error);
   if (!in.stands("weights", !law.weights.empty())) return;
@@ -348,7 +348,7 @@ Quantity law_at(std::size_t place) {
   return law;
 }
 
-void keys_of_law(FieldVisitor& in, Quantity& quantity, const NumberRule& rule) {
+void keys_of_law(FieldVisitor& in, Quantity& quantity, const Rule& rule) {
   std::visit(
       [&]<class Alternative>(Alternative& law) {
         if constexpr (!std::is_same_v<Alternative, double>) keys_of(in, law, rule);

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "rocking/base/number_rule.hpp"
+#include "rocking/base/error.hpp"
 #include "rocking/dynamics/block.hpp"
 #include "rocking/random/source.hpp"
 #include "rocking/scene/experiment.hpp"

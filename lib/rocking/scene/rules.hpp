@@ -1,6 +1,6 @@
 #pragma once
 
-#include "rocking/base/number_rule.hpp"
+#include "rocking/base/rule.hpp"
 #include "rocking/scene/experiment.hpp"
 
 /// Every bound on a number of a condition, whether it comes from an experiment file or from C++. Bounds far outside
@@ -8,111 +8,81 @@
 /// initialisers of scene/experiment.hpp.
 namespace rocking::rules {
 
-inline constexpr NumberRule length{.bounds = {.least = least_length, .most = largest_length},
-                                   .demand = "must be a positive number of metres, from 1e-6 to 1e6",
-                                   .example = "1.0"};
-inline constexpr NumberRule offset{
-    .bounds = {.least = -1e6, .most = 1e6}, .demand = "must be a number of metres, from -1e6 to 1e6", .example = "0.1"};
-inline constexpr NumberRule bottom{
-    .bounds = {.least = 0.0, .most = 1e6},
-    .demand = "must be a number of metres from 0 to 1e6: no part reaches below the floor",
-    .example = "0.0"};
-inline constexpr NumberRule mass{.bounds = {.least = 1e-9, .most = 1e12},
-                                 .demand = "must be a positive number of kilograms, from 1e-9 to 1e12",
-                                 .example = "100.0"};
-inline constexpr NumberRule gravity{.bounds = {.least = 1e-6, .most = 1e6},
-                                    .demand = "must be a positive number of m/s^2, from 1e-6 to 1e6",
-                                    .example = "9.81"};
+/// Both ends belong to it.
+[[nodiscard]] constexpr Rule within(double least, double most, std::string_view demand, std::string_view example) {
+  return {.least = least, .most = most, .demand = demand, .example = example};
+}
+
+inline constexpr Rule length =
+    within(least_length, largest_length, "must be a positive number of metres, from 1e-6 to 1e6", "1.0");
+inline constexpr Rule offset = within(-1e6, 1e6, "must be a number of metres, from -1e6 to 1e6", "0.1");
+inline constexpr Rule bottom =
+    within(0.0, 1e6, "must be a number of metres from 0 to 1e6: no part reaches below the floor", "0.0");
+inline constexpr Rule mass = within(1e-9, 1e12, "must be a positive number of kilograms, from 1e-9 to 1e12", "100.0");
+inline constexpr Rule gravity = within(1e-6, 1e6, "must be a positive number of m/s^2, from 1e-6 to 1e6", "9.81");
 inline constexpr double largest_amplitude = 1e6;  ///< A_h
-inline constexpr NumberRule amplitude{
-    .bounds = {.least = 0.0, .most = largest_amplitude},
-    .demand = "must be a number from 0 to 1e6: A_h, in units of the shape angle times gravity",
-    .example = "4.2"};
-inline constexpr NumberRule amplitude_g{.bounds = {.least = 0.0, .most = 1e6},
-                                        .demand = "must be a number from 0 to 1e6: the base acceleration over gravity",
-                                        .example = "0.4"};
-inline constexpr NumberRule amplitude_m_s2{
-    .bounds = {.least = 0.0, .most = 1e6}, .demand = "must be a number of m/s^2 from 0 to 1e6", .example = "4.0"};
+inline constexpr Rule amplitude = within(
+    0.0, largest_amplitude, "must be a number from 0 to 1e6: A_h, in units of the shape angle times gravity", "4.2");
+inline constexpr Rule amplitude_g =
+    within(0.0, 1e6, "must be a number from 0 to 1e6: the base acceleration over gravity", "0.4");
+inline constexpr Rule amplitude_m_s2 = within(0.0, 1e6, "must be a number of m/s^2 from 0 to 1e6", "4.0");
 inline constexpr double least_frequency_ratio = 1e-3;
 inline constexpr double largest_frequency_ratio = 1e6;
-inline constexpr NumberRule frequency_ratio{.bounds = {.least = least_frequency_ratio, .most = largest_frequency_ratio},
-                                            .demand = "must be a positive number from 0.001 to 1e6: Omega_h = omega/p",
-                                            .example = "10.0"};
-inline constexpr NumberRule frequency_hz{.bounds = {.least = 1e-6, .most = 1e6},
-                                         .demand = "must be a positive number of Hz, from 1e-6 to 1e6",
-                                         .example = "3.0"};
-inline constexpr NumberRule period_s{.bounds = {.least = 1e-6, .most = 1e6},
-                                     .demand = "must be a positive number of seconds, from 1e-6 to 1e6",
-                                     .example = "0.5"};
-inline constexpr NumberRule scale{.bounds = {.least = 0.0, .most = 1e6},
-                                  .demand = "must be a number from 0 to 1e6: a factor on the recorded accelerations",
-                                  .example = "1.0"};
-inline constexpr NumberRule selected_number{
-    .bounds = {.above = 0.0, .most = 1e6}, .demand = "must be positive, at most 1e6", .example = "1.5"};
-inline constexpr NumberRule magnitude{
-    .bounds = {.least = 0.0, .most = 10.0}, .demand = "is not a magnitude from 0 to 10", .example = "6.5"};
-inline constexpr NumberRule pga_g{.bounds = {.least = 0.0, .most = 1e6},
-                                  .demand = "must be a number from 0 to 1e6: the peak acceleration over gravity",
-                                  .example = "0.4"};
-inline constexpr NumberRule pgv_m_s{.bounds = {.least = 0.0, .most = 1e6},
-                                    .demand = "must be a number of m/s from 0 to 1e6: the peak velocity",
-                                    .example = "0.5"};
-inline constexpr NumberRule oscillator_period_s{.bounds = {.least = 0.01, .most = 100.0},
-                                                .demand = "must be a period in seconds, from 0.01 to 100",
-                                                .example = "1.0"};
-inline constexpr NumberRule time_step{.bounds = {.least = 1e-9, .most = 1e6},
-                                      .demand = "must be a positive number of seconds, from 1e-9 to 1e6",
-                                      .example = "0.005"};
-inline constexpr NumberRule friction_coefficient{
-    .bounds = {.least = 0.0, .most = 1e6}, .demand = "must not be negative or above 1e6", .example = "0.35"};
-inline constexpr NumberRule restitution{.bounds = {.above = -1.0, .most = 1.0},
-                                        .demand = "must be above -1 and at most 1, or be \"jy25\"",
-                                        .example = "0.0"};
-inline constexpr NumberRule rate_ratio{
-    .bounds = {.least = 0.0, .below = 1.0},
+inline constexpr Rule frequency_ratio =
+    within(least_frequency_ratio, largest_frequency_ratio,
+           "must be a positive number from 0.001 to 1e6: Omega_h = omega/p", "10.0");
+inline constexpr Rule frequency_hz = within(1e-6, 1e6, "must be a positive number of Hz, from 1e-6 to 1e6", "3.0");
+inline constexpr Rule period_s = within(1e-6, 1e6, "must be a positive number of seconds, from 1e-6 to 1e6", "0.5");
+inline constexpr Rule scale =
+    within(0.0, 1e6, "must be a number from 0 to 1e6: a factor on the recorded accelerations", "1.0");
+inline constexpr Rule selected_number{
+    .above = 0.0, .most = 1e6, .demand = "must be positive, at most 1e6", .example = "1.5"};
+inline constexpr Rule magnitude = within(0.0, 10.0, "is not a magnitude from 0 to 10", "6.5");
+inline constexpr Rule pga_g =
+    within(0.0, 1e6, "must be a number from 0 to 1e6: the peak acceleration over gravity", "0.4");
+inline constexpr Rule pgv_m_s = within(0.0, 1e6, "must be a number of m/s from 0 to 1e6: the peak velocity", "0.5");
+inline constexpr Rule oscillator_period_s = within(0.01, 100.0, "must be a period in seconds, from 0.01 to 100", "1.0");
+inline constexpr Rule time_step = within(1e-9, 1e6, "must be a positive number of seconds, from 1e-9 to 1e6", "0.005");
+inline constexpr Rule friction_coefficient = within(0.0, 1e6, "must not be negative or above 1e6", "0.35");
+inline constexpr Rule restitution{
+    .above = -1.0, .most = 1.0, .demand = "must be above -1 and at most 1, or be \"jy25\"", .example = "0.0"};
+inline constexpr Rule rate_ratio{
+    .least = 0.0,
+    .below = 1.0,
     .demand = "must be a number from 0 to below 1: the ratio abs(w2/w1) of the tilt rates across an impact",
     .example = "0.93"};
-inline constexpr NumberRule sigma{.bounds = {.least = 0.0, .most = 1e6},
-                                  .demand = "must not be negative or above 1e6: a standard deviation",
-                                  .example = "0.03"};
-inline constexpr NumberRule weight{.bounds = {.least = 0.0, .most = 1e6},
-                                   .demand = "must not be negative or above 1e6: a relative frequency",
-                                   .example = "1.0"};
-inline constexpr NumberRule kinetic_ratio{
-    .bounds = {.least = 0.0, .most = 1.0}, .demand = "must be a number from 0 to 1: mu_k over mu_s", .example = "0.85"};
-inline constexpr NumberRule correlation{
-    .bounds = {.least = -1.0, .most = 1.0}, .demand = "must be a number from -1 to 1", .example = "1.0"};
-inline constexpr IntegerRule refreshes{.low = 1, .high = 100'000, .example = 200};
-inline constexpr NumberRule refresh_slip{.bounds = {.least = 1e-6, .most = 1e6},
-                                         .demand = "must be a positive number of metres, from 1e-6 to 1e6",
-                                         .example = "0.001"};
-inline constexpr NumberRule phase{.bounds = {.least = -1e3, .most = 1e3},
-                                  .demand = "must be a number of radians from -1000 to 1000",
-                                  .example = "0.0"};
-inline constexpr NumberRule initial_value{
-    .bounds = {.least = -1e6, .most = 1e6}, .demand = "must be a number from -1e6 to 1e6", .example = "0.0"};
-inline constexpr IntegerRule transient_periods{.low = 0, .high = 100'000'000, .example = 500};
-inline constexpr IntegerRule sampled_periods{.low = 1, .high = 1'000'000, .example = 120};
-inline constexpr IntegerRule at_most_periods{.low = 1, .high = 200'000'000, .example = 20000};
-inline constexpr IntegerRule held_windows{.low = 1, .high = 1'000, .example = 1};
-inline constexpr IntegerRule watch_windows{.low = 0, .high = 1'000'000, .example = 0};
-inline constexpr IntegerRule long_run_every{.low = 0, .high = 1'000'000'000, .example = 0};
-inline constexpr IntegerRule exponent_pause{.low = 0, .high = 1'000'000, .example = 0};
-inline constexpr NumberRule tolerance{
-    .bounds = {.least = 1e-16, .most = 1e-2}, .demand = "must be a number from 1e-16 to 1e-2", .example = "1e-13"};
-inline constexpr IntegerRule rerun_every{.low = 0, .high = 1'000'000'000, .example = 10};
-inline constexpr IntegerRule realisations{.low = 1, .high = 1'000'000'000, .example = 1};
-inline constexpr IntegerRule at_most{.low = 1, .high = 1'000'000'000, .example = 1000};
-inline constexpr NumberRule half_width{
-    .bounds = {.least = 1e-4, .below = 0.5},
+inline constexpr Rule sigma = within(0.0, 1e6, "must not be negative or above 1e6: a standard deviation", "0.03");
+inline constexpr Rule weight = within(0.0, 1e6, "must not be negative or above 1e6: a relative frequency", "1.0");
+inline constexpr Rule kinetic_ratio = within(0.0, 1.0, "must be a number from 0 to 1: mu_k over mu_s", "0.85");
+inline constexpr Rule correlation = within(-1.0, 1.0, "must be a number from -1 to 1", "1.0");
+inline constexpr Rule refreshes{.least = 1, .most = 100'000, .example = "200"};
+inline constexpr Rule refresh_slip =
+    within(1e-6, 1e6, "must be a positive number of metres, from 1e-6 to 1e6", "0.001");
+inline constexpr Rule phase = within(-1e3, 1e3, "must be a number of radians from -1000 to 1000", "0.0");
+inline constexpr Rule initial_value = within(-1e6, 1e6, "must be a number from -1e6 to 1e6", "0.0");
+inline constexpr Rule transient_periods{.least = 0, .most = 100'000'000, .example = "500"};
+inline constexpr Rule sampled_periods{.least = 1, .most = 1'000'000, .example = "120"};
+inline constexpr Rule at_most_periods{.least = 1, .most = 200'000'000, .example = "20000"};
+inline constexpr Rule held_windows{.least = 1, .most = 1'000, .example = "1"};
+inline constexpr Rule watch_windows{.least = 0, .most = 1'000'000, .example = "0"};
+inline constexpr Rule long_run_every{.least = 0, .most = 1'000'000'000, .example = "0"};
+inline constexpr Rule exponent_pause{.least = 0, .most = 1'000'000, .example = "0"};
+inline constexpr Rule tolerance = within(1e-16, 1e-2, "must be a number from 1e-16 to 1e-2", "1e-13");
+inline constexpr Rule rerun_every{.least = 0, .most = 1'000'000'000, .example = "10"};
+inline constexpr Rule realisations{.least = 1, .most = 1'000'000'000, .example = "1"};
+inline constexpr Rule at_most{.least = 1, .most = 1'000'000'000, .example = "1000"};
+inline constexpr Rule half_width{
+    .least = 1e-4,
+    .below = 0.5,
     .demand = "must be a number from 0.0001 to below 0.5: half the width of a mode's interval",
     .example = "0.02"};
-inline constexpr NumberRule relative_half_width{
-    .bounds = {.least = 1e-3, .below = 1.0},
+inline constexpr Rule relative_half_width{
+    .least = 1e-3,
+    .below = 1.0,
     .demand = "must be a number from 0.001 to below 1: relative to the probability of the mode",
     .example = "0.1"};
-inline constexpr NumberRule confidence{
-    .bounds = {.above = 0.0, .below = 1.0}, .demand = "must be above 0 and below 1", .example = "0.95"};
+inline constexpr Rule confidence{
+    .above = 0.0, .below = 1.0, .demand = "must be above 0 and below 1", .example = "0.95"};
 
 /// Of a ground motion.
 inline constexpr double latest_sample = 1e7;         ///< [s]; far beyond any shaking, safe from overflow in periods

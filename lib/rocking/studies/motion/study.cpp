@@ -8,7 +8,6 @@
 #include "rocking/api/question_check.hpp"
 #include "rocking/api/refuse.hpp"
 #include "rocking/base/error.hpp"
-#include "rocking/base/number_rule.hpp"
 #include "rocking/base/number_text.hpp"
 #include "rocking/fields/container_types.hpp"
 #include "rocking/input/ground_motion_files.hpp"

@@ -105,8 +105,8 @@ class ColumnReader {
   [[nodiscard]] std::vector<std::string> known_words() const {
     using Kind = section::ResponseKind;
     std::vector<std::string> words{"other"};
-    for (const Kind kind : {Kind::chaotic, Kind::overturned, Kind::rest, Kind::unresolved}) {
-      words.push_back(to_string(section::ResponseMode{.kind = kind}));
+    for (int kind = static_cast<int>(Kind::periodic) + 1; kind <= static_cast<int>(Kind::unresolved); ++kind) {
+      words.push_back(to_string(section::ResponseMode{.kind = static_cast<Kind>(kind)}));
     }
     for (const std::string& place : places_) words.push_back(last_key(place));
     return words;

@@ -56,26 +56,30 @@ struct Summary {
 /// Number of the layout of a store. A new or renamed field of a row needs the next one.
 inline constexpr std::int64_t current_layout = 10;
 
-/// Calls visit(name, field) for every field of a summary, in a fixed order. These fields make up a stored row.
+/// Calls visit(name, field) for every field of a summary, in a fixed order. These fields make up a stored row. A member
+/// that is forgotten here does not compile.
 template <class SomeSummary, class Visit>
 void for_each_field(SomeSummary& summary, Visit&& visit) {
-  visit("mode", summary.mode);
-  visit("reason", summary.reason);
-  visit("termination", summary.termination);
-  visit("margin", summary.margin);
-  visit("held", summary.held);
-  visit("exponent", summary.exponent);
-  visit("exponent_error", summary.exponent_error);
-  visit("in_transient", summary.in_transient);
-  visit("left_ground", summary.left_ground);
-  visit("past_balance", summary.was_past_balance);
-  visit("overturned_side", summary.overturned_side);
-  visit("contradiction", summary.met_contradiction);
-  visit("digest", summary.digest);
-  visit("diverged_from_next", summary.diverged_from_next);
-  visit("rerun_mode", summary.rerun_mode);
-  visit("rerun_diverged", summary.rerun_diverged);
-  auto& operations = summary.operations;
+  auto& [mode, reason, termination, margin, held, exponent, exponent_error, in_transient, left_ground, was_past_balance,
+         overturned_side, met_contradiction, digest, diverged_from_next, rerun_mode, rerun_diverged, operations, clamps,
+         left_ground_before_fall, peaks, horizon_mode, observed_periods, settling_period, left_period, left_to,
+         long_run] = summary;
+  visit("mode", mode);
+  visit("reason", reason);
+  visit("termination", termination);
+  visit("margin", margin);
+  visit("held", held);
+  visit("exponent", exponent);
+  visit("exponent_error", exponent_error);
+  visit("in_transient", in_transient);
+  visit("left_ground", left_ground);
+  visit("past_balance", was_past_balance);
+  visit("overturned_side", overturned_side);
+  visit("contradiction", met_contradiction);
+  visit("digest", digest);
+  visit("diverged_from_next", diverged_from_next);
+  visit("rerun_mode", rerun_mode);
+  visit("rerun_diverged", rerun_diverged);
   visit("steps", operations.steps);
   visit("slip_steps", operations.slip_steps);
   visit("root_isolations", operations.root_isolations);
@@ -89,21 +93,20 @@ void for_each_field(SomeSummary& summary, Visit&& visit) {
   for (std::size_t kind = 0; kind < operations.events.size(); ++kind) {
     visit("event_" + std::string(to_string(static_cast<dynamics::EventKind>(kind))), operations.events[kind]);
   }
-  for (const ClampKind& kind : clamp_kinds) visit(std::string(kind.column), summary.clamps.*kind.count);
-  visit("left_ground_before_fall", summary.left_ground_before_fall);
-  auto& peaks = summary.peaks;
+  for (const ClampKind& kind : clamp_kinds) visit(std::string(kind.column), clamps.*kind.count);
+  visit("left_ground_before_fall", left_ground_before_fall);
   visit("peak_tilt", peaks.tilt);
   visit("peak_tilt_rate", peaks.tilt_rate);
   visit("peak_slip", peaks.slip);
   visit("peak_slip_m", peaks.slip_m);
   visit("final_slip", peaks.final_slip);
   visit("final_slip_m", peaks.final_slip_m);
-  visit("horizon_mode", summary.horizon_mode);
-  visit("observed_periods", summary.observed_periods);
-  visit("settling_period", summary.settling_period);
-  visit("left_period", summary.left_period);
-  visit("left_to", summary.left_to);
-  visit("long_run", summary.long_run);
+  visit("horizon_mode", horizon_mode);
+  visit("observed_periods", observed_periods);
+  visit("settling_period", settling_period);
+  visit("left_period", left_period);
+  visit("left_to", left_to);
+  visit("long_run", long_run);
 }
 
 }  // namespace rocking

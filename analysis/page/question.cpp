@@ -25,12 +25,6 @@ namespace {
 
 constexpr std::size_t most_listed = 4;
 
-std::string number(const Json& value) {
-  if (value.is_number()) return significant(value.get<double>(), 6);
-  if (value.is_object() && value.contains("ratio")) return number(value.at("ratio")) + " of it";
-  return value.is_object() ? escaped(quantity_in_words(quantity_in(value))) : escaped(brief(value));
-}
-
 /// A number of each condition.
 template <class Number>
 Spread spread_over(const Report& report, Number&& number_of_condition) {
@@ -55,15 +49,6 @@ bool is_swept(const Report& report, const std::string& pointer) {
 
 std::string swept_mark(const Report& report, const std::string& pointer) {
   return is_swept(report, pointer) ? " (swept)" : "";
-}
-
-/// Whether each realisation draws what stands at a place, in some condition.
-bool is_random(const Report& report, const std::string& pointer) {
-  const auto is_drawn = [&](const ReportedCondition& condition) {
-    return has_law(value_at(report, condition, pointer));
-  };
-  return is_swept(report, pointer) ? std::ranges::any_of(report.conditions, is_drawn)
-                                   : is_drawn(report.conditions.front());
 }
 
 /// A form of the shaking over all conditions; absent if one of them has none.
@@ -196,24 +181,28 @@ std::string random_in_brief(const Report& report) {
     }
     add(words);
   }
-  for (const DrawnPlace& place : places_of_quantities()) {
-    if (is_random(report, place.pointer)) add(place.name);
+  std::set<std::string_view> drawn;
+  for (const ReportedCondition& condition : report.conditions) {
+    for (const NamedPlace& each : drawn_once(condition.asked.scene)) {
+      if (drawn.insert(each.place).second) add(std::string(each.name));
+    }
   }
   return what;
 }
 
 std::string friction_in_brief(const Report& report) {
-  const Json& experiment = report.input.experiment;
+  const std::optional<Friction>& friction = report.conditions.front().asked.scene.friction;
   std::string text;
-  if (!experiment.contains("friction")) {
-    text = "It cannot slide.";
-  } else if (is_swept(report, "/friction")) {
+  if (is_swept(report, "/friction")) {
     text = "It can slide.";
+  } else if (!friction) {
+    text = "It cannot slide.";
   } else {
-    const Json& friction = experiment["friction"];
-    text = fmt::format("It can slide: static friction {}{}, kinetic {}{}.", number(friction.at("static")),
-                       swept_mark(report, "/friction/static"), number(friction.at("kinetic")),
-                       swept_mark(report, "/friction/kinetic"));
+    const auto in_words = [](const Quantity& number) { return escaped(quantity_in_words(number)); };
+    const std::string kinetic = friction->kinetic_ratio ? in_words(*friction->kinetic_ratio) + " of it"
+                                                        : in_words(friction->kinetic_coefficient);
+    text = fmt::format("It can slide: static friction {}{}, kinetic {}{}.", in_words(friction->static_coefficient),
+                       swept_mark(report, "/friction/static"), kinetic, swept_mark(report, "/friction/kinetic"));
   }
   const std::string random = random_in_brief(report);
   return text + (random.empty() ? " Nothing is random." : " Random: " + random + '.');

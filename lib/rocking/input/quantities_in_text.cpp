@@ -15,16 +15,15 @@ namespace {
 
 constexpr Rule any_number{.demand = "must be a number", .example = "1.0"};
 
-void add_places(const Scene& scene, std::vector<DrawnPlace>& places) {
+void add_places(const Scene& scene, std::vector<NamedPlace>& places) {
   for_each_quantity(scene, [&places](const QuantityPlace& what, const Quantity&) {
-    const auto is_same = [&what](const DrawnPlace& known) { return known.pointer == what.place; };
-    if (std::ranges::none_of(places, is_same)) places.push_back({std::string(what.place), std::string(what.name)});
+    if (std::ranges::find(places, what.place, &NamedPlace::place) == places.end()) places.push_back(what);
   });
 }
 
 /// Of scenes that together have every number, in every unit.
-std::vector<DrawnPlace> collected_places() {
-  std::vector<DrawnPlace> places;
+std::vector<NamedPlace> collected_places() {
+  std::vector<NamedPlace> places;
   Scene scene;
   scene.friction.emplace();
   add_places(scene, places);
@@ -48,11 +47,7 @@ std::vector<DrawnPlace> collected_places() {
     scene.excitation = Harmonic{.vertical = VerticalHarmonic{.physical_frequency = PhysicalFrequency{.unit = unit}}};
     add_places(scene, places);
   }
-  scene.excitation = Recorded{};
-  add_places(scene, places);
-  for (const std::string_view unit : all_strengths) {
-    if (unit != "scale") places.push_back({"/excitation/" + std::string(unit), places.back().name});
-  }
+  for (const NamedPlace& each : quantities::strengths) places.push_back(each);
   return places;
 }
 
@@ -95,8 +90,8 @@ Quantity quantity_in(const Json& value) {
   return quantity;
 }
 
-const std::vector<DrawnPlace>& places_of_quantities() {
-  static const std::vector<DrawnPlace> places = collected_places();
+const std::vector<NamedPlace>& places_of_quantities() {
+  static const std::vector<NamedPlace> places = collected_places();
   return places;
 }
 

@@ -21,14 +21,8 @@ namespace rocking {
 /// A number or a law. Throws base::InputError where it is neither.
 [[nodiscard]] Quantity quantity_in(const Json& value);
 
-/// A number that each realisation draws once.
-struct DrawnPlace {
-  std::string pointer;  ///< JSON pointer into the experiment
-  std::string name;     ///< in words
-};
-
 /// Every place of an experiment that may have a law, whether it has one or not.
-[[nodiscard]] const std::vector<DrawnPlace>& places_of_quantities();
+[[nodiscard]] const std::vector<NamedPlace>& places_of_quantities();
 
 /// What a base does under a kind of excitation, after "a base that"; empty for a name of no kind.
 [[nodiscard]] std::string_view excitation_in_words(std::string_view kind);

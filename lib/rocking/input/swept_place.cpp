@@ -1,10 +1,13 @@
 #include "rocking/input/sweep.hpp"
 
 #include <algorithm>
+#include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 
+#include "rocking/scene/drawn_quantities.hpp"
 #include "rocking/scene/excitation.hpp"
 #include "rocking/scene/experiment_keys.hpp"
 #include "rocking/text/spelling.hpp"
@@ -13,37 +16,33 @@ namespace rocking {
 namespace {
 
 /// Keys of which a file has one, in different units.
-const std::vector<std::vector<std::string>>& alternatives() {
-  static const std::vector<std::vector<std::string>> places = [] {
-    std::vector<std::string> strengths;
-    for (const std::string_view key : all_strengths) strengths.push_back("/excitation/" + std::string(key));
-    return std::vector<std::vector<std::string>>{
-        {"/excitation/amplitude", "/excitation/amplitude_g", "/excitation/amplitude_m_s2"},
-        std::move(strengths),
-        {"/excitation/frequency_ratio", "/excitation/frequency_hz", "/excitation/period_s"},
-        {"/excitation/vertical/amplitude", "/excitation/vertical/amplitude_g", "/excitation/vertical/amplitude_m_s2"},
-        {"/excitation/vertical/frequency_ratio", "/excitation/vertical/frequency_hz", "/excitation/vertical/period_s"},
-        {"/initial/tilt", "/initial/tilt_rad"},
-        {"/initial/tilt_rate", "/initial/tilt_rate_rad_s"},
-        {"/initial/slip", "/initial/slip_m"},
-        {"/initial/slip_rate", "/initial/slip_rate_m_s"}};
-  }();
-  return places;
-}
+constexpr std::array<std::span<const NamedPlace>, 9> alternatives{quantities::amplitudes,
+                                                                  quantities::strengths,
+                                                                  quantities::frequencies,
+                                                                  quantities::vertical_amplitudes,
+                                                                  quantities::vertical_frequencies,
+                                                                  quantities::tilts,
+                                                                  quantities::tilt_rates,
+                                                                  quantities::slips,
+                                                                  quantities::slip_rates};
 
 /// What to do about a place that the file has in another form: the other unit of a number, or a restitution.
 std::optional<std::string> advice_on_form(const std::string& pointer, const Json& document) {
   const auto advice = [](std::string_view has, const std::string& instead) {
     return "the file has \"" + std::string(has) + "\": sweep that, or write " + instead + " in its place";
   };
-  if (pointer == "/restitution/rate_ratio" && document.contains("restitution"))
-    return advice("/restitution", "{\"rate_ratio\": 0.93}");
-  if (pointer.starts_with("/restitution/rate_ratio/") && document.contains("restitution"))
-    return advice("/restitution", "{\"rate_ratio\": [0.93, 0.9]}");
-  for (const auto& places : alternatives()) {
-    if (std::ranges::find(places, pointer) == places.end()) continue;
-    for (const std::string& place : places) {
-      if (document.contains(Json::json_pointer(place))) return advice(place, '"' + last_key(pointer) + '"');
+  constexpr std::string_view restitution = "/restitution/";
+  if (pointer.starts_with(restitution) && document.contains("restitution")) {
+    if (const auto form = restitution_type().written(pointer.substr(restitution.size()))) {
+      return advice("/restitution", *form);
+    }
+  }
+  for (const auto& places : alternatives) {
+    if (std::ranges::find(places, pointer, &NamedPlace::place) == places.end()) continue;
+    for (const NamedPlace& each : places) {
+      if (document.contains(Json::json_pointer(std::string(each.place)))) {
+        return advice(each.place, '"' + last_key(pointer) + '"');
+      }
     }
   }
   return std::nullopt;

@@ -154,4 +154,23 @@ std::string latex_text(std::string text) {
   return result;
 }
 
+std::string latex_symbol(std::string_view symbol) {
+  std::string text = latex_text(std::string(symbol));
+  std::erase(text, '$');
+  constexpr std::string_view escaped_subscript = "\\_";
+  std::string result;
+  for (std::size_t i = 0; i < text.size();) {
+    if (!text.compare(i, escaped_subscript.size(), escaped_subscript)) {
+      const std::size_t end = std::min(text.find('/', i), text.size());
+      const std::string lower = text.substr(i + escaped_subscript.size(), end - i - escaped_subscript.size());
+      result += lower.size() == 1 ? '_' + lower : "_{" + lower + '}';
+      i = end;
+    } else {
+      result += text[i++];
+    }
+  }
+  const bool is_word = result.find_first_of("\\_'") == result.npos && result.size() > 1;
+  return '$' + (is_word ? "\\mathrm{" + result + '}' : result) + '$';
+}
+
 }  // namespace rocking::look

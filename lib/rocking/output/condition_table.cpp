@@ -18,10 +18,12 @@ using look::Media;
 /// For readers, with the name of the quantity where there is room for it.
 look::Column column_of(const std::string& pointer, Media media) {
   const QuantityName name = quantity_name(pointer);
-  const std::string symbol = name.symbol.empty() ? "" : " <i>" + look::lowered(name.symbol) + "</i>";
+  const bool has_symbol = !name.symbol.empty();
+  const std::string symbol = has_symbol ? " <i>" + look::lowered(name.symbol) + "</i>" : "";
   const std::string unit = name.unit.empty() ? "" : " [" + name.unit + ']';
   return {.title = last_key(pointer),
-          .latex = name.latex.empty() ? look::latex_text(name.quantity) : name.latex,
+          .latex =
+              (has_symbol ? look::latex_symbol(name.symbol) : look::latex_text(name.quantity)) + look::latex_text(unit),
           .html = look::escaped(name.quantity) + symbol + look::escaped(unit),
           .media = media};
 }

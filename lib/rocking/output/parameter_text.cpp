@@ -1,13 +1,16 @@
 #include "rocking/output/parameter_text.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
-#include <map>
 #include <set>
+#include <span>
 #include <string_view>
+#include <utility>
 
 #include "rocking/input/quantities_in_text.hpp"
 #include "rocking/output/mode_table.hpp"
+#include "rocking/scene/quantity.hpp"
 #include "rocking/text/json.hpp"
 #include "rocking/text/number_text.hpp"
 
@@ -64,6 +67,40 @@ std::string name_of(const std::vector<Parameter>& parameters) {
   return in_safe_letters(name.substr(0, longest_name));
 }
 
+/// Units of the numbers whose keys end so; the longest first.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 9> units{{{"_m_s2", "m/s²"},
+                                                                              {"_rad_s", "rad/s"},
+                                                                              {"_m_s", "m/s"},
+                                                                              {"_kg", "kg"},
+                                                                              {"_rad", "rad"},
+                                                                              {"_hz", "Hz"},
+                                                                              {"_g", "g"},
+                                                                              {"_m", "m"},
+                                                                              {"_s", "s"}}};
+
+/// `centre height` and `m` of `centre_height_m`.
+std::pair<std::string, std::string> words_and_unit(std::string key) {
+  const auto* const unit = std::ranges::find_if(units, [&key](const auto& each) { return key.ends_with(each.first); });
+  if (unit != units.end()) key.resize(key.size() - unit->first.size());
+  std::ranges::replace(key, '_', ' ');
+  return {key, std::string(unit == units.end() ? "" : unit->second)};
+}
+
+/// Null of a place that has no name of its own.
+const NamedPlace* named_place(const std::string& pointer) {
+  static constexpr std::array<NamedPlace, 4> others{
+      {{"/friction", "friction", "μ_s/μ_k"},
+       {"/friction/kinetic/ratio", "kinetic over static friction", "μ_k/μ_s"},
+       {"/restitution", "restitution", "e"},
+       {"/excitation/file", "ground motion"}}};
+  for (const std::span<const NamedPlace> places :
+       {std::span<const NamedPlace>(places_of_quantities()), std::span<const NamedPlace>(others)}) {
+    const auto found = std::ranges::find(places, pointer, &NamedPlace::place);
+    if (found != places.end()) return &*found;
+  }
+  return nullptr;
+}
+
 }  // namespace
 
 std::string short_value(const Parameter& parameter) {
@@ -74,13 +111,10 @@ std::string short_value(const Parameter& parameter) {
   }
   const Json value = json_of(parameter.value);
   if (!value.is_object()) return brief(value);
-  if (value.size() == 1 && value.contains("rate_ratio")) {
-    const Json& ratio = value["rate_ratio"];
-    return "rate ratio " + (ratio.is_number() ? significant(ratio.get<double>(), 6) : brief(ratio));
-  }
   std::string text;
   for (const auto& [key, part] : value.items()) {
     if (!text.empty()) text += '/';
+    if (value.size() == 1) text = words_and_unit(key).first + ' ';  // of several forms
     text += part.is_number() ? significant(part.get<double>(), 6) : brief(part);
   }
   return text;
@@ -123,66 +157,23 @@ std::vector<std::string> parameter_names(std::span<const std::vector<Parameter>>
 }
 
 QuantityName quantity_name(const std::string& pointer) {
-  static const std::map<std::string, QuantityName> known{
-      {"/excitation/amplitude", {"base amplitude", "A_h", "", "$A_h$"}},
-      {"/excitation/frequency_ratio", {"frequency ratio", "Ω_h", "", "$\\Omega_h$"}},
-      {"/excitation/amplitude_g", {"base amplitude", "", "g", "$a_h/g$"}},
-      {"/excitation/amplitude_m_s2", {"base amplitude", "", "m/s²", "$a_h$ [m/s$^2$]"}},
-      {"/excitation/frequency_hz", {"base frequency", "", "Hz", "$f$ [Hz]"}},
-      {"/excitation/period_s", {"base period", "", "s", "$T$ [s]"}},
-      {"/restitution/rate_ratio", {"rate ratio", "δ", "", "$\\delta$"}},
-      {"/restitution/rate_ratio/0", {"rate ratio of the left edge", "δ_1", ""}},
-      {"/restitution/rate_ratio/1", {"rate ratio of the right edge", "δ_-1", ""}},
-      {"/excitation/phase_rad", {"phase", "Φ", "rad"}},
-      {"/excitation/vertical/amplitude", {"vertical amplitude", "A_v", ""}},
-      {"/excitation/vertical/amplitude_g", {"vertical amplitude", "", "g"}},
-      {"/excitation/vertical/amplitude_m_s2", {"vertical amplitude", "", "m/s²"}},
-      {"/excitation/vertical/frequency_ratio", {"vertical frequency ratio", "Ω_v", ""}},
-      {"/excitation/vertical/frequency_hz", {"vertical frequency", "", "Hz"}},
-      {"/excitation/vertical/period_s", {"vertical period", "", "s"}},
-      {"/excitation/vertical/phase_rad", {"vertical phase", "Φ_v", "rad"}},
-      {"/excitation/scale", {"scale of the ground motion", "", ""}},
-      {"/excitation/pga_g", {"peak ground acceleration", "PGA", "g"}},
-      {"/excitation/sa_g", {"spectral acceleration", "PSa", "g"}},
-      {"/excitation/sa_p_g", {"spectral acceleration at 2π/p", "PSa", "g"}},
-      {"/excitation/avgsa_g", {"average spectral acceleration", "avgSa", "g"}},
-      {"/excitation/sa_absolute_g", {"absolute spectral acceleration", "", "g"}},
-      {"/excitation/pgv_m_s", {"peak ground velocity", "PGV", "m/s"}},
-      {"/excitation/file", {"ground motion", "", ""}},
-      {"/friction/static", {"static friction", "μ_s", "", "$\\mu_s$"}},
-      {"/friction/kinetic", {"kinetic friction", "μ_k", "", "$\\mu_k$"}},
-      {"/friction/kinetic/ratio", {"kinetic over static friction", "μ_k/μ_s", ""}},
-      {"/friction", {"friction", "μ_s/μ_k", "", "$\\mu_s/\\mu_k$"}},
-      {"/restitution", {"restitution", "e", "", "$e$"}},
-      {"/block/width_m", {"width", "B", "m"}},
-      {"/block/height_m", {"height", "H", "m"}},
-      {"/initial/tilt", {"initial tilt", "Θ_0", ""}},
-      {"/initial/tilt_rate", {"initial tilt rate", "Θ′_0", ""}},
-      {"/initial/slip", {"initial slip", "X_0", ""}},
-      {"/initial/slip_rate", {"initial slip rate", "V_0", ""}},
-      {"/initial/tilt_rad", {"initial tilt", "θ_0", "rad"}},
-      {"/initial/tilt_rate_rad_s", {"initial tilt rate", "", "rad/s"}},
-      {"/initial/slip_m", {"initial slip", "", "m"}},
-      {"/initial/slip_rate_m_s", {"initial slip rate", "", "m/s"}}};
-  if (const auto found = known.find(pointer); found != known.end()) return found->second;
   const std::string key = last_key(pointer);
-  if (key == "refresh_slip_m") return {"cell of friction", "", "m"};
+  const auto [words, unit] = words_and_unit(key);
+  if (const NamedPlace* const named = named_place(pointer)) {
+    return {std::string(named->name), std::string(named->symbol), unit};
+  }
   const std::string whole = pointer.substr(0, pointer.size() - std::min(pointer.size(), key.size() + 1));
   if (last_key(whole) == "normal" || last_key(whole) == "lognormal") {  // of a number that is drawn
     const std::string drawn = quantity_name(whole.substr(0, whole.rfind('/'))).quantity;
     return {.quantity = (key == "sigma" ? "standard deviation" : key) + (" of " + drawn), .symbol = "", .unit = ""};
   }
   if (key == "sigma" || key == "relative_sigma") {
-    std::string of = last_key(whole);
-    std::replace(of.begin(), of.end(), '_', ' ');
+    const std::string of = words_and_unit(last_key(whole)).first;
     return {.quantity = (key == "sigma" ? "standard deviation of " : "relative standard deviation of ") + of,
             .symbol = "σ",
             .unit = ""};
   }
-  std::string words = key;
-  std::replace(words.begin(), words.end(), '_', ' ');
-  const bool is_source = pointer == "/fluctuation/" + key;
-  return {.quantity = (is_source ? "fluctuation of " : "") + words, .symbol = "", .unit = ""};
+  return {.quantity = (pointer == "/fluctuation/" + key ? "fluctuation of " : "") + words, .symbol = "", .unit = unit};
 }
 
 }  // namespace rocking

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "rocking/ensemble/work_list.hpp"
-#include "rocking/scene/drawn_quantities.hpp"
 #include "rocking/scene/experiment.hpp"
 #include "rocking/scene/restitution.hpp"
 
@@ -93,10 +92,10 @@ std::vector<std::string> names_of(const Experiment& experiment, std::array<Effec
 /// Every quantity that some condition draws, each once.
 void add_drawn_quantities(const Experiment& experiment, std::vector<std::string>& names) {
   for (const Condition& condition : experiment.conditions) {
-    for_each_quantity(condition.scene, [&](const QuantityPlace& what, const Quantity& quantity) {
-      const std::string effect = std::string(what.name) + " drawn once";
-      if (is_drawn(quantity) && std::ranges::find(names, effect) == names.end()) names.push_back(effect);
-    });
+    for (const NamedPlace& each : drawn_once(condition.scene)) {
+      const std::string effect = std::string(each.name) + " drawn once";
+      if (std::ranges::find(names, effect) == names.end()) names.push_back(effect);
+    }
   }
 }
 

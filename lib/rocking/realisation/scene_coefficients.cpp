@@ -34,12 +34,7 @@ CoefficientLaws laws_of(const Scene& scene, const dynamics::Geometry& own) {
   }
   laws.restitution = law_along_the_way(f.laws.restitution, mean_restitution(scene.restitution, own),
                                        f.restitution / unit_of(scene.restitution, own));
-  const auto& [left, right] = own.edges;
-  if (const auto* ratio = std::get_if<RateRatio>(&scene.restitution)) {
-    const double of_right = dynamics::impact_loss(0.0, right);
-    laws.right_share = dynamics::impact_loss(0.0, left) / of_right;
-    if (ratio->right) laws.right_more = (mean_of(ratio->value) - mean_of(*ratio->right)) / of_right;
-  }
+  laws.right_edge = right_edge_of(scene.restitution, own);
   laws.amplitude =
       law_along_the_way(f.laws.amplitude, amplitude_for(scene, own), f.amplitude / amplitude_unit(scene, own));
   return laws;
@@ -247,7 +242,7 @@ void SceneCoefficients::pass_intervals(const Clock& clock, std::size_t count) {
 
 double SceneCoefficients::restitution(double landing) {
   const auto at_edge = [&](double left) {
-    return landing < 0.0 ? (1.0 + left) * laws_.right_share - 1.0 + laws_.right_more : left;
+    return landing < 0.0 ? (1.0 + left) * laws_.right_edge.share - 1.0 + laws_.right_edge.more : left;
   };
   const bool is_one = is_alike_at_both_edges();
   if (const auto* constant = std::get_if<double>(&laws_.restitution)) return is_one ? *constant : at_edge(*constant);

@@ -22,9 +22,7 @@ struct CoefficientLaws {
   double correlation = 0.0;           ///< of the normal numbers of both
   double own_share = 1.0;             ///< sqrt(1 - correlation^2): of kinetic friction's own number
   RedrawnQuantity restitution = 0.0;  ///< at the left edge
-  /// 1 + e of the right edge is right_share times that of the left one, plus right_more. 1 and 0 but for rate ratios.
-  double right_share = 1.0;
-  double right_more = 0.0;
+  RightEdge right_edge;
   RedrawnQuantity amplitude = 0.0;
 };
 
@@ -79,7 +77,9 @@ class SceneCoefficients {
   [[nodiscard]] const Clamps& clamps() const { return clamps_; }
 
  private:
-  [[nodiscard]] bool is_alike_at_both_edges() const { return laws_.right_share == 1.0 && laws_.right_more == 0.0; }
+  [[nodiscard]] bool is_alike_at_both_edges() const {
+    return laws_.right_edge.share == 1.0 && laws_.right_edge.more == 0.0;
+  }
 
   /// Counts of events, from which the indices of draws are computed.
   struct Count {

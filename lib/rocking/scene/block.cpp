@@ -145,7 +145,7 @@ BlockNumber part_number(std::size_t part, std::size_t k) {
   }();
   const std::size_t place = 5 * part + k;
   const auto source = static_cast<random::Source>(static_cast<std::size_t>(random::Source::first_block_part) + place);
-  return {.source = source, .name = texts[place][0], .place = texts[place][1], .is_length = k < 2};
+  return {{{texts[place][1], texts[place][0]}, source}, k < 2};
 }
 
 dynamics::Block mean_of(const SceneBlock& block) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <optional>
 #include <string_view>
 #include <type_traits>
@@ -11,19 +13,9 @@
 
 namespace rocking {
 
-/// A number of a scene that may have a law, which each realisation draws once.
-struct QuantityPlace {
-  random::Source source;   ///< of the draw
-  std::string_view name;   ///< in words
-  std::string_view place;  ///< JSON pointer into an experiment file
-};
-
 /// A number of a block that may have a law.
-struct BlockNumber {
-  random::Source source;
-  std::string_view name;   ///< in words
-  std::string_view place;  ///< JSON pointer into an experiment file
-  bool is_length = true;   ///< positive, and truncated to the bounds where it is drawn
+struct BlockNumber : QuantityPlace {
+  bool is_length = true;  ///< positive, and truncated to the bounds where it is drawn
 };
 
 /// Of number `k` of part `part`, in the order of the members of BlockPart.
@@ -38,11 +30,11 @@ void for_each_block_number(ABlock& block, const Visit& visit) {
     using MassForm = std::remove_cvref_t<decltype(form)>;
     if constexpr (std::is_same_v<MassForm, GivenEdges>) {
       auto& [edges, centre_height, radius] = form;
-      visit(BlockNumber{Source::left_edge, "distance of the left edge", "/block/edges_m/0"}, edges[0]);
-      visit(BlockNumber{Source::right_edge, "distance of the right edge", "/block/edges_m/1"}, edges[1]);
-      visit(BlockNumber{Source::centre_height, "height of the centre of mass", "/block/centre_height_m"},
+      visit(BlockNumber{{{"/block/edges_m/0", "distance of the left edge"}, Source::left_edge}}, edges[0]);
+      visit(BlockNumber{{{"/block/edges_m/1", "distance of the right edge"}, Source::right_edge}}, edges[1]);
+      visit(BlockNumber{{{"/block/centre_height_m", "height of the centre of mass"}, Source::centre_height}},
             centre_height);
-      visit(BlockNumber{Source::radius_of_gyration, "radius of gyration", "/block/radius_of_gyration_m"}, radius);
+      visit(BlockNumber{{{"/block/radius_of_gyration_m", "radius of gyration"}, Source::radius_of_gyration}}, radius);
     } else if constexpr (std::is_same_v<MassForm, GivenParts>) {
       for (std::size_t i = 0; i < form.parts.size(); ++i) {
         auto& [part_width, part_height, part_mass, x, bottom] = form.parts[i];
@@ -53,23 +45,24 @@ void for_each_block_number(ABlock& block, const Visit& visit) {
         visit(part_number(i, 4), bottom);
       }
       if (!form.base) return;
-      visit(BlockNumber{Source::base_left, "left end of the base", "/block/base_m/0", false}, (*form.base)[0]);
-      visit(BlockNumber{Source::base_right, "right end of the base", "/block/base_m/1", false}, (*form.base)[1]);
+      visit(BlockNumber{{{"/block/base_m/0", "left end of the base"}, Source::base_left}, false}, (*form.base)[0]);
+      visit(BlockNumber{{{"/block/base_m/1", "right end of the base"}, Source::base_right}, false}, (*form.base)[1]);
     } else {
-      visit(BlockNumber{Source::block_width, "width of the block", "/block/width_m"}, width);
-      visit(BlockNumber{Source::block_height, "height of the block", "/block/height_m"}, height);
+      visit(BlockNumber{{{"/block/width_m", "width", "B"}, Source::block_width}}, width);
+      visit(BlockNumber{{{"/block/height_m", "height", "H"}, Source::block_height}}, height);
       if constexpr (std::is_same_v<MassForm, GivenCentre>) {
         auto& [centre_height, offset, radius] = form;
         if (centre_height) {
-          visit(BlockNumber{Source::centre_height, "height of the centre of mass", "/block/centre_height_m"},
+          visit(BlockNumber{{{"/block/centre_height_m", "height of the centre of mass"}, Source::centre_height}},
                 *centre_height);
         }
         if (offset) {
-          visit(BlockNumber{Source::centre_offset, "offset of the centre of mass", "/block/centre_offset_m", false},
+          visit(BlockNumber{{{"/block/centre_offset_m", "offset of the centre of mass"}, Source::centre_offset}, false},
                 *offset);
         }
         if (radius) {
-          visit(BlockNumber{Source::radius_of_gyration, "radius of gyration", "/block/radius_of_gyration_m"}, *radius);
+          visit(BlockNumber{{{"/block/radius_of_gyration_m", "radius of gyration"}, Source::radius_of_gyration}},
+                *radius);
         }
       }
     }
@@ -79,38 +72,47 @@ void for_each_block_number(ABlock& block, const Visit& visit) {
 
 namespace quantities {
 
-[[nodiscard]] inline std::string_view place_of(const std::optional<PhysicalAmplitude>& physical) {
-  if (!physical) return "/excitation/amplitude";
-  return physical->unit == AccelerationUnit::gravity ? "/excitation/amplitude_g" : "/excitation/amplitude_m_s2";
-}
+/// In the order of the units: the normalised number, then AccelerationUnit or FrequencyUnit.
+inline constexpr std::array<NamedPlace, 3> amplitudes{{{"/excitation/amplitude", "base amplitude", "A_h"},
+                                                       {"/excitation/amplitude_g", "base amplitude"},
+                                                       {"/excitation/amplitude_m_s2", "base amplitude"}}};
+inline constexpr std::array<NamedPlace, 3> frequencies{{{"/excitation/frequency_ratio", "frequency ratio", "Ω_h"},
+                                                        {"/excitation/frequency_hz", "base frequency"},
+                                                        {"/excitation/period_s", "base period"}}};
+inline constexpr std::array<NamedPlace, 3> vertical_amplitudes{
+    {{"/excitation/vertical/amplitude", "vertical amplitude", "A_v"},
+     {"/excitation/vertical/amplitude_g", "vertical amplitude"},
+     {"/excitation/vertical/amplitude_m_s2", "vertical amplitude"}}};
+inline constexpr std::array<NamedPlace, 3> vertical_frequencies{
+    {{"/excitation/vertical/frequency_ratio", "vertical frequency ratio", "Ω_v"},
+     {"/excitation/vertical/frequency_hz", "vertical frequency"},
+     {"/excitation/vertical/period_s", "vertical period"}}};
+/// Of a ground motion, in the order of all_strengths.
+inline constexpr std::array<NamedPlace, all_strengths.size()> strengths{
+    {{"/excitation/scale", "scale of the ground motion"},
+     {"/excitation/pga_g", "peak ground acceleration", "PGA"},
+     {"/excitation/pgv_m_s", "peak ground velocity", "PGV"},
+     {"/excitation/sa_g", "spectral acceleration", "PSa"},
+     {"/excitation/sa_p_g", "spectral acceleration at 2π/p", "PSa"},
+     {"/excitation/avgsa_g", "average spectral acceleration", "avgSa"},
+     {"/excitation/sa_absolute_g", "absolute spectral acceleration"}}};
+/// In the order of StateUnit.
+inline constexpr std::array<NamedPlace, 2> tilts{
+    {{"/initial/tilt", "initial tilt", "Θ_0"}, {"/initial/tilt_rad", "initial tilt", "θ_0"}}};
+inline constexpr std::array<NamedPlace, 2> tilt_rates{
+    {{"/initial/tilt_rate", "initial tilt rate", "Θ′_0"}, {"/initial/tilt_rate_rad_s", "initial tilt rate"}}};
+inline constexpr std::array<NamedPlace, 2> slips{
+    {{"/initial/slip", "initial slip", "X_0"}, {"/initial/slip_m", "initial slip"}}};
+inline constexpr std::array<NamedPlace, 2> slip_rates{
+    {{"/initial/slip_rate", "initial slip rate", "V_0"}, {"/initial/slip_rate_m_s", "initial slip rate"}}};
 
-[[nodiscard]] inline std::string_view place_of(const std::optional<PhysicalFrequency>& physical) {
-  if (!physical) return "/excitation/frequency_ratio";
-  return physical->unit == FrequencyUnit::hertz ? "/excitation/frequency_hz" : "/excitation/period_s";
+template <class Physical>
+[[nodiscard]] constexpr const NamedPlace& in_unit_of(const std::optional<Physical>& physical,
+                                                     const std::array<NamedPlace, 3>& units) {
+  return units[physical ? static_cast<std::size_t>(physical->unit) + 1 : 0];
 }
-
-[[nodiscard]] inline std::string_view place_of_vertical(const std::optional<PhysicalAmplitude>& physical) {
-  if (!physical) return "/excitation/vertical/amplitude";
-  return physical->unit == AccelerationUnit::gravity ? "/excitation/vertical/amplitude_g"
-                                                     : "/excitation/vertical/amplitude_m_s2";
-}
-
-[[nodiscard]] inline std::string_view place_of_vertical(const std::optional<PhysicalFrequency>& physical) {
-  if (!physical) return "/excitation/vertical/frequency_ratio";
-  return physical->unit == FrequencyUnit::hertz ? "/excitation/vertical/frequency_hz" : "/excitation/vertical/period_s";
-}
-
-[[nodiscard]] inline std::string_view place_of_tilt(const InitialUnits& units) {
-  return units.tilt == StateUnit::si ? "/initial/tilt_rad" : "/initial/tilt";
-}
-[[nodiscard]] inline std::string_view place_of_tilt_rate(const InitialUnits& units) {
-  return units.tilt_rate == StateUnit::si ? "/initial/tilt_rate_rad_s" : "/initial/tilt_rate";
-}
-[[nodiscard]] inline std::string_view place_of_slip(const InitialUnits& units) {
-  return units.slip == StateUnit::si ? "/initial/slip_m" : "/initial/slip";
-}
-[[nodiscard]] inline std::string_view place_of_slip_rate(const InitialUnits& units) {
-  return units.slip_rate == StateUnit::si ? "/initial/slip_rate_m_s" : "/initial/slip_rate";
+[[nodiscard]] constexpr const NamedPlace& in_unit(StateUnit unit, const std::array<NamedPlace, 2>& units) {
+  return units[static_cast<std::size_t>(unit)];
 }
 
 /// Of any kind of excitation, constant or not.
@@ -119,23 +121,23 @@ void visit_excitation(Kind& kind, const Visit& visit) {
   using random::Source;
   if constexpr (requires { kind.physical_amplitude; }) {
     auto& amplitude = kind.physical_amplitude;
-    visit({Source::excitation_size, "amplitude", place_of(amplitude)}, amplitude ? amplitude->value : kind.amplitude);
+    visit({in_unit_of(amplitude, amplitudes), Source::excitation_size}, amplitude ? amplitude->value : kind.amplitude);
     auto& frequency = kind.physical_frequency;
-    visit({Source::excitation_frequency, "frequency", place_of(frequency)},
+    visit({in_unit_of(frequency, frequencies), Source::excitation_frequency},
           frequency ? frequency->value : kind.frequency_ratio);
   }
   if constexpr (requires { kind.scale; }) {
-    visit({Source::excitation_size, "strength of the ground motion", "/excitation/scale"}, kind.scale);
+    visit({strengths[0], Source::excitation_size}, kind.scale);
   }
-  if constexpr (requires { kind.phase; }) visit({Source::phase, "phase", "/excitation/phase_rad"}, kind.phase);
+  if constexpr (requires { kind.phase; }) visit({{"/excitation/phase_rad", "phase", "Φ"}, Source::phase}, kind.phase);
   if constexpr (requires { kind.vertical; }) {
     if (!kind.vertical) return;
     auto& [amplitude, frequency, phase, physical_amplitude, physical_frequency] = *kind.vertical;
-    visit({Source::vertical_size, "vertical amplitude", place_of_vertical(physical_amplitude)},
+    visit({in_unit_of(physical_amplitude, vertical_amplitudes), Source::vertical_size},
           physical_amplitude ? physical_amplitude->value : amplitude);
-    visit({Source::vertical_frequency, "vertical frequency", place_of_vertical(physical_frequency)},
+    visit({in_unit_of(physical_frequency, vertical_frequencies), Source::vertical_frequency},
           physical_frequency ? physical_frequency->value : frequency);
-    visit({Source::vertical_phase, "vertical phase", "/excitation/vertical/phase_rad"}, phase);
+    visit({{"/excitation/vertical/phase_rad", "vertical phase", "Φ_v"}, Source::vertical_phase}, phase);
   }
 }
 
@@ -148,26 +150,24 @@ void for_each_quantity(AScene& scene, const Visit& visit) {
   using random::Source;
   // A member that is not named here does not compile: it may be drawn, or it may not.
   auto& [block, slide_inertia, impact_slip_rule, restitution, excitation, friction, fluctuation, initial] = scene;
-  for_each_block_number(block, [&visit](const BlockNumber& what, auto& number) {
-    visit({what.source, what.name, what.place}, number);
-  });
+  for_each_block_number(block, [&visit](const BlockNumber& what, auto& number) { visit(QuantityPlace(what), number); });
   for (const RestitutionNumber& number : numbers_of(restitution)) {
     using Number = std::conditional_t<std::is_const_v<AScene>, const Quantity, Quantity>;
-    if (number.value != nullptr) visit({number.source, number.name, number.place}, const_cast<Number&>(*number.value));
+    if (number.value != nullptr) visit(QuantityPlace(number), const_cast<Number&>(*number.value));
   }
   std::visit([&visit](auto& kind) { quantities::visit_excitation(kind, visit); }, excitation);
   if (friction) {
     auto& [static_coefficient, kinetic_coefficient, kinetic_ratio] = *friction;
-    visit({Source::mean_static_friction, "static friction", "/friction/static"}, static_coefficient);
+    visit({{"/friction/static", "static friction", "μ_s"}, Source::mean_static_friction}, static_coefficient);
     if (!kinetic_ratio) {
-      visit({Source::mean_kinetic_friction, "kinetic friction", "/friction/kinetic"}, kinetic_coefficient);
+      visit({{"/friction/kinetic", "kinetic friction", "μ_k"}, Source::mean_kinetic_friction}, kinetic_coefficient);
     }
   }
   auto& [tilt, tilt_rate, slip, slip_rate, units] = initial;
-  visit({Source::tilt, "initial tilt", quantities::place_of_tilt(units)}, tilt);
-  visit({Source::tilt_rate, "initial tilt rate", quantities::place_of_tilt_rate(units)}, tilt_rate);
-  visit({Source::slip, "initial slip", quantities::place_of_slip(units)}, slip);
-  visit({Source::slip_rate, "initial slip rate", quantities::place_of_slip_rate(units)}, slip_rate);
+  visit({quantities::in_unit(units.tilt, quantities::tilts), Source::tilt}, tilt);
+  visit({quantities::in_unit(units.tilt_rate, quantities::tilt_rates), Source::tilt_rate}, tilt_rate);
+  visit({quantities::in_unit(units.slip, quantities::slips), Source::slip}, slip);
+  visit({quantities::in_unit(units.slip_rate, quantities::slip_rates), Source::slip_rate}, slip_rate);
 }
 
 }  // namespace rocking

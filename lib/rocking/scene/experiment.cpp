@@ -104,12 +104,15 @@ bool is_random_along_the_way(const Scene& scene) {
   return f.static_friction > 0.0 || f.kinetic_friction > 0.0 || f.restitution > 0.0 || f.amplitude > 0.0;
 }
 
-bool is_random(const Scene& scene) {
-  bool has_law = false;
-  for_each_quantity(scene,
-                    [&](const QuantityPlace&, const Quantity& quantity) { has_law = has_law || is_drawn(quantity); });
-  return has_law || is_random_along_the_way(scene);
+std::vector<NamedPlace> drawn_once(const Scene& scene) {
+  std::vector<NamedPlace> drawn;
+  for_each_quantity(scene, [&drawn](const QuantityPlace& what, const Quantity& quantity) {
+    if (is_drawn(quantity)) drawn.push_back(what);
+  });
+  return drawn;
 }
+
+bool is_random(const Scene& scene) { return is_random_along_the_way(scene) || !drawn_once(scene).empty(); }
 
 std::uint64_t effective_realisations(const Condition& condition) {
   return is_random(condition.scene) ? condition.realisations : 1;

@@ -325,6 +325,9 @@ struct Experiment {
 /// Whether anything is drawn while a realisation moves. What is drawn once, at its start, makes nothing random within it.
 [[nodiscard]] bool is_random_along_the_way(const Scene& scene);
 
+/// The numbers that each realisation draws once.
+[[nodiscard]] std::vector<NamedPlace> drawn_once(const Scene& scene);
+
 /// Whether any quantity of the scene is random. If not, all realisations are equal and one suffices.
 [[nodiscard]] bool is_random(const Scene& scene);
 

@@ -163,6 +163,8 @@ class FormsType final : public ValueType {
   [[nodiscard]] Json schema(const Rule&) const override;
   [[nodiscard]] Shown shown(const void* value) const override;
   [[nodiscard]] std::string example() const override { return std::string(forms_.front().rule->example); }
+  /// JSON text of the form with this key, `{"rate_ratio":0.93}`, or by sides: `rate_ratio/0`. Absent: there is none.
+  [[nodiscard]] std::optional<std::string> written(std::string_view name) const;
 
  private:
   std::span<const Form> forms_;

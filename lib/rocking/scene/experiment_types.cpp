@@ -212,8 +212,10 @@ void FormsType::read(const Json& json, const ReadingPlace& place, void* value) c
   if (json.is_string() && std::ranges::any_of(forms_, is_word)) {
     return place.reject(json, std::string(forms_.front().rule->demand), std::string(remedy_));
   }
-  const auto of_object =
-      std::ranges::find_if(forms_, [](const Form& form) { return form.rule != nullptr && !form.name.empty(); });
+  const auto is_of_object = [](const Form& form) { return form.rule != nullptr && !form.name.empty(); };
+  auto of_object = std::ranges::find_if(
+      forms_, [&](const Form& form) { return is_of_object(form) && json.contains(std::string(form.name)); });
+  if (of_object == forms_.end()) of_object = std::ranges::find_if(forms_, is_of_object);
   if (!json.is_object() || !laws_in(json).empty() || of_object == forms_.end()) {
     return QuantityType(*forms_.front().rule).read(json, place, &formed.value);
   }
@@ -250,6 +252,14 @@ void FormsType::check(const void* value, const ReadingPlace& place) const {
     return QuantityPairType(*form.rule).check(&pair, of_number);
   }
   QuantityType(*form.rule).check(&formed.value, of_number);
+}
+
+std::optional<std::string> FormsType::written(std::string_view name) const {
+  const std::string_view key = name.substr(0, name.find('/'));
+  const auto form = std::ranges::find(forms_, key, &Form::name);
+  if (key.empty() || form == forms_.end() || form->rule == nullptr) return std::nullopt;
+  const Json number = Json::parse(form->rule->example);
+  return Json{{key, key == name ? number : Json::array({number, number})}}.dump();
 }
 
 Json FormsType::schema(const Rule& rule) const {

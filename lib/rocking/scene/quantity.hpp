@@ -9,6 +9,13 @@
 
 namespace rocking {
 
+/// How a number is called in tables and figures. Its unit follows from its key.
+struct NamedPlace {
+  std::string_view place = "";   ///< JSON pointer into an experiment file
+  std::string_view name = "";    ///< in words
+  std::string_view symbol = "";  ///< a `_` begins a subscript; may be empty
+};
+
 /// An interval that contains every value of a quantity.
 struct Reach {
   double least = 0.0;

@@ -244,7 +244,9 @@ std::optional<Refusal> vertical_too_fast(const Condition& condition) {
 }
 
 std::string_view place_of_vertical_frequency(const Condition& condition) {
-  return quantities::place_of_vertical(vertical_of(condition.scene.excitation)->physical_frequency);
+  return quantities::in_unit_of(vertical_of(condition.scene.excitation)->physical_frequency,
+                                quantities::vertical_frequencies)
+      .place;
 }
 
 std::string vertical_frequency_text(const Condition& condition) {
@@ -296,8 +298,8 @@ constexpr Relation amplitude_of_block{
     amplitude_beyond_bounds<unit, vertical>,
     [](const Condition& c) { return base::shortest(mean_of(*amplitude_in<vertical>(unit, c.scene))); },
     [](const Condition&) {
-      const std::optional given = PhysicalAmplitude{.unit = unit};
-      return vertical ? quantities::place_of_vertical(given) : quantities::place_of(given);
+      const auto& units = vertical ? quantities::vertical_amplitudes : quantities::amplitudes;
+      return quantities::in_unit_of(std::optional(PhysicalAmplitude{.unit = unit}), units).place;
     }};
 
 template <FrequencyUnit unit, bool vertical>
@@ -307,8 +309,8 @@ constexpr Relation frequency_of_block{
     frequency_beyond_bounds<unit, vertical>,
     [](const Condition& c) { return text_of(*frequency_in<vertical>(unit, c.scene)); },
     [](const Condition&) {
-      const std::optional given = PhysicalFrequency{.unit = unit};
-      return vertical ? quantities::place_of_vertical(given) : quantities::place_of(given);
+      const auto& units = vertical ? quantities::vertical_frequencies : quantities::frequencies;
+      return quantities::in_unit_of(std::optional(PhysicalFrequency{.unit = unit}), units).place;
     }};
 
 /// In the order in which the problems of a file are reported.
@@ -358,17 +360,19 @@ constexpr auto all_relations = std::to_array<Relation>({
      {"/block", "/initial/tilt", "/initial/tilt_rad"},
      tilt_of_overturned,
      [](const Condition& c) { return text_of(c.scene.initial.tilt); },
-     [](const Condition& c) { return quantities::place_of_tilt(c.scene.initial.units); }},
+     [](const Condition& c) { return quantities::in_unit(c.scene.initial.units.tilt, quantities::tilts).place; }},
     {"/initial/slip",
      {"/initial/slip", "/initial/slip_m"},
      slip_without_friction<&InitialState::slip>,
      [](const Condition& c) { return text_of(c.scene.initial.slip); },
-     [](const Condition& c) { return quantities::place_of_slip(c.scene.initial.units); }},
+     [](const Condition& c) { return quantities::in_unit(c.scene.initial.units.slip, quantities::slips).place; }},
     {"/initial/slip_rate",
      {"/initial/slip_rate", "/initial/slip_rate_m_s"},
      slip_without_friction<&InitialState::slip_rate>,
      [](const Condition& c) { return text_of(c.scene.initial.slip_rate); },
-     [](const Condition& c) { return quantities::place_of_slip_rate(c.scene.initial.units); }},
+     [](const Condition& c) {
+       return quantities::in_unit(c.scene.initial.units.slip_rate, quantities::slip_rates).place;
+     }},
     amplitude_of_block<AccelerationUnit::gravity, false>,
     amplitude_of_block<AccelerationUnit::m_s2, false>,
     frequency_of_block<FrequencyUnit::hertz, false>,

@@ -27,10 +27,11 @@ double as_given(const Quantity& e, const Geometry&) { return mean_of(e); }
 double unit(const Quantity&, const Geometry&) { return 1.0; }
 std::optional<double> lognormal(const Quantity& e) { return mean_of(e); }
 RestitutionNumbers numbers(const Quantity& e) {
-  return {{{.name = "restitution", .place = "/restitution", .value = &e}, {}}};
+  return {{{{{"/restitution", "restitution", "e"}, Source::mean_restitution}, &e}, {}}};
 }
 Reach bounds(const Quantity&, Source, const Geometry&, double largest) { return {least_restitution, largest}; }
 std::optional<Refusal> refusal(const Quantity&, std::size_t, const ShapeRange&, double) { return std::nullopt; }
+RightEdge right_edge(const Quantity&, const Geometry&) { return {}; }
 bool is_alike(const Quantity&) { return true; }
 constexpr Form form(const Quantity*) { return {.name = "", .rule = &rules::restitution}; }
 void put(const Quantity& e, Formed& formed) { formed.value = e; }
@@ -45,6 +46,7 @@ std::optional<double> lognormal(const Jy25Restitution&) { return std::nullopt; }
 RestitutionNumbers numbers(const Jy25Restitution&) { return {}; }
 Reach bounds(const Jy25Restitution&, Source, const Geometry&, double largest) { return {least_restitution, largest}; }
 std::optional<Refusal> refusal(const Jy25Restitution&, std::size_t, const ShapeRange&, double) { return std::nullopt; }
+RightEdge right_edge(const Jy25Restitution&, const Geometry&) { return {}; }
 bool is_alike(const Jy25Restitution&) { return true; }
 constexpr Form form(const Jy25Restitution*) { return {.name = "jy25", .rule = nullptr}; }
 void put(const Jy25Restitution&, Formed&) {}
@@ -70,15 +72,13 @@ double as_given(const RateRatio& ratio, const Geometry&) {
 double unit(const RateRatio&, const Geometry& block) { return dynamics::impact_loss(0.0, block); }
 std::optional<double> lognormal(const RateRatio&) { return std::nullopt; }
 RestitutionNumbers numbers(const RateRatio& ratio) {
-  constexpr std::string_view name = "ratio of the tilt rates at impacts";
-  if (!ratio.right) return {{{.name = name, .place = "/restitution/rate_ratio", .value = &ratio.value}, {}}};
-  return {{{.name = "ratio of the tilt rates at impacts of the left edge",
-            .place = "/restitution/rate_ratio/0",
-            .value = &ratio.value},
-           {.source = Source::mean_right_restitution,
-            .name = "ratio of the tilt rates at impacts of the right edge",
-            .place = "/restitution/rate_ratio/1",
-            .value = &*ratio.right}}};
+  if (!ratio.right) {
+    return {{{{{"/restitution/rate_ratio", "rate ratio", "δ"}, Source::mean_restitution}, &ratio.value}, {}}};
+  }
+  return {
+      {{{{"/restitution/rate_ratio/0", "rate ratio of the left edge", "δ_1"}, Source::mean_restitution}, &ratio.value},
+       {{{"/restitution/rate_ratio/1", "rate ratio of the right edge", "δ_-1"}, Source::mean_right_restitution},
+        &*ratio.right}}};
 }
 /// The least ratio that an impact with e at its largest leaves.
 double least_ratio(const dynamics::Edge& landing, double largest_e) {
@@ -114,6 +114,12 @@ std::optional<Refusal> refusal(const RateRatio& ratio, std::size_t number, const
     }
   }
   return std::nullopt;
+}
+RightEdge right_edge(const RateRatio& ratio, const Geometry& block) {
+  const auto& [left, right] = block.edges;
+  const double of_right = dynamics::impact_loss(0.0, right);
+  const double more = ratio.right ? (mean_of(ratio.value) - mean_of(*ratio.right)) / of_right : 0.0;
+  return {.share = dynamics::impact_loss(0.0, left) / of_right, .more = more};
 }
 bool is_alike(const RateRatio& ratio) { return !ratio.right || *ratio.right == ratio.value; }
 constexpr Form form(const RateRatio*) {
@@ -167,6 +173,10 @@ std::optional<Refusal> refusal_of(const Scene& scene, std::size_t number) {
   const ShapeRange shapes = shapes_of(scene.block);
   const double largest = largest_restitution_of(scene);
   return std::visit([&](const auto& each) { return refusal(each, number, shapes, largest); }, scene.restitution);
+}
+
+RightEdge right_edge_of(const Restitution& law, const Geometry& block) {
+  return std::visit([&](const auto& each) { return right_edge(each, block); }, law);
 }
 
 bool is_alike_at_both_edges(const Restitution& law) {

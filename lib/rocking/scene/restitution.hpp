@@ -32,11 +32,12 @@ inline constexpr double largest_restitution = 1.0;
 /// Mean that a lognormal scatter along the way may have; absent: there is none.
 [[nodiscard]] std::optional<double> lognormal_mean(const Restitution& law);
 
-/// A number that a realisation may draw once.
-struct RestitutionNumber {
-  random::Source source = random::Source::mean_restitution;
-  std::string_view name = "";       ///< in words
-  std::string_view place = "";      ///< JSON pointer into an experiment file
+/// A number of a scene that may have a law, which each realisation draws once.
+struct QuantityPlace : NamedPlace {
+  random::Source source = {};  ///< of the draw
+};
+
+struct RestitutionNumber : QuantityPlace {
   const Quantity* value = nullptr;  ///< null: there is none
 };
 /// The only one or that of the left edge, and that of the right edge.
@@ -53,6 +54,13 @@ using RestitutionNumbers = std::array<RestitutionNumber, 2>;
 
 /// Why the blocks of the scene cannot have the number with this place among numbers_of.
 [[nodiscard]] std::optional<Refusal> refusal_of(const Scene& scene, std::size_t number);
+
+/// How 1 + e of the right edge follows from that of the left one, where e scatters along the way: share (1 + e) + more.
+struct RightEdge {
+  double share = 1.0;
+  double more = 0.0;
+};
+[[nodiscard]] RightEdge right_edge_of(const Restitution& law, const dynamics::Geometry& block);
 
 /// Whether impacts on both edges of a block with equal edges are alike.
 [[nodiscard]] bool is_alike_at_both_edges(const Restitution& law);

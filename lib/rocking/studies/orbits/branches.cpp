@@ -334,14 +334,9 @@ class BranchSearch {
 }  // namespace
 
 bool can_be_continued(std::string_view pointer) {
-  for (const char* known :
-       {"/block/width_m", "/block/height_m", "/block/gravity_m_s2", "/excitation/amplitude", "/excitation/amplitude_g",
-        "/excitation/amplitude_m_s2", "/excitation/frequency_ratio", "/excitation/frequency_hz", "/excitation/period_s",
-        "/friction/static", "/friction/kinetic", "/restitution", "/restitution/rate_ratio", "/restitution/rate_ratio/0",
-        "/restitution/rate_ratio/1"}) {
-    if (pointer == known) return true;
-  }
-  return false;
+  constexpr std::array<std::string_view, 4> parts{"/block", "/excitation/", "/friction/", "/restitution"};
+  return std::ranges::any_of(parts, [&](std::string_view part) { return pointer.starts_with(part); }) &&
+         !pointer.starts_with("/excitation/vertical/");
 }
 
 BranchStudy branches_of(const BranchQuestion& question, std::vector<OrbitsOfCondition>& found, base::StopRequest stop) {

@@ -7,7 +7,6 @@
 #include "rocking/realisation/continuation.hpp"
 #include "rocking/realisation/fixed_point.hpp"
 #include "rocking/scene/check_condition.hpp"
-#include "rocking/scene/drawn_quantities.hpp"
 
 namespace rocking {
 namespace {
@@ -118,11 +117,7 @@ class OrbitSearch {
 
 /// Where a law or a standard deviation makes the motion random; absent if nothing does.
 std::optional<std::string> place_of_randomness(const Scene& scene) {
-  std::optional<std::string> first;
-  for_each_quantity(scene, [&](const QuantityPlace& what, const Quantity& quantity) {
-    if (!first && is_drawn(quantity)) first = what.place;
-  });
-  if (first) return first;
+  if (const auto drawn = drawn_once(scene); !drawn.empty()) return std::string(drawn.front().place);
   return is_random(scene) ? std::optional<std::string>("/fluctuation") : std::nullopt;
 }
 

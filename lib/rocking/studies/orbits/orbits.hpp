@@ -33,8 +33,8 @@ struct BranchQuestion {
   std::function<void()> on_point = {};  ///< called at each point that is found; empty: nothing
 };
 
-/// Whether an experiment's parameter is a real number on which the motion depends continuously: lengths and gravity of
-/// the block, amplitude and frequency, friction coefficients, restitution.
+/// Whether the motion depends continuously on a number of an experiment: on those of the block, the base, friction and
+/// restitution, but not on a vertical motion, whose frequency must fit the strobe.
 [[nodiscard]] bool can_be_continued(std::string_view pointer);
 
 /// Follows the orbits of the conditions over the parameter, in the order of conditions and orbits, each that is not on a

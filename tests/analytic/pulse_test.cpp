@@ -169,6 +169,56 @@ TEST(SinePulse, LeavesASafeBandBetweenTheTwoWaysOfOverturning) {
   EXPECT_EQ(ways, expected);
 }
 
+// --- a slender block under a pulse of one sign
+// -----------------------------------------------------------------------------
+//
+// After a pulse that it survives without impact the slender block overturns if Theta - 1 + Theta' > 0.
+
+/// Least A_h at which it does, of a block `height` times as high as wide.
+double least_of_one_sign(PulseShape shape, double ratio, double height, double low, double high) {
+  const auto overturns = [&](double a) {
+    return ending_of(under_pulse({.shape = shape, .amplitude = a, .frequency_ratio = ratio}, height)).overturned;
+  };
+  return first_true(overturns, low, high);
+}
+
+// Housner (1963) Eq. 9, a rectangle of duration t: Theta - 1 + Theta' = (a - 1) e^t - a at its end.
+TEST(RectanglePulse, OverturnsASlenderBlockFromTheAccelerationOfHousnerOn) {
+  for (const auto& [duration, published] : {std::pair{0.5, 2.541495}, {1.0, 1.581977}, {2.0, 1.156518}}) {
+    const double limit = 1.0 / (1.0 - std::exp(-duration));
+    EXPECT_NEAR(limit, published, 5e-7);
+    expect_second_order_in_psi(
+        [&, ratio = pi / duration](double height) {
+          return least_of_one_sign(PulseShape::rectangle, ratio, height, 0.98 * limit, 1.02 * limit);
+        },
+        limit);
+  }
+}
+
+// Makris & Roussos (2000) Eq. 27: Theta - 1 + Theta' = (a W + (W sqrt(a^2 - 1) - W^2) e^s)/(1 + W^2) at the end of half a
+// sine, s = (pi - arcsin(1/a))/W after it lifts.
+double least_under_half_sine(double ratio) {
+  return first_true(
+      [ratio](double a) { return (ratio - std::sqrt(a * a - 1.0)) * std::exp((pi - std::asin(1.0 / a)) / ratio) < a; },
+      1.0, 1.0 + ratio * ratio);
+}
+
+TEST(HalfSinePulse, OverturnsASlenderBlockFromTheAccelerationOfMakrisAndRoussosOn) {
+  for (const auto& [ratio, published] : {std::pair{0.5, 1.1094}, {1.0, 1.3224}, {2.0, 1.8007}, {3.0, 2.2939}}) {
+    const double limit = least_under_half_sine(ratio);
+    EXPECT_NEAR(limit, published, 5e-5);
+    expect_second_order_in_psi(
+        [&, w = ratio](double height) {
+          return least_of_one_sign(PulseShape::half_sine, w, height, 0.98 * limit, 1.02 * limit);
+        },
+        limit);
+  }
+  // Their block, b = 0.2 m and h = 0.6 m, under half a sine of 0.5 s: stands at 5.430, falls at 5.440 m/s^2.
+  const dynamics::Geometry block = dynamics::geometry_of({.width = 0.4, .height = 1.2, .gravity = 9.80665});
+  const double least = least_under_half_sine(2.0 * pi / block.frequency_parameter);
+  EXPECT_NEAR(least * block.shape_angle * 9.80665, 5.4391, 5e-5);
+}
+
 // Theta'' = Theta - 1 + a sin(W tau) does not grow without an impact for a^2 <= 1 + W^2, and grows above that with W ->
 // 0; the least amplitude of a block lifts it, alpha = tan(psi), with an excess of second order in W.
 TEST(LongPulse, OverturnsFromTheStaticAccelerationOn) {
@@ -208,13 +258,21 @@ constexpr double ratio_of_pulse = 3.0;
 constexpr double amplitude_of_pulse = 1.9;
 
 /// Base acceleration over A_h psi of a shape, x = Omega_h tau since its begin, by the C library.
-double shape_at(PulseShape shape, double x) {
-  switch (shape) {
-    case PulseShape::sine: return std::sin(x);
-    case PulseShape::cosine: return std::cos(x);
+double shape_at(const Pulse& pulse, double x) {
+  const double y = x - pi * dynamics::pulse_length(pulse.form());  // from the middle
+  const double gamma = pulse.cycles;
+  switch (pulse.shape) {
+    case PulseShape::sine:
+    case PulseShape::half_sine: return std::sin(x + pulse.phase_of_shape);
+    case PulseShape::cosine: return std::cos(x + pulse.phase_of_shape);
+    case PulseShape::rectangle: return 1.0;
+    case PulseShape::triangle: return 1.0 - std::abs(y) / (0.5 * pi);
+    case PulseShape::type_c: return gamma == 2.0 ? -std::sin(y) : std::sin(y);
+    case PulseShape::mavroeidis_papageorgiou:
+      return -0.5 * (std::sin(y / gamma) / gamma * std::cos(y + pulse.phase_of_shape) +
+                     (1.0 + std::cos(y / gamma)) * std::sin(y + pulse.phase_of_shape));
     case PulseShape::ricker: break;
   }
-  const double y = x - pi * dynamics::pulse_length(shape);
   return (1.0 - 0.5 * y * y) * std::exp(-0.25 * y * y);
 }
 
@@ -225,14 +283,14 @@ std::vector<TrajectorySample> strobe_under(const Excitation& excitation) {
   return run(condition, 4).strobe;
 }
 
-Recorded sampled(PulseShape shape, int samples) {
+Recorded sampled(const Pulse& pulse, int samples) {
   const dynamics::Geometry block = dynamics::geometry_of({});
-  const double length = 2.0 * pi * dynamics::pulse_length(shape);
+  const double length = 2.0 * pi * dynamics::pulse_length(pulse.form());
   GroundMotion motion;
   for (int i = 0; i <= samples; ++i) {
     const double x = length * i / samples;
     motion.samples.push_back({.time = x / ratio_of_pulse / block.frequency_parameter,
-                              .horizontal = amplitude_of_pulse * block.shape_angle * shape_at(shape, x),
+                              .horizontal = amplitude_of_pulse * block.shape_angle * shape_at(pulse, x),
                               .vertical = 0.0});
   }
   return support::recorded_by(std::move(motion), ratio_of_pulse);
@@ -249,14 +307,29 @@ double distance(const std::vector<TrajectorySample>& a, const std::vector<Trajec
 
 // A line between samples h apart differs from the shape by at most (h^2/8) max(f'').
 TEST(PulseExcitation, IsTheLimitOfItsSamplesWithTheSquareOfTheirSpacing) {
-  for (const PulseShape shape : {PulseShape::sine, PulseShape::cosine, PulseShape::ricker}) {
-    const auto exact =
-        strobe_under(Pulse{.shape = shape, .amplitude = amplitude_of_pulse, .frequency_ratio = ratio_of_pulse});
+  for (Pulse pulse :
+       {Pulse{.shape = PulseShape::sine}, Pulse{.shape = PulseShape::cosine}, Pulse{.shape = PulseShape::ricker},
+        Pulse{.shape = PulseShape::half_sine}, Pulse{.shape = PulseShape::cosine, .phase_of_shape = 0.6},
+        Pulse{.shape = PulseShape::type_c, .cycles = 1.0}, Pulse{.shape = PulseShape::type_c, .cycles = 2.0},
+        Pulse{.shape = PulseShape::mavroeidis_papageorgiou, .phase_of_shape = 0.9, .cycles = 1.7}}) {
+    pulse.amplitude = amplitude_of_pulse;
+    pulse.frequency_ratio = ratio_of_pulse;
+    const auto exact = strobe_under(pulse);
     ASSERT_GT(exact.size(), 1U);
-    const double coarse = distance(exact, strobe_under(sampled(shape, 500)));
-    const double fine = distance(exact, strobe_under(sampled(shape, 1000)));
+    const double coarse = distance(exact, strobe_under(sampled(pulse, 500)));
+    const double fine = distance(exact, strobe_under(sampled(pulse, 1000)));
     EXPECT_GT(coarse, 1e-9);
-    EXPECT_NEAR(coarse / fine, 4.0, 0.1) << static_cast<int>(shape);
+    EXPECT_NEAR(coarse / fine, 4.0, 0.1) << static_cast<int>(pulse.shape);
+  }
+}
+
+TEST(PulseExcitation, IsItsCornersWhereItIsLinear) {
+  for (const PulseShape shape : {PulseShape::rectangle, PulseShape::triangle}) {
+    const Pulse pulse{.shape = shape, .amplitude = amplitude_of_pulse, .frequency_ratio = ratio_of_pulse};
+    const auto exact = strobe_under(pulse);
+    ASSERT_GT(exact.size(), 1U);
+    EXPECT_GT(std::abs(exact.front().tilt), 0.01) << "the block rocks";
+    EXPECT_LT(distance(exact, strobe_under(sampled(pulse, 2))), 1e-11) << static_cast<int>(shape);
   }
 }
 

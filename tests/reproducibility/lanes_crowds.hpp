@@ -81,10 +81,16 @@ inline std::vector<Condition> pulse_crowd() {
   std::vector<Condition> conditions;
   const Friction rough{.static_coefficient = 0.40, .kinetic_coefficient = 0.35};
   const Friction smooth{.static_coefficient = 0.25, .kinetic_coefficient = 0.22};
-  for (const auto shape : {dynamics::PulseShape::sine, dynamics::PulseShape::cosine, dynamics::PulseShape::ricker}) {
+  using enum dynamics::PulseShape;
+  for (const Pulse& form : {Pulse{.shape = sine}, Pulse{.shape = cosine, .phase_of_shape = 0.7}, Pulse{.shape = ricker},
+                            Pulse{.shape = rectangle}, Pulse{.shape = triangle}, Pulse{.shape = type_c},
+                            Pulse{.shape = mavroeidis_papageorgiou, .phase_of_shape = 0.7, .cycles = 1.6}}) {
     for (const double amplitude : {1.3, 4.0, 9.0}) {
       Condition condition = from_random_tilt(1.0);
-      condition.scene.excitation = Pulse{.shape = shape, .amplitude = amplitude, .frequency_ratio = 7.0};
+      Pulse pulse = form;
+      pulse.amplitude = amplitude;
+      pulse.frequency_ratio = 7.0;
+      condition.scene.excitation = pulse;
       condition.horizon = {.transient_periods = 0, .sampled_periods = 12};
       condition.realisations = 6;
       conditions.push_back(condition);

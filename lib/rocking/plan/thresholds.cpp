@@ -136,6 +136,9 @@ double least_weight(const Scene& scene) {
 /// none does; absent where none is known.
 std::optional<double> least_at(const Scene& scene, double intensity, double limit) {
   if (!starts_at_rest(scene.initial) || scene.fluctuation.amplitude > 0.0) return std::nullopt;
+  if (const auto* pulse = std::get_if<Pulse>(&scene.excitation)) {  // A_h of this shape is no peak
+    if (pulse->shape == dynamics::PulseShape::mavroeidis_papageorgiou) return std::nullopt;
+  }
   const ShapeRange shapes = shapes_of(scene.block);
   const auto* recorded = std::get_if<Recorded>(&scene.excitation);
   if (recorded == nullptr) {

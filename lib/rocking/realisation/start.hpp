@@ -76,14 +76,15 @@ class SharedExcitation {
   /// As excitation_of.
   [[nodiscard]] const dynamics::Excitation& of(const Scene& scene, const Beginning& beginning) {
     const double p = beginning.setting.block.frequency_parameter;
+    const double psi = beginning.setting.block.shape_angle;
     const double frequency = beginning.clock.frequency();
     const double start = beginning.clock.start();
     const DrawnShaking& drawn = beginning.shaking;
     const bool is_known = last_ && last_->asked == scene.excitation && last_->frequency_parameter == p &&
-                          last_->frequency == frequency && last_->start == start &&
+                          last_->shape_angle == psi && last_->frequency == frequency && last_->start == start &&
                           last_->drawn.vertical == drawn.vertical;
     if (!is_known) {
-      last_ = Last{scene.excitation, p, frequency, start, drawn, excitation_of(scene, beginning)};
+      last_ = Last{scene.excitation, p, psi, frequency, start, drawn, excitation_of(scene, beginning)};
     } else if (last_->drawn.size != drawn.size) {
       last_->drawn.size = drawn.size;
       last_->excitation = with_size(last_->excitation, drawn.size);
@@ -95,6 +96,7 @@ class SharedExcitation {
   struct Last {
     Excitation asked;
     double frequency_parameter;  ///< p
+    double shape_angle;          ///< psi, the unit of the corners of a pulse
     double frequency;            ///< of the clock [-]
     double start;                ///< of the clock, tau
     DrawnShaking drawn;

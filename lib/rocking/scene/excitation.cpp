@@ -21,7 +21,8 @@ constexpr auto kind_names = []<class... Kinds>(std::variant<Kinds...>*) {
   return std::array{Kinds::name...};
 }(static_cast<Excitation*>(nullptr));
 /// In the order of dynamics::PulseShape.
-constexpr std::array<std::string_view, 3> pulse_shapes{"sine", "cosine", "ricker"};
+constexpr std::array<std::string_view, 8> pulse_shapes{"sine",      "cosine",   "ricker", "half_sine",
+                                                       "rectangle", "triangle", "type_c", "mavroeidis_papageorgiou"};
 
 /// The first gives A_h; the others are in the order of AccelerationUnit.
 constexpr std::array<UnitKey, 3> amplitude_units{
@@ -302,14 +303,29 @@ void keys_of(FieldVisitor& in, Pulse& pulse, const dynamics::Block&, RecordField
   }
   in.refuse("scale", "is for a ground motion; a pulse has an amplitude", "write \"amplitude\" instead");
   in.refuse("vertical", "is for harmonic excitation", "omit it, or write \"kind\": \"harmonic\"");
-  in.refuse("phase_rad", "is for harmonic excitation; a pulse begins with the run and has no phase",
-            "omit it, or choose another \"shape\"");
+  const std::size_t problems_before = in.problem_count();
   in.choice(
       {"shape",
-       "f: one cycle of a sine or of a cosine; or a Ricker wavelet (second derivative of a Gaussian), cut where it "
-       "is below 1e-6 of its peak"},
+       "f, of length 2 pi/Omega_h for sine and cosine, half of it for half_sine, rectangle and triangle; ricker, "
+       "second "
+       "derivative of a Gaussian, cut below 1e-6 of its peak; type_c, C_n of Makris (1997); or the pulse of Mavroeidis "
+       "and Papageorgiou (2003), whose A_h is that of omega times its velocity amplitude"},
       pulse.shape, pulse_shapes, Absent::error);
+  const bool is_known = in.problem_count() == problems_before;
   keys_of_amplitude_and_frequency(in, pulse, amplitude_units, frequency_units);
+  const auto number = [&](const Key& key, double& value, const Rule& rule, bool has_it, Absent absent,
+                          std::string_view refusal) {
+    if (in.describes() || has_it) return in.value(key, value, rule, in.describes() ? Absent::omitted : absent);
+    if (in.found(key.name) != nullptr && is_known) in.reject(key.name, {std::string(refusal), "omit it"});
+  };
+  using enum dynamics::PulseShape;
+  const bool is_mavroeidis = pulse.shape == mavroeidis_papageorgiou;
+  number({"phase_rad", "of sine, cosine and mavroeidis_papageorgiou (nu): in their argument [rad]; absent: 0"},
+         pulse.phase_of_shape, rules::phase, is_mavroeidis || pulse.shape == sine || pulse.shape == cosine,
+         Absent::omitted, "is for the shapes sine, cosine and mavroeidis_papageorgiou; this one has no phase");
+  number({"cycles", "n of type_c, a whole number; gamma of mavroeidis_papageorgiou; required by both"}, pulse.cycles,
+         rules::cycles, is_mavroeidis || pulse.shape == type_c, Absent::error,
+         "is for the shapes type_c and mavroeidis_papageorgiou");
 }
 
 }  // namespace
@@ -342,8 +358,16 @@ dynamics::Excitation Recorded::motion(const dynamics::Geometry& block, const dyn
   return dynamics::RecordedExcitation<false>(knots, drawn.size);
 }
 
-dynamics::Excitation Pulse::motion(const dynamics::Geometry&, const dynamics::Clock& clock, const DrawnShaking&) const {
-  return dynamics::PulseExcitation(shape, clock);
+dynamics::Excitation Pulse::motion(const dynamics::Geometry& block, const dynamics::Clock& clock,
+                                   const DrawnShaking&) const {
+  const bool is_triangle = shape == dynamics::PulseShape::triangle;
+  if (!is_triangle && shape != dynamics::PulseShape::rectangle) return dynamics::PulseExcitation(form(), clock);
+  const double peak = block.shape_angle, end = dynamics::pulse_length(form()) * clock.period_length();
+  using Corners = std::vector<dynamics::GroundMotionSample>;
+  const Corners corners = is_triangle ? Corners{{0.0, 0.0, 0.0}, {0.5 * end, peak, 0.0}, {end, 0.0, 0.0}}
+                                      : Corners{{0.0, peak, 0.0}, {end, peak, 0.0}};
+  return dynamics::RecordedExcitation<false>(
+      std::make_shared<const dynamics::NormalisedGroundMotion>(corners, 1.0, clock), 1.0);
 }
 
 void keys_of(FieldVisitor& in, Excitation& excitation, const dynamics::Block& block, RecordFields& records) {

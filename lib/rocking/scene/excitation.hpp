@@ -207,6 +207,7 @@ struct Pulse {
                                                                         "/restitution",
                                                                         "/excitation/kind",
                                                                         "/excitation/shape",
+                                                                        "/excitation/cycles",
                                                                         "/excitation/frequency_ratio",
                                                                         "/excitation/frequency_hz",
                                                                         "/excitation/period_s"};
@@ -216,6 +217,8 @@ struct Pulse {
   Quantity frequency_ratio = 1.0;  ///< Omega_h = omega/p, of the pulse and the strobe [-]; likewise
   std::optional<PhysicalAmplitude> physical_amplitude = std::nullopt;  ///< in place of A_h
   std::optional<PhysicalFrequency> physical_frequency = std::nullopt;  ///< in place of Omega_h
+  double phase_of_shape = 0.0;                                         ///< see dynamics::PulseForm [rad]
+  double cycles = 1.0;                                                 ///< likewise [-]
 
   friend bool operator==(const Pulse&, const Pulse&) = default;
 
@@ -229,8 +232,9 @@ struct Pulse {
   [[nodiscard]] static Quantity start_phase() { return 0.0; }
   [[nodiscard]] double end_of_shaking(const dynamics::Geometry& block) const {
     constexpr double two_pi = 0x1.921fb54442d18p+2;
-    return dynamics::pulse_length(shape) * two_pi / frequency_ratio_for(block, block);
+    return dynamics::pulse_length(form()) * two_pi / frequency_ratio_for(block, block);
   }
+  [[nodiscard]] dynamics::PulseForm form() const { return {.shape = shape, .phase = phase_of_shape, .cycles = cycles}; }
   [[nodiscard]] static std::vector<std::string_view> effects() { return {"one pulse of the base"}; }
   [[nodiscard]] dynamics::Excitation motion(const dynamics::Geometry& block, const dynamics::Clock& clock,
                                             const DrawnShaking& drawn) const;

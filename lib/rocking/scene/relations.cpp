@@ -217,6 +217,15 @@ std::optional<Refusal> frequency_beyond_bounds(const Condition& condition) {
                  "give from " + shown(in_hertz ? least : 1.0 / most) + " to " + shown(in_hertz ? most : 1.0 / least)};
 }
 
+std::optional<Refusal> part_of_a_cycle(const Condition& condition) {
+  const auto* pulse = std::get_if<Pulse>(&condition.scene.excitation);
+  if (pulse == nullptr || pulse->shape != dynamics::PulseShape::type_c || std::floor(pulse->cycles) == pulse->cycles) {
+    return std::nullopt;
+  }
+  return Refusal{"must be a whole number: no other pulse of type C ends with velocity and displacement 0",
+                 "give 1 or 2"};
+}
+
 /// Reach of Omega over all blocks.
 template <class Part>
 Reach frequencies_of(const Part& part, const Scene& scene) {
@@ -386,6 +395,10 @@ constexpr auto all_relations = std::to_array<Relation>({
      vertical_too_fast,
      vertical_frequency_text,
      place_of_vertical_frequency},
+    {"/excitation/cycles",
+     {"/excitation"},
+     part_of_a_cycle,
+     [](const Condition& c) { return base::shortest(std::get<Pulse>(c.scene.excitation).cycles); }},
     {"/fluctuation/amplitude",
      {"/block", "/excitation", "/fluctuation/amplitude"},
      amplitude_sigma_beyond_bounds,

@@ -59,6 +59,7 @@ inline constexpr Rule refreshes{.least = 1, .most = 100'000, .example = "200"};
 inline constexpr Rule refresh_slip =
     within(1e-6, 1e6, "must be a positive number of metres, from 1e-6 to 1e6", "0.001");
 inline constexpr Rule phase = within(-1e3, 1e3, "must be a number of radians from -1000 to 1000", "0.0");
+inline constexpr Rule cycles = within(1.0, 1e3, "must be a number from 1 to 1000", "2.0");
 inline constexpr Rule initial_value = within(-1e6, 1e6, "must be a number from -1e6 to 1e6", "0.0");
 inline constexpr Rule transient_periods{.least = 0, .most = 100'000'000, .example = "500"};
 inline constexpr Rule sampled_periods{.least = 1, .most = 1'000'000, .example = "120"};

@@ -105,6 +105,17 @@ std::string block_in_brief(const Report& report) {
     return side_in_brief(report, &SceneBlock::width, "/block/width_m", "wide") + " and " +
            side_in_brief(report, &SceneBlock::height, "/block/height_m", "high");
   }
+  if (std::holds_alternative<GivenSlenderness>(asked.mass)) {
+    const auto spread = [&report](double dynamics::Geometry::*number) {
+      return spread_in_words(
+          spread_over(report,
+                      [&](const auto& each) { return dynamics::geometry_of(mean_of(each.asked.scene.block)).*number; }),
+          6);
+    };
+    return fmt::format("with p = {} rad/s{} and ψ = {} rad{}", spread(&dynamics::Geometry::frequency_parameter),
+                       swept_mark(report, "/block/p_rad_s"), spread(&dynamics::Geometry::shape_angle),
+                       swept_mark(report, "/block/slenderness_rad"));
+  }
   const dynamics::Block block = mean_of(asked);
   const auto number = [](double metres) { return base::significant(metres, 4); };
   return fmt::format(

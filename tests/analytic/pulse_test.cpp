@@ -13,6 +13,7 @@
 #include "analytic/motion.hpp"
 #include "rocking/random/draws.hpp"
 #include "rocking/realisation/realisation_result.hpp"
+#include "rocking/realisation/start.hpp"
 #include "support/excitation.hpp"
 
 namespace rocking {
@@ -167,6 +168,19 @@ TEST(SinePulse, LeavesASafeBandBetweenTheTwoWaysOfOverturning) {
   }
   const std::vector<std::pair<bool, std::size_t>> expected{{false, 0U}, {true, 1U}, {false, 0U}, {true, 0U}};
   EXPECT_EQ(ways, expected);
+}
+
+// The corners are in units of psi, and blocks of one p share what is drawn for one of them.
+TEST(RectanglePulse, HasTheSizeOfEachBlock) {
+  SharedExcitation shared;
+  for (const double psi : {0.1, 0.2, 0.1}) {
+    Condition condition = under_pulse({.shape = PulseShape::rectangle, .amplitude = 2.0});
+    condition.scene.block.mass = GivenSlenderness{.frequency_parameter = 2.0, .slenderness = psi};
+    const random::BranchedDraws draws(random::Draws(0, 0));
+    const Start start = start_of(condition.scene, draws);
+    const Beginning beginning = begin_realisation(condition, draws, start, Strobe::start, 1);
+    EXPECT_NEAR(shared.of(condition.scene, beginning).horizontal(beginning.clock, 1.0), psi, 1e-16);
+  }
 }
 
 // --- a slender block under a pulse of one sign

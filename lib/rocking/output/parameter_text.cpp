@@ -88,8 +88,10 @@ std::pair<std::string, std::string> words_and_unit(std::string key) {
 
 /// Null of a place that has no name of its own.
 const NamedPlace* named_place(const std::string& pointer) {
-  static constexpr std::array<NamedPlace, 4> others{
-      {{"/friction", "friction", "μ_s/μ_k"},
+  static constexpr std::array<NamedPlace, 6> others{
+      {{"/block/p_rad_s", "frequency parameter", "p"},
+       {"/block/slenderness_rad", "slenderness", "ψ"},
+       {"/friction", "friction", "μ_s/μ_k"},
        {"/friction/kinetic/ratio", "kinetic over static friction", "μ_k/μ_s"},
        {"/restitution", "restitution", "e"},
        {"/excitation/file", "ground motion"}}};

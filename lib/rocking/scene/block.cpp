@@ -5,6 +5,7 @@
 #include <limits>
 #include <string>
 
+#include "rocking/base/elementary.hpp"
 #include "rocking/base/number_text.hpp"
 #include "rocking/scene/check_condition.hpp"
 #include "rocking/scene/drawn_quantities.hpp"
@@ -103,6 +104,13 @@ std::optional<Refusal> refusal_of_numbers(const SceneBlock& block) {
     if (auto refusal = refusal_of_parts(*parts)) return refusal;
   }
   const dynamics::Block body = mean_of(block);
+  if (std::holds_alternative<GivenSlenderness>(block.mass)) {
+    const auto [shorter, longer] = std::minmax(body.width, body.height);
+    if (shorter >= least_length && longer <= largest_length) return std::nullopt;
+    return Refusal{"is " + in_metres(body.width) + " m wide and " + in_metres(body.height) +
+                       " m high, which must lie from 1e-6 to 1e6 m",
+                   "give another p; R is 3 g/(4 p^2)"};
+  }
   if (!body.mass) return std::nullopt;
   const auto& [left, right, height, radius] = *body.mass;
   if (!(left >= least_length && right >= least_length)) {
@@ -168,6 +176,11 @@ dynamics::Block mean_of(const SceneBlock& block) {
     mean.height = 2.0 * mean.mass->centre_height;
   } else if (const auto* parts = std::get_if<GivenParts>(&block.mass)) {
     mean = body_of(*parts, block.gravity);
+  } else if (const auto* given = std::get_if<GivenSlenderness>(&block.mass)) {
+    const double diagonal = 1.5 * block.gravity / (given->frequency_parameter * given->frequency_parameter);
+    const auto [sine, cosine] = base::sin_cos(given->slenderness);
+    mean.width = diagonal * sine;
+    mean.height = diagonal * cosine;
   }
   return mean;
 }

@@ -47,7 +47,7 @@ void for_each_block_number(ABlock& block, const Visit& visit) {
       if (!form.base) return;
       visit(BlockNumber{{{"/block/base_m/0", "left end of the base"}, Source::base_left}, false}, (*form.base)[0]);
       visit(BlockNumber{{{"/block/base_m/1", "right end of the base"}, Source::base_right}, false}, (*form.base)[1]);
-    } else {
+    } else if constexpr (!std::is_same_v<MassForm, GivenSlenderness>) {  // which has no numbers with laws
       visit(BlockNumber{{{"/block/width_m", "width", "B"}, Source::block_width}}, width);
       visit(BlockNumber{{{"/block/height_m", "height", "H"}, Source::block_height}}, height);
       if constexpr (std::is_same_v<MassForm, GivenCentre>) {

@@ -60,13 +60,20 @@ struct GivenParts {
   friend bool operator==(const GivenParts&, const GivenParts&) = default;
 };
 
+/// A rectangle of uniform density by the two numbers of its equations.
+struct GivenSlenderness {
+  double frequency_parameter = 1.0;  ///< p [rad/s]: R = 3 g/(4 p^2)
+  double slenderness = 0.25;         ///< psi [rad]: B = 2 R sin(psi), H = 2 R cos(psi)
+  friend bool operator==(const GivenSlenderness&, const GivenSlenderness&) = default;
+};
+
 /// Where the mass of a block is, in one of the forms of a file.
-using SceneMass = std::variant<UniformMass, GivenCentre, GivenEdges, GivenParts>;
+using SceneMass = std::variant<UniformMass, GivenCentre, GivenEdges, GivenParts, GivenSlenderness>;
 
 /// Asked for: a rigid block, rectangular and of uniform density unless its mass is laid out otherwise. Each realisation
 /// draws the numbers that have laws, and truncates lengths to the bounds.
 struct SceneBlock {
-  Quantity width = 1.0;   ///< B [m]; not used with edges or parts
+  Quantity width = 1.0;   ///< B [m]; not used with edges, parts or slenderness
   Quantity height = 4.0;  ///< H [m]; likewise
   double gravity = 9.81;  ///< g [m/s^2]
   SceneMass mass = {};

@@ -25,7 +25,13 @@ void choose_form(FieldVisitor& in, SceneMass& mass) {
   const auto refuse = [&in](std::initializer_list<std::string_view> keys, std::string_view reason) {
     for (const std::string_view key : keys) in.refuse(key, reason, "keep one of the two forms");
   };
-  if (in.found("edges_m") != nullptr) {
+  const bool has_p = in.found("p_rad_s") != nullptr, has_slenderness = in.found("slenderness_rad") != nullptr;
+  if (has_p || has_slenderness) {
+    refuse({"width_m", "height_m", "centre_height_m", "centre_offset_m", "radius_of_gyration_m", "edges_m", "parts",
+            "base_m"},
+           "excludes \"p_rad_s\" and \"slenderness_rad\", which give a uniform rectangle");
+    mass = GivenSlenderness{};
+  } else if (in.found("edges_m") != nullptr) {
     refuse({"width_m", "height_m", "centre_offset_m"}, "is for a block with an outline; this one has \"edges_m\"");
     refuse({"parts", "base_m"}, "excludes \"edges_m\"");
     mass = GivenEdges{};
@@ -62,7 +68,7 @@ void keys_of(FieldVisitor& in, SceneBlock& block, GivenCentre& centre, Absent ab
 void keys_of(FieldVisitor& in, SceneBlock& block) {
   if (in.is_reading()) choose_form(in, block.mass);
   const bool describes = in.describes();
-  in.require_one_of({"width_m", "edges_m", "parts"});
+  in.require_one_of({"width_m", "edges_m", "parts", "p_rad_s"});
   GivenCentre none;
   auto* const centre = std::get_if<GivenCentre>(&block.mass);
   if (centre != nullptr || std::holds_alternative<UniformMass>(block.mass)) {
@@ -87,6 +93,14 @@ void keys_of(FieldVisitor& in, SceneBlock& block) {
       in.value({"base_m", "x of the left and the right end of the base [m]; absent: of the parts on the floor"}, base,
                QuantityPairType(rules::offset), Absent::omitted);
     });
+  }
+  GivenSlenderness described_slenderness;
+  if (auto* const given = describes ? &described_slenderness : std::get_if<GivenSlenderness>(&block.mass)) {
+    const Absent absent = describes ? Absent::omitted : Absent::error;
+    in.value({"p_rad_s", "in place of width_m: p = sqrt(3 g/(4 R)) of a uniform rectangle [rad/s]"},
+             given->frequency_parameter, rules::frequency_parameter, absent);
+    in.value({"slenderness_rad", "with p_rad_s: psi = atan(B/H), which papers call alpha [rad]"}, given->slenderness,
+             rules::slenderness, absent);
   }
   in.value({"gravity_m_s2", "g [m/s^2]"}, block.gravity, rules::gravity, Absent::standard);
 }

@@ -20,6 +20,10 @@ inline constexpr Rule bottom =
     within(0.0, 1e6, "must be a number of metres from 0 to 1e6: no part reaches below the floor", "0.0");
 inline constexpr Rule mass = within(1e-9, 1e12, "must be a positive number of kilograms, from 1e-9 to 1e12", "100.0");
 inline constexpr Rule gravity = within(1e-6, 1e6, "must be a positive number of m/s^2, from 1e-6 to 1e6", "9.81");
+inline constexpr Rule frequency_parameter =
+    within(1e-3, 1e4, "must be a positive number of rad/s, from 0.001 to 1e4", "2.14");
+inline constexpr Rule slenderness =
+    within(1e-6, 1.57, "must be a number of radians from 1e-6 to 1.57: atan(B/H)", "0.25");
 inline constexpr double largest_amplitude = 1e6;  ///< A_h
 inline constexpr Rule amplitude = within(
     0.0, largest_amplitude, "must be a number from 0 to 1e6: A_h, in units of the shape angle times gravity", "4.2");

@@ -1,4 +1,4 @@
-// A block in the three forms that a file may give, from the file to the numbers of the equations.
+// A block in the forms that a file may give, from the file to the numbers of the equations.
 
 #include <cmath>
 #include <string>
@@ -141,6 +141,46 @@ TEST(SceneBlock, HasOneFormAndAllItsNumbers) {
   EXPECT_THAT(refusal_of(R"({"width_m": 1, "height_m": 2, "base_m": [0, 1]})"), HasSubstr("is for a block of parts"));
   EXPECT_THAT(refusal_of(R"({"parts": [{"width_m": 1, "height_m": 1, "mass_kg": 1, "x_m": 0}]})"),
               HasSubstr("/block/parts/0/bottom_m: is missing"));
+}
+
+TEST(SceneBlock, HasTheFrequencyParameterAndTheSlendernessOfAPaper) {
+  for (const auto& [p, psi] : {std::pair("2.14", "0.25"), {"0.5", "0.001"}, {"8", "1.2"}}) {
+    const std::string form = std::string(R"({"p_rad_s": )") + p + R"(, "slenderness_rad": )" + psi + "}";
+    const dynamics::Geometry found = dynamics::geometry_of(block_in(form));
+    EXPECT_TRUE(found.is_rectangle());
+    EXPECT_NEAR(found.frequency_parameter / std::stod(p), 1.0, 4e-16);
+    EXPECT_NEAR(found.shape_angle / std::stod(psi), 1.0, 6e-16);
+    EXPECT_TRUE(outline_in(form).is_plain());
+    EXPECT_TRUE(outline_in(form).is_given);
+  }
+  const std::string text = with_block(R"({"slenderness_rad": 0.25, "p_rad_s": 2})").canonical_text;
+  EXPECT_THAT(text, HasSubstr(R"("block":{"p_rad_s":2.0,"slenderness_rad":0.25,"gravity_m_s2":9.81})"));
+  EXPECT_EQ(experiment_in(text).canonical_text, text);
+}
+
+TEST(SceneBlock, OfAPaperMayBeSwept) {
+  Json document = support::least_experiment();
+  document["block"] = {{"p_rad_s", 2.0}, {"slenderness_rad", 0.25}};
+  document["sweep"] = Json::parse(R"([{"parameter": "/block/slenderness_rad", "values": [0.1, 0.3]}])");
+  const Experiment experiment = experiment_in(document.dump());
+  const auto psi = [&](std::size_t i) {
+    return dynamics::geometry_of(mean_block(experiment.conditions.at(i).scene)).shape_angle;
+  };
+  EXPECT_NEAR(psi(0), 0.1, 1e-16);
+  EXPECT_NEAR(psi(1), 0.3, 1e-16);
+}
+
+TEST(SceneBlock, OfAPaperHasBothNumbersAndNoOthers) {
+  EXPECT_THAT(refusal_of(R"({"p_rad_s": 2.14})"), HasSubstr("/block/slenderness_rad: is missing"));
+  EXPECT_THAT(refusal_of(R"({"slenderness_rad": 0.2})"), HasSubstr("/block/p_rad_s: is missing"));
+  const std::string both = R"({"p_rad_s": 2.14, "slenderness_rad": 0.2, )";
+  for (const std::string other : {R"("width_m": 1)", R"("edges_m": [1, 1])", R"("parts": [])", R"("base_m": [0, 1])"}) {
+    EXPECT_THAT(refusal_of(both + other + "}"), HasSubstr("excludes \"p_rad_s\" and \"slenderness_rad\"")) << other;
+  }
+  EXPECT_THAT(refusal_of(R"({"p_rad_s": 0, "slenderness_rad": 0.2})"), HasSubstr("positive number of rad/s"));
+  EXPECT_THAT(refusal_of(R"({"p_rad_s": 1, "slenderness_rad": 14})"), HasSubstr("from 1e-6 to 1.57: atan(B/H)"));
+  EXPECT_THAT(refusal_of(R"({"p_rad_s": 0.001, "slenderness_rad": 0.2})"),
+              HasSubstr("which must lie from 1e-6 to 1e6 m"));
 }
 
 TEST(SceneBlock, ThatIsNoRectangleHasNoFormulaOfRectangles) {

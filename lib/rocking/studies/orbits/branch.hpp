@@ -65,6 +65,9 @@ struct OrbitBranch {
   std::optional<std::size_t> from = std::nullopt;  ///< the bifurcation at which it branches off, if that was followed
 };
 
+/// m of its response mode: that of most of its orbits, since one beside a grazing may have an impact more or less.
+[[nodiscard]] int cycles_of(const OrbitBranch& branch);
+
 /// A bifurcation on a branch.
 struct Bifurcation {
   BifurcationKind kind = BifurcationKind::fold;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <deque>
 #include <iterator>
+#include <map>
 #include <utility>
 
 #include "rocking/realisation/fixed_point.hpp"
@@ -332,6 +333,16 @@ class BranchSearch {
 };
 
 }  // namespace
+
+int cycles_of(const OrbitBranch& branch) {
+  std::map<int, std::size_t> orbits;
+  for (const BranchPoint& point : branch.points) ++orbits[point.orbit.cycles];
+  std::pair<int, std::size_t> most{};
+  for (const auto& [cycles, count] : orbits) {
+    if (count > most.second) most = {cycles, count};
+  }
+  return most.first;
+}
 
 bool can_be_continued(std::string_view pointer) {
   constexpr std::array<std::string_view, 4> parts{"/block", "/excitation/", "/friction/", "/restitution"};

@@ -203,6 +203,8 @@ static const StructType& fields_of(const OrbitBranch*) {
   static const StructType fields{
       "Branch",
       field<&Found::period>("period", "of its orbits", at_least_one),
+      derived<[](const OrbitBranch& branch) { return cycles_of(branch); }>(
+          "cycles", "m of most of its orbits, which with the period names the branch"),
       field<&Found::is_symmetric>("symmetric",
                                   "whether its orbits are; the mirror image of a branch that is not is not listed"),
       field<&Found::from>("from",

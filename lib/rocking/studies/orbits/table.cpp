@@ -99,8 +99,9 @@ std::string branch_table(const FoundBranches& found) {
   for (std::size_t i = 0; i < found.study.branches.size(); ++i) {
     const OrbitBranch& branch = found.study.branches[i];
     const auto [low, high] = std::ranges::minmax(branch.points, {}, &BranchPoint::value);
-    table.rows.push_back({whole(i), mode_of(branch.points.front().orbit), branch.is_symmetric ? "yes" : "no",
-                          whole(branch.points.size()), number(low.value, 8), number(high.value, 8), both(branch.ends)});
+    table.rows.push_back({whole(i), to_string(section::periodic(cycles_of(branch), branch.period)),
+                          branch.is_symmetric ? "yes" : "no", whole(branch.points.size()), number(low.value, 8),
+                          number(high.value, 8), both(branch.ends)});
   }
   if (!found.study.is_complete) table.notes = "There are more: the largest number of branches was reached.\n";
   return '\n' + to_terminal(table);

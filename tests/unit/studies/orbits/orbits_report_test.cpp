@@ -85,4 +85,22 @@ TEST(OrbitsReport, RefusesBranchesOverWhatIsNotSwept) {
   EXPECT_THAT(refusal(partly), HasSubstr("/range = null: is missing"));
 }
 
+// The orbits beside a grazing, at the ends of a branch, may have an impact more than the others.
+TEST(OrbitsReport, NamesABranchByTheClassOfMostOfItsOrbits) {
+  OrbitBranch branch{.period = 3};
+  for (const int cycles : {2, 1, 1, 2, 1}) {
+    Orbit orbit;
+    orbit.period = 3;
+    orbit.cycles = cycles;
+    orbit.points.resize(3);
+    branch.points.push_back({.value = 0.5, .orbit = orbit});
+  }
+  OrbitStudy study;
+  study.conditions.emplace_back().parameters = {{.pointer = "/restitution", .value = 0.5}};
+  study.branches.emplace().pointer = "/restitution";
+  study.branches->study.branches = {branch};
+  EXPECT_THAT(table_of(study), HasSubstr(" (1,3) "));
+  EXPECT_EQ(Json::parse(orbits_document().text({.study = study})).at(Json::json_pointer("/branches/0/cycles")), 1);
+}
+
 }  // namespace

@@ -91,6 +91,21 @@ TEST(FreeRocking, LosesAtEachImpactTheMeasuredShareOfTheEdgeThatLands) {
   }
 }
 
+// Energy and half-periods stay: falling_time from the same height each time.
+TEST(FreeRocking, GoesOnForeverAtARateRatioOfOne) {
+  Condition condition = still(-0.8);
+  condition.scene.restitution = RateRatio{.value = 1.0};
+  const auto block = dynamics::geometry_of(mean_block(condition.scene));
+  const Trajectory trajectory = run(condition, 1000);
+  const double rate = std::sqrt(2.0 * (std::cos(0.2 * block.shape_angle) - block.cosine));
+  const double quarter = falling_time(0.2 * block.shape_angle, block.shape_angle);
+  ASSERT_GT(trajectory.events.size(), 100U);
+  for (std::size_t n = 0; n < 100; ++n) {
+    EXPECT_NEAR(std::abs(trajectory.events[n].tilt_rate) * block.shape_angle, rate, 1e-11) << n;
+    EXPECT_NEAR(trajectory.events[n].tau, (2.0 * static_cast<double>(n) + 1.0) * quarter, 1e-9) << n;
+  }
+}
+
 // X goes on from the displacement at the start, which counts for its peak.
 TEST(Sliding, BeginsAtTheInitialSlip) {
   Condition condition = still(0.0);

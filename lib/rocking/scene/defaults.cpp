@@ -1,6 +1,7 @@
 #include "rocking/scene/defaults.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <variant>
 
@@ -32,15 +33,30 @@ DefaultHorizon default_horizon(const Scene& scene) {
   return {Horizon{}.transient_periods, Horizon{}.sampled_periods};
 }
 
+namespace {
+
+/// abs(delta) of the mean block where the left and where the right edge lands.
+std::array<double, 2> rate_ratios_of(const Scene& scene, const dynamics::Geometry& block) {
+  const auto at = [&](double side) {
+    const double e = mean_restitution(scene.restitution, block, side);
+    return std::abs(dynamics::inelastic_rate_ratio(block.edge(side), e));
+  };
+  return {at(1.0), at(-1.0)};
+}
+
+}  // namespace
+
+bool impacts_take_energy(const Scene& scene) {
+  const auto [left, right] = rate_ratios_of(scene, dynamics::geometry_of(mean_block(scene)));
+  return !(left == 1.0 && right == 1.0);
+}
+
 std::int64_t periods_until_rest(const Scene& scene) {
   constexpr double two_pi = 0x1.921fb54442d18p+2;
   constexpr double first_hop = 8.0, other_hops = 4.0, least_loss = 1e-3;  // derived in the header
   const dynamics::Geometry block = dynamics::geometry_of(mean_block(scene));
-  double largest = 0.0;
-  for (const double side : {1.0, -1.0}) {
-    const double e = mean_restitution(scene.restitution, block, side);
-    largest = std::max(largest, std::abs(dynamics::inelastic_rate_ratio(block.edge(side), e)));
-  }
+  const auto [left, right] = rate_ratios_of(scene, block);
+  const double largest = std::max(left, right);
   const double coming_to_rest = first_hop + other_hops / std::max(1.0 - largest, least_loss);
   const double shaking = std::visit([&](const auto& kind) { return kind.end_of_shaking(block); }, scene.excitation);
   const double periods = std::ceil((shaking + coming_to_rest) * frequency_ratio_for(scene, block) / two_pi);

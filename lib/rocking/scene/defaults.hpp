@@ -36,6 +36,9 @@ struct DefaultHorizon {
 /// block has come to rest (periods_until_rest).
 [[nodiscard]] DefaultHorizon default_horizon(const Scene& scene);
 
+/// Whether an impact of any edge takes energy from a block that does not slide: at a rate ratio of 1 none does.
+[[nodiscard]] bool impacts_take_energy(const Scene& scene);
+
 /// Default number of strobe periods of a run under a base motion that ends: until it ends and the block has come to
 /// rest.
 ///

@@ -346,6 +346,12 @@ void keys_of(FieldVisitor& in, Horizon& horizon, const Scene& scene) {
     horizon.transient_periods = static_cast<int>(standard.transient_periods);
     if (!is_too_long) horizon.sampled_periods = static_cast<int>(standard.sampled_periods);
   }
+  if (is_reading && !is_periodic(scene.excitation) && !impacts_take_energy(scene) &&
+      !in.stands("sampled_periods", true)) {
+    in.reject("sampled_periods",
+              {"is missing: at a rate ratio of 1 impacts take nothing, so that the block never comes to rest",
+               "give the strobe periods to observe, such as 100"});
+  }
   in.value({"transient_periods", "periods that are not used for the classification; harmonic: 500, else 0"},
            horizon.transient_periods, rules::transient_periods, follows);
   if (is_reading && is_too_long && !in.stands("sampled_periods", true)) {

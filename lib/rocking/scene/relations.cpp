@@ -11,6 +11,7 @@
 #include "rocking/base/number_text.hpp"
 #include "rocking/dynamics/impact.hpp"
 #include "rocking/scene/check_condition.hpp"
+#include "rocking/scene/defaults.hpp"
 #include "rocking/scene/drawn_quantities.hpp"
 #include "rocking/scene/restitution.hpp"
 #include "rocking/scene/rules.hpp"
@@ -273,6 +274,12 @@ std::optional<Refusal> until_classified_without_period(const Condition& conditio
   return Refusal{"continues the windows of a periodic excitation, and this one has an end", "remove it"};
 }
 
+std::optional<Refusal> until_classified_without_loss(const Condition& condition) {
+  if (!condition.horizon.until_classified || impacts_take_energy(condition.scene)) return std::nullopt;
+  return Refusal{"waits until a response has settled; at a rate ratio of 1 impacts take nothing, so that none does",
+                 "remove it, or give a rate ratio below 1"};
+}
+
 std::optional<Refusal> until_classified_too_short(const Condition& condition) {
   const Horizon& horizon = condition.horizon;
   const std::int64_t fixed = std::int64_t{horizon.transient_periods} + horizon.sampled_periods;
@@ -353,6 +360,7 @@ constexpr auto all_relations = std::to_array<Relation>({
     {"/realisations/until", {"/realisations"}, relations::one_half_width, no_value},
     {"/realisations/until/mode", {"/realisations"}, relations::relative_half_width_of_every_mode, no_value},
     {"/horizon/until_classified", {"/excitation"}, until_classified_without_period, no_value},
+    {"/horizon/until_classified", {"/block", "/restitution"}, until_classified_without_loss, no_value},
     {"/horizon/until_classified/at_most_periods",
      {"/horizon"},
      until_classified_too_short,

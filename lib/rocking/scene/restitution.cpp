@@ -99,15 +99,15 @@ std::optional<Refusal> refusal(const RateRatio& ratio, std::size_t number, const
   for (const double side : sides_of(ratio, given.source)) {
     for (const Geometry* block : {&shapes.most_slender, &shapes.squattest}) {
       const double e = mean(ratio, *block, side);
-      if (e > -1.0 && e <= largest_e) continue;
+      if (e >= -1.0 && e <= largest_e) continue;
       const bool is_one = block->has_mirror_symmetry() && !ratio.right;
       const std::string edge = side < 0.0 ? "right" : "left";
       const bool is_bounded = !std::isinf(largest_e);
       const double least = least_ratio(block->edge(side), largest_e);
       return Refusal{"needs a restitution e = " + shown(e) + (is_one ? "" : " at the " + edge + " edge") +
-                         " for this block, which must be above -1" + (is_bounded ? " and at most 1" : ""),
+                         " for this block, which must be at least -1" + (is_bounded ? " and at most 1" : ""),
                      "give at least " + std::string(is_bounded && block->is_rectangle() ? "1 - 3 sin^2(psi) = " : "") +
-                         shown(least) + " and less than 1" +
+                         shown(least) + " and at most 1" +
                          (is_bounded && e > 1.0 ? "; a block that cannot slide, without scatter of the ratio along the "
                                                   "way, may have less: omit \"friction\" and \"fluctuation\""
                                                 : "")};

@@ -50,11 +50,8 @@ inline constexpr Rule time_step = within(1e-9, 1e6, "must be a positive number o
 inline constexpr Rule friction_coefficient = within(0.0, 1e6, "must not be negative or above 1e6", "0.35");
 inline constexpr Rule restitution{
     .above = -1.0, .most = 1.0, .demand = "must be above -1 and at most 1, or be \"jy25\"", .example = "0.0"};
-inline constexpr Rule rate_ratio{
-    .least = 0.0,
-    .below = 1.0,
-    .demand = "must be a number from 0 to below 1: the ratio abs(w2/w1) of the tilt rates across an impact",
-    .example = "0.93"};
+inline constexpr Rule rate_ratio =
+    within(0.0, 1.0, "must be a number from 0 to 1: the ratio abs(w2/w1) of the tilt rates across an impact", "0.93");
 inline constexpr Rule sigma = within(0.0, 1e6, "must not be negative or above 1e6: a standard deviation", "0.03");
 inline constexpr Rule weight = within(0.0, 1e6, "must not be negative or above 1e6: a relative frequency", "1.0");
 inline constexpr Rule kinetic_ratio = within(0.0, 1.0, "must be a number from 0 to 1: mu_k over mu_s", "0.85");

@@ -33,6 +33,15 @@ const Scene& scene_of(const Experiment& experiment, std::size_t condition = 0) {
   return experiment.conditions.at(condition).scene;
 }
 
+std::string refusal_of(const Json& document) {
+  try {
+    static_cast<void>(experiment_of(document));
+  } catch (const base::InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
 dynamics::Geometry geometry_of(const Scene& scene) { return dynamics::geometry_of(mean_block(scene)); }
 
 double amplitude_of(const Scene& scene) { return amplitude_for(scene, geometry_of(scene)); }
@@ -191,6 +200,23 @@ TEST(ARateRatioInFiles, MayDifferBetweenTheEdges) {
   EXPECT_TRUE(has_mirror_symmetry(scene_of(experiment_of(document))));
 }
 
+// The least experiment has 500 + 120 periods of a harmonic excitation; a pulse ends, and the block goes on.
+TEST(ARateRatioInFiles, OfOneNeedsAHorizon) {
+  Json document = support::least_experiment();
+  document["restitution"] = {{"rate_ratio", 1}};
+  EXPECT_EQ(mean_restitution(scene_of(experiment_of(document)).restitution, dynamics::geometry_of({})), -1.0);
+  document["horizon"] = parse_json(R"({"until_classified": {"at_most_periods": 5000}})");
+  EXPECT_THAT(refusal_of(document), HasSubstr("/horizon/until_classified = {\"at_most_periods\":5000}: waits until"));
+  document["restitution"] = parse_json(R"({"rate_ratio": [1, 0.99]})");
+  EXPECT_EQ(refusal_of(document), "");
+  document["restitution"] = {{"rate_ratio", 1}};
+  document["excitation"] = parse_json(R"({"kind": "pulse", "shape": "sine", "amplitude": 3, "frequency_ratio": 5})");
+  document["horizon"] = parse_json(R"({"transient_periods": 0})");
+  EXPECT_THAT(refusal_of(document), HasSubstr("/horizon/sampled_periods: is missing: at a rate ratio of 1"));
+  document["horizon"] = parse_json(R"({"sampled_periods": 50})");
+  EXPECT_EQ(refusal_of(document), "");
+}
+
 TEST(AnInitialStateInFiles, IsGivenInSiUnitsOrNormalised) {
   Json document = support::least_experiment();
   document["friction"] = parse_json(R"({"static": 0.4, "kinetic": 0.35})");
@@ -298,7 +324,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "give from", false},
         BadUnit{"/excitation", R"({"amplitude_g": 0.4, "frequency_hz": 3, "frequency_h": 3})",
                 "/excitation/frequency_h", "is not a key", "did you mean"},
-        BadUnit{"/restitution", R"({"rate_ratio": 1.0})", "/restitution/rate_ratio", "below 1", "0.93"},
+        BadUnit{"/restitution", R"({"rate_ratio": 1.01})", "/restitution/rate_ratio", "from 0 to 1", "0.93"},
         BadUnit{"", sliding_with(R"({"rate_ratio": 0.5})"), "/restitution/rate_ratio",
                 "needs a restitution e = 4.66667", "0.823529", false},
         BadUnit{"", sliding_with(R"({"rate_ratio": [0.9, 0.5]})"), "/restitution/rate_ratio/1",
@@ -316,7 +342,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadUnit{"/excitation", R"({"kind": "pulse", "shape": "sine", "amplitude": 3, "frequency_ratio": 3,
                 "vertical": {}})",
                 "/excitation/vertical", "is for harmonic", "harmonic"},
-        BadUnit{"/restitution", R"({"rate_ratio": [1.0, 0.9]})", "/restitution/rate_ratio/0", "below 1", "0.93"},
+        BadUnit{"/restitution", R"({"rate_ratio": [1.01, 0.9]})", "/restitution/rate_ratio/0", "from 0 to 1", "0.93"},
         BadUnit{"/restitution", R"({"rate_ratio": [0.9]})", "/restitution/rate_ratio", "list of two",
                 "one ratio for each edge"},
         BadUnit{"/initial", R"({"tilt": 0.1, "tilt_rad": 0.1})", "/initial/tilt_rad", "excludes \"tilt\"", "keep one",

@@ -267,10 +267,10 @@ INSTANTIATE_TEST_SUITE_P(
         in_unit("amplitude_m_s2", "-1e-9", [](auto& c) { set(c, -1e-9, AccelerationUnit::m_s2); }),
         number("/excitation/frequency_hz", "0", [](auto& c) { set(c, 0.0, FrequencyUnit::hertz); }),
         in_unit("period_s", "-2", [](auto& c) { set(c, -2.0, FrequencyUnit::period_s); }),
-        number("/restitution/rate_ratio", "1", [](auto& c) { c.scene.restitution = RateRatio{1.0}; }),
+        number("/restitution/rate_ratio", "1.5", [](auto& c) { c.scene.restitution = RateRatio{1.5}; }),
         number("/restitution/rate_ratio", "-0.9", [](auto& c) { c.scene.restitution = RateRatio{-0.9}; }),
-        Change{{{"/restitution/rate_ratio", "[0.9, 1]"}},
-               [](auto& c) { c.scene.restitution = RateRatio{.value = 0.9, .right = 1.0}; },
+        Change{{{"/restitution/rate_ratio", "[0.9, 1.5]"}},
+               [](auto& c) { c.scene.restitution = RateRatio{.value = 0.9, .right = 1.5}; },
                {"/restitution/rate_ratio/1"}}));
 
 // psi is 0.245, and p 1.889 rad/s: A_h = 1e6 is 0.245e6 g, Omega_h = 0.001 is 3.01e-4 Hz. e = 1 is the ratio 0.8235.

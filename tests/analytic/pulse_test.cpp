@@ -265,6 +265,27 @@ TEST(CosinePulse, LiftsABlockAtOnceIfItsPeakIsAboveTheThreshold) {
           .events.empty());
 }
 
+// Many papers count abs(Theta) = 1 as overturned; a pulse that goes on may bring the block back from there.
+TEST(TheBalance, EndsAMotionWhereThatIsAsked) {
+  int came_back = 0;
+  for (double amplitude = 1.2; amplitude < 9.0; amplitude += 0.1) {
+    Condition condition = under_pulse({.shape = PulseShape::cosine, .amplitude = amplitude, .frequency_ratio = 5.0});
+    const Trajectory whole = run(condition, 40);
+    condition.horizon.until = MotionEnd::balance;
+    const Trajectory cut = run(condition, 40);
+    const auto passed = std::ranges::find(whole.events, EventKind::past_balance, &TrajectoryEvent::kind);
+    if (passed == whole.events.end()) {
+      EXPECT_EQ(cut.termination, Termination::reached_horizon) << amplitude;
+      continue;
+    }
+    ASSERT_EQ(cut.termination, Termination::overturned) << amplitude;
+    EXPECT_EQ(cut.events.back().kind, EventKind::past_balance) << amplitude;
+    EXPECT_EQ(cut.events.back().tau, passed->tau) << amplitude;
+    if (whole.termination == Termination::reached_horizon) ++came_back;
+  }
+  EXPECT_GT(came_back, 0);
+}
+
 // --- a pulse as a sampled ground motion
 // -------------------------------------------------------------------------------
 

@@ -98,6 +98,7 @@ inline constexpr auto asked_changes = std::to_array<AskedChange>({
        c.horizon.until_classified =
            UntilClassified{.at_most_periods = 250, .held_windows = 2, .watch_windows = 1, .long_run_every = 2};
      }},
+    {"until the balance", [](Condition& c) { c.horizon.until = MotionEnd::balance; }},
     {"a coarse tolerance", [](Condition& c) { c.tolerance = 1e-7; }},
     {"a pulse of the base",
      [](Condition& c) {

@@ -94,6 +94,7 @@ class Automaton {
   void pass_balance(MotionContext<Coefficients>& context) {
     was_past_balance_ = true;
     context.record(EventKind::past_balance);
+    if (context.setting.ends_at_balance) context.end(Termination::overturned);
   }
 
   /// A block that sticks off the ground would press on the base, if it slipped, from now on.

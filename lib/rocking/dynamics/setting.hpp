@@ -11,7 +11,8 @@ struct Setting {
   Geometry block;
   double inertia;  ///< J in the equations of slip
   ImpactSlipRule impact_slip_rule;
-  double tolerance;  ///< of a step, in Theta and Theta'; of a hop, see hop_is_too_small
+  double tolerance;              ///< of a step, in Theta and Theta'; of a hop, see hop_is_too_small
+  bool ends_at_balance = false;  ///< where abs(Theta) is 1 for the first time, as overturned
 };
 
 /// Constants of the equations between events, of a block that stands or rocks on one side. `Real` is a number of one

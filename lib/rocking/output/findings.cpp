@@ -124,6 +124,19 @@ std::optional<Finding> restitution(const Report& report) {
   return Finding{.name = "restitution", .text = ratios.text(), .place = "/restitution"};
 }
 
+/// That the balance was the end of motions: "until": "balance".
+std::optional<Finding> end_at_balance(const Report& report) {
+  const auto asks = [](const ReportedCondition& each) { return each.asked.horizon.until == MotionEnd::balance; };
+  const AllCases ended = cases_of(report, &Validity::past_balance);
+  if (ended.count == 0 || std::ranges::none_of(report.conditions, asks)) return std::nullopt;
+  return Finding{.name = "end at the balance",
+                 .rating = Rating::note,
+                 .text = counted(ended.count, "realisation") +
+                         " ended at |Theta| = 1, as overturned; a base that moves on may bring such a block back",
+                 .remedy = "to see how many overturn, omit \"until\"",
+                 .place = ended.first};
+}
+
 std::optional<Finding> reading(const std::vector<UsedGroundMotion>& motions) {
   Finding found{.name = "reading of the ground motions"};
   std::size_t number = 0;
@@ -171,7 +184,7 @@ std::vector<Finding> findings_of(const Report& report) {
   findings.push_back(late_settling(report));
   findings.push_back(clamped_numbers(report));
   for (auto& found : {left_out_records(report.left_out), far_scaled(report.ground_motions),
-                      reading(report.ground_motions), restitution(report)}) {
+                      reading(report.ground_motions), restitution(report), end_at_balance(report)}) {
     if (found) findings.push_back(*found);
   }
   return findings;

@@ -18,7 +18,8 @@ dynamics::Setting setting_of(const Condition& condition, const dynamics::Geometr
   return {.block = block,
           .inertia = dynamics::slip_inertia(block, condition.scene.slide_inertia),
           .impact_slip_rule = condition.scene.impact_slip_rule,
-          .tolerance = condition.tolerance};
+          .tolerance = condition.tolerance,
+          .ends_at_balance = condition.horizon.until == MotionEnd::balance};
 }
 
 /// A drawn number limited to [least, largest]; a number that is not drawn was checked.

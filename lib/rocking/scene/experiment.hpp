@@ -230,10 +230,14 @@ struct UntilClassified {
   friend bool operator==(const UntilClassified&, const UntilClassified&) = default;
 };
 
+/// The tilt at which a motion ends as overturned: pi/2, or psi.
+enum class MotionEnd : std::uint8_t { overturned, balance };
+
 struct Horizon {
   int transient_periods = 500;  ///< excitation periods that are not used for the classification
   int sampled_periods = 120;    ///< excitation periods whose strobe points are classified
   std::optional<UntilClassified> until_classified = std::nullopt;  ///< absent: every realisation ends there
+  MotionEnd until = MotionEnd::overturned;
   friend bool operator==(const Horizon&, const Horizon&) = default;
 };
 

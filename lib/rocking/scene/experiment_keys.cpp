@@ -19,6 +19,7 @@ namespace {
 constexpr std::array<std::string_view, 3> formulation_names{"consistent", "as-printed", "as-plotted"};
 constexpr std::array<std::string_view, 2> slide_inertia_names{"centroidal", "edge"};
 constexpr std::array<std::string_view, 2> impact_slip_rule_names{"absolute", "signed"};
+constexpr std::array<std::string_view, 2> motion_end_names{"overturned", "balance"};
 
 /// The form of a block that a file has; one that it must not have as well is refused.
 void choose_form(FieldVisitor& in, SceneMass& mass) {
@@ -371,6 +372,11 @@ void keys_of(FieldVisitor& in, Horizon& horizon, const Scene& scene) {
                "classified (settling.md); periodic excitation only"},
               Absent::omitted, [&](FieldVisitor& keys) { keys_of(keys, until); });
   });
+  in.choice(
+      {"until",
+       "the end of a motion that overturns: abs(theta) = pi/2, or balance: abs(theta) = psi for the first time, from "
+       "which the base could have brought the block back; both count as overturned"},
+      horizon.until, motion_end_names, Absent::omitted);
 }
 
 void keys_of_goal(FieldVisitor& in, Until& until, Condition& condition) {

@@ -86,6 +86,17 @@ std::optional<Refusal> tilt_of_overturned(const Condition& condition) {
                  in_rad ? "give a smaller tilt, in rad" : "give a smaller tilt, in units of the shape angle"};
 }
 
+std::optional<Refusal> tilt_beyond_balance(const Condition& condition) {
+  if (condition.horizon.until != MotionEnd::balance) return std::nullopt;
+  const InitialState& initial = condition.scene.initial;
+  const bool in_rad = initial.units.tilt == StateUnit::si;
+  const double balance = in_rad ? shapes_of(condition.scene.block).most_slender.shape_angle : 1.0;
+  const auto [least, largest] = reach_of(initial.tilt);
+  if (std::max(std::abs(least), std::abs(largest)) < balance) return std::nullopt;
+  return Refusal{"reaches the balance, at which \"until\": \"balance\" ends the motion",
+                 "give less than " + shown(balance) + ", or remove \"until\""};
+}
+
 template <Quantity InitialState::*slip>
 std::optional<Refusal> slip_without_friction(const Condition& condition) {
   const auto* number = std::get_if<double>(&(condition.scene.initial.*slip));
@@ -376,6 +387,11 @@ constexpr auto all_relations = std::to_array<Relation>({
     {"/initial/tilt",
      {"/block", "/initial/tilt", "/initial/tilt_rad"},
      tilt_of_overturned,
+     [](const Condition& c) { return text_of(c.scene.initial.tilt); },
+     [](const Condition& c) { return quantities::in_unit(c.scene.initial.units.tilt, quantities::tilts).place; }},
+    {"/initial/tilt",
+     {"/block", "/initial/tilt", "/initial/tilt_rad", "/horizon/until"},
+     tilt_beyond_balance,
      [](const Condition& c) { return text_of(c.scene.initial.tilt); },
      [](const Condition& c) { return quantities::in_unit(c.scene.initial.units.tilt, quantities::tilts).place; }},
     {"/initial/slip",

@@ -217,6 +217,22 @@ TEST(ARateRatioInFiles, OfOneNeedsAHorizon) {
   EXPECT_EQ(refusal_of(document), "");
 }
 
+TEST(TheBalanceInFiles, MayEndAMotionThatBeginsBelowIt) {
+  Json document = support::least_experiment();
+  EXPECT_THAT(experiment_of(document).canonical_text, testing::Not(HasSubstr("until")));
+  document["horizon"] = {{"until", "balance"}};
+  EXPECT_EQ(support::objections("experiment", document.dump()), "");
+  const Experiment experiment = experiment_of(document);
+  EXPECT_EQ(experiment.conditions.at(0).horizon.until, MotionEnd::balance);
+  EXPECT_EQ(experiment_in(experiment.canonical_text).canonical_text, experiment.canonical_text);
+  document["initial"] = {{"tilt", -1.0}};
+  EXPECT_THAT(refusal_of(document), HasSubstr("/initial/tilt = -1: reaches the balance"));
+  document["initial"] = {{"tilt_rad", 0.25}};  // psi is 0.245
+  EXPECT_THAT(refusal_of(document), HasSubstr("/initial/tilt_rad = 0.25: reaches the balance"));
+  document["initial"] = {{"tilt_rad", 0.24}};
+  EXPECT_EQ(refusal_of(document), "");
+}
+
 TEST(AnInitialStateInFiles, IsGivenInSiUnitsOrNormalised) {
   Json document = support::least_experiment();
   document["friction"] = parse_json(R"({"static": 0.4, "kinetic": 0.35})");

@@ -132,7 +132,7 @@ class PulseExcitation {
   template <base::Lane Real>
   [[nodiscard]] static SideBand<Real> band_of(const std::array<Real, piece_numbers>& piece, double side,
                                               const Real& amplitude, const Real& x) {
-    const Real ratio = base::fused(Real(side), piece[6], Real(1.0));
+    const Real ratio = Real(1.0) + Real(side) * piece[6];
     const base::SinCos<Real> angle = base::sin_cos(ratio * x);
     return {.amplitude = amplitude * (Real(0.5) * ratio),
             .ratio = ratio,

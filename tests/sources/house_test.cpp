@@ -248,9 +248,10 @@ Weight weight_of(const std::set<std::string>& folders) {
 // its reason.
 TEST(TheHouse, WeighsNoMoreThanBefore) {
   const Weight product = weight_of({"lib", "analysis", "experiments"});
-  EXPECT_LE(product.files, 798U);
-  EXPECT_LE(product.lines, 91'900U);
-  EXPECT_LE(weight_of({"tests"}).lines, 58'950U);
+  EXPECT_LE(product.files, 799U);  // pulse.cpp
+  // Pulses, blocks, losses and the end of a motion as papers give them: 320 lines, and 360 of tests by closed forms.
+  EXPECT_LE(product.lines, 92'220U);
+  EXPECT_LE(weight_of({"tests"}).lines, 59'320U);
 }
 
 TEST(TheHouseRules, FindAnArrowThatGoesUpOrSideways) {

@@ -34,8 +34,9 @@ Parts parts_of(const PulseForm& form) {
     case PulseShape::triangle: return {.length = 0.5};
     case PulseShape::type_c: {
       const double half = half_length_of_type_c(form.cycles);
-      return {
-          .origin = half / (2.0 * pi), .length = half / pi, .sine = std::fmod(form.cycles, 2.0) == 1.0 ? 1.0 : -1.0};
+      return {.origin = half / (2.0 * pi),
+              .length = half / pi,
+              .sine = 2.0 * std::floor(0.5 * form.cycles) == form.cycles ? -1.0 : 1.0};
     }
     case PulseShape::mavroeidis_papageorgiou:
       return {.origin = 0.5 * form.cycles,

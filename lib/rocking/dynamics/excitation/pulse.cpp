@@ -49,7 +49,7 @@ Parts parts_of(const PulseForm& form) {
 }
 
 /// `periods` after tau = 0.
-Instant later(const Clock& clock, double periods) {
+Instant instant_after(const Clock& clock, double periods) {
   const double whole = std::floor(periods);
   return {.period = static_cast<std::int64_t>(whole),
           .time = (periods - whole) * clock.period_length() + clock.start()};
@@ -61,8 +61,8 @@ double pulse_length(const PulseForm& form) { return parts_of(form).length; }
 
 PulseExcitation::PulseExcitation(const PulseForm& form, const Clock& clock) {
   const Parts parts = parts_of(form);
-  end_ = later(clock, parts.length);
-  const Instant origin = later(clock, parts.origin);
+  end_ = instant_after(clock, parts.length);
+  const Instant origin = instant_after(clock, parts.origin);
   during_ = {
       static_cast<double>(origin.period), origin.time, 1.0, parts.sine, parts.cosine, parts.ricker, parts.side_bands};
 }

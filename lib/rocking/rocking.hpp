@@ -32,6 +32,7 @@
 #include "rocking/studies/motion/question.hpp"
 #include "rocking/studies/orbits/question.hpp"
 #include "rocking/studies/rare/question.hpp"
+#include "rocking/studies/threshold/question.hpp"
 
 namespace rocking {
 

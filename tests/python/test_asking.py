@@ -53,6 +53,8 @@ class EveryStudy(unittest.TestCase):
             "compare": {"first": [run, TINY, part], "second": [run, suite]},
             "bifurcation": {"source": [STILL, TINY], "realisation": [0, 3]},
             "orbits": {"source": [STILL], "periods": [1], "no_branches": [True], "from": [3.9], "to": [4.0]},
+            "threshold": {"source": [STILL, TINY], "of": ["/excitation/amplitude", "/block"], "from": [1.0], "to": [2.0, 20.0],
+                          "steps": [3], "accuracy": [0.01], "event": ["tilt > 0.5 psi"]},
             "rare": {"source": [TINY], "particles": [20], "max_time": [1e-3], "realisations": [2], "event": ["tilt > 0.5 psi"]},
             "infer": {"source": [UNKNOWN], "tests": [{"amplitude": [4.0], "overturned": [1], "other": [4]}],
                       "candidates": [{"amplitude": [6.0]}], "max_time": [1e-3], "realisations": [2]},

@@ -59,6 +59,7 @@ def of_every_study():
             run.report(),
             rocking.orbits(STILL, periods=1),
             rocking.bifurcation(STILL),
+            rocking.threshold(STILL, of="/excitation/amplitude", from_=1, to=20, steps=5),
             rocking.fragility(run, event=["overturning", "tilt > 0.1 psi"], ida=True),
             rocking.compare(run, rocking.run({**RANDOM, "restitution": 0.5})),
             rocking.rare(RANDOM, event="tilt > 0.1 psi", particles=20, relative_error=1.0),

@@ -204,8 +204,8 @@ def draw(
 ) -> Written:
     """Draw what a study has found, in a folder: as ``rocking report`` draws what the program printed.
 
-    sources: results of trajectory() with ``samples``, bifurcation(), orbits() with branches, cost(), fragility(),
-    rare(), infer(), motion() with ``series``, check_normal(), or paths of files that the program wrote. from_, to: the first
+    sources: results of trajectory() with ``samples``, bifurcation(), orbits() with branches, threshold() over another
+    number, cost(), fragility(), rare(), infer(), motion() with ``series``, check_normal(), or paths of files that the program wrote. from_, to: the first
     and the last excitation period of trajectories that is shown. style, width, pictures: as write_figures(). Raises InputError for a source that is
     none of these.
 

@@ -184,6 +184,15 @@ ResponseEvent in_units_of_balance(const ResponseEvent& event, const std::vector<
   return {EventName::tilt, share, event.asked};
 }
 
+void check_friction(const ResponseEvent& event, const Condition& condition) {
+  if (!event.is_of_slip() || condition.scene.friction) return;
+  throw base::InputError({.place = "event",
+                          .value = event_text(event),
+                          .reason = "cannot happen but by overturning: the block has no friction",
+                          .remedy = "add `friction` to the experiment, or ask for overturning or a tilt",
+                          .where = {}});
+}
+
 std::variant<ResponseEvent, NoEvent> read_event(std::string_view text) {
   const std::size_t sign = text.find('>');
   const std::string_view name = trimmed(text.substr(0, sign));

@@ -26,6 +26,9 @@ struct NoEvent {
 /// they are. Throws base::InputError where they have not, or where it lies beyond balance.
 [[nodiscard]] ResponseEvent in_units_of_balance(const ResponseEvent& event, const std::vector<Condition>& conditions);
 
+/// Throws base::InputError where slip is asked of a block that cannot slide.
+void check_friction(const ResponseEvent& event, const Condition& condition);
+
 /// In questions: the same text.
 [[nodiscard]] const ValueType& event_text_type();
 /// The threshold of a peak tilt, slip or displacement; null: the event is another one. Sets the event where it is read.

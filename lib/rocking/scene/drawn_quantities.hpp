@@ -170,4 +170,7 @@ void for_each_quantity(AScene& scene, const Visit& visit) {
   visit({quantities::in_unit(units.slip_rate, quantities::slip_rates), Source::slip_rate}, slip_rate);
 }
 
+/// Where a law or a standard deviation makes a scene random, as JSON pointer; absent if nothing does.
+[[nodiscard]] std::optional<std::string_view> place_of_randomness(const Scene& scene);
+
 }  // namespace rocking

@@ -112,7 +112,12 @@ std::vector<NamedPlace> drawn_once(const Scene& scene) {
   return drawn;
 }
 
-bool is_random(const Scene& scene) { return is_random_along_the_way(scene) || !drawn_once(scene).empty(); }
+std::optional<std::string_view> place_of_randomness(const Scene& scene) {
+  if (const auto drawn = drawn_once(scene); !drawn.empty()) return drawn.front().place;
+  return is_random_along_the_way(scene) ? std::optional<std::string_view>("/fluctuation") : std::nullopt;
+}
+
+bool is_random(const Scene& scene) { return place_of_randomness(scene).has_value(); }
 
 std::uint64_t effective_realisations(const Condition& condition) {
   return is_random(condition.scene) ? condition.realisations : 1;

@@ -38,8 +38,8 @@ Json parsed_output(std::string_view text) {
   throw base::InputError({.place = "/format",
                           .value = '"' + format + '"',
                           .reason = "has no figure in this command",
-                          .remedy = "give a trajectory, a bifurcation, orbits with branches, a cost, a fragility, a "
-                                    "motion, rare events, inferred unknowns or a check-normal; "
+                          .remedy = "give a trajectory, a bifurcation, orbits with branches, thresholds, a cost, a "
+                                    "fragility, a motion, rare events, inferred unknowns or a check-normal; "
                                     "`rocking report DIR` draws a run"});
 }
 

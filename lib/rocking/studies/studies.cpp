@@ -17,6 +17,7 @@
 #include "rocking/studies/motion/study.hpp"
 #include "rocking/studies/orbits/study.hpp"
 #include "rocking/studies/rare/study.hpp"
+#include "rocking/studies/threshold/study.hpp"
 #include "rocking/text/json.hpp"
 
 namespace rocking {
@@ -66,9 +67,9 @@ std::optional<std::string> schema_of(std::string_view name) {
 std::string schema(std::string_view name) { return schema_of(name).value_or(""); }
 
 std::span<const Study* const> studies() {
-  static const std::array all{&comparison_study(), &bifurcation_study(), &orbits_study(),
-                              &rare_study(),       &infer_study(),       &cost_study(),
-                              &fragility_study(),  &motion_study(),      &check_normal_study()};
+  static const std::array all{&comparison_study(), &bifurcation_study(), &orbits_study(), &threshold_study(),
+                              &rare_study(),       &infer_study(),       &cost_study(),   &fragility_study(),
+                              &motion_study(),     &check_normal_study()};
   return all;
 }
 

@@ -54,7 +54,7 @@ struct OutputFile {
 };
 
 /// The figures of the outputs of `rocking trajectory`, `bifurcation`, `cost --json`, `fragility --json`,
-/// `rare`, `infer` and `check-normal --json`. Each trajectory with a history has `time_history`; several of them also
+/// `rare`, `infer`, `threshold` and `check-normal --json`. Each trajectory with a history has `time_history`; several of them also
 /// have `responses`; all trajectories together have `poincare`. The other outputs have their own figures. Repeated
 /// names are numbered. Throws base::InputError with the path of a file that is none of these.
 [[nodiscard]] std::vector<Figure> output_figures(const std::vector<OutputFile>& files, const Window& window);

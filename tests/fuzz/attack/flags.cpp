@@ -8,11 +8,10 @@
 namespace rocking::fuzz {
 namespace {
 
-constexpr const char* commands[] = {"run",      "resume",      "status",     "merge",      "verify",
-                                    "compare",  "bifurcation", "cost",       "fragility",  "figure",
-                                    "report",   "replay",      "schema",     "trajectory", "check-normal",
-                                    "validate", "doctor",      "completion", "orbits",     "rare",
-                                    "infer",    "--help",      "--version",  "nothing",    ""};
+constexpr const char* commands[] = {
+    "run",    "resume", "status",    "merge",  "verify",     "compare",      "bifurcation", "cost",   "fragility",
+    "figure", "report", "replay",    "schema", "trajectory", "check-normal", "validate",    "doctor", "completion",
+    "orbits", "rare",   "threshold", "infer",  "--help",     "--version",    "nothing",     ""};
 constexpr const char* flags[] = {"-o",
                                  "-j",
                                  "--seed",

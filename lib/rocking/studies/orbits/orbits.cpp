@@ -7,6 +7,7 @@
 #include "rocking/realisation/continuation.hpp"
 #include "rocking/realisation/fixed_point.hpp"
 #include "rocking/scene/check_condition.hpp"
+#include "rocking/scene/drawn_quantities.hpp"
 
 namespace rocking {
 namespace {
@@ -115,12 +116,6 @@ class OrbitSearch {
   std::optional<section::StrobePoint> last_;  ///< strobe point of the run
 };
 
-/// Where a law or a standard deviation makes the motion random; absent if nothing does.
-std::optional<std::string> place_of_randomness(const Scene& scene) {
-  if (const auto drawn = drawn_once(scene); !drawn.empty()) return std::string(drawn.front().place);
-  return is_random(scene) ? std::optional<std::string>("/fluctuation") : std::nullopt;
-}
-
 }  // namespace
 
 std::size_t add_orbit(OrbitsOfCondition& found, const PoincareMap& map, Orbit orbit, base::StopRequest stop) {
@@ -163,7 +158,7 @@ void check_orbits(const Experiment& experiment) {
                               "give a whole multiple of the horizontal frequency"});
     }
     if (const auto place = place_of_randomness(condition.scene)) {
-      throw base::InputError({*place, "", "is random: only a motion in which nothing is random has periodic orbits",
+      throw base::InputError({std::string(*place), "", "is random: only a motion in which nothing is random has periodic orbits",
                               "give a number, or leave out `fluctuation`"});
     }
   }

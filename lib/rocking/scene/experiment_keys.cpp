@@ -100,7 +100,7 @@ void keys_of(FieldVisitor& in, SceneBlock& block) {
     const Absent absent = describes ? Absent::omitted : Absent::error;
     in.value({"p_rad_s", "in place of width_m: p = sqrt(3 g/(4 R)) of a uniform rectangle [rad/s]"},
              given->frequency_parameter, rules::frequency_parameter, absent);
-    in.value({"slenderness_rad", "with p_rad_s: psi = atan(B/H), which papers call alpha [rad]"}, given->slenderness,
+    in.value({"slenderness_rad", "with p_rad_s: psi = arctan(B/H), which papers call alpha [rad]"}, given->slenderness,
              rules::slenderness, absent);
   }
   in.value({"gravity_m_s2", "g [m/s^2]"}, block.gravity, rules::gravity, Absent::standard);

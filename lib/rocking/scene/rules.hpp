@@ -23,7 +23,7 @@ inline constexpr Rule gravity = within(1e-6, 1e6, "must be a positive number of 
 inline constexpr Rule frequency_parameter =
     within(1e-3, 1e4, "must be a positive number of rad/s, from 0.001 to 1e4", "2.14");
 inline constexpr Rule slenderness =
-    within(1e-6, 1.57, "must be a number of radians from 1e-6 to 1.57: atan(B/H)", "0.25");
+    within(1e-6, 1.57, "must be a number of radians from 1e-6 to 1.57: arctan(B/H)", "0.25");
 inline constexpr double largest_amplitude = 1e6;  ///< A_h
 inline constexpr Rule amplitude = within(
     0.0, largest_amplitude, "must be a number from 0 to 1e6: A_h, in units of the shape angle times gravity", "4.2");

@@ -178,7 +178,7 @@ TEST(SceneBlock, OfAPaperHasBothNumbersAndNoOthers) {
     EXPECT_THAT(refusal_of(both + other + "}"), HasSubstr("excludes \"p_rad_s\" and \"slenderness_rad\"")) << other;
   }
   EXPECT_THAT(refusal_of(R"({"p_rad_s": 0, "slenderness_rad": 0.2})"), HasSubstr("positive number of rad/s"));
-  EXPECT_THAT(refusal_of(R"({"p_rad_s": 1, "slenderness_rad": 14})"), HasSubstr("from 1e-6 to 1.57: atan(B/H)"));
+  EXPECT_THAT(refusal_of(R"({"p_rad_s": 1, "slenderness_rad": 14})"), HasSubstr("from 1e-6 to 1.57: arctan(B/H)"));
   EXPECT_THAT(refusal_of(R"({"p_rad_s": 0.001, "slenderness_rad": 0.2})"),
               HasSubstr("which must lie from 1e-6 to 1e6 m"));
 }

@@ -3,7 +3,7 @@
 
 usage: write.py [--check] [--program FILE]
 
---check: computes and writes nothing; exit code 1 if published.md differs. Takes half a minute.
+--check: computes and writes nothing; exit code 1 if published.md differs. Takes some seconds.
 
 A group of values.json has what its values share; a value may have keys of its own in their place. `command` is a call of
 `rocking` in this folder, `at` the place of our number in its output, `%` in both the place of the value in its list. The
@@ -88,9 +88,9 @@ def text_of(program, index):
 
 {len(values)} numbers and responses of {len(cited)} sources beside those of this program.
 `experiments/published_results/write.py` runs the experiments in its folder and writes this page;
-`tests/analytic/published_results_test.cpp` tests every row. Where a source is linear, the block is slender (alpha 0.001)
-and has the source's ratio of the tilt rates; alpha is psi, W is omega/p. Formulas are evaluated to the digits shown.
-"Independent" is a number that does not come from this program, where the published one is not exact.
+`tests/analytic/published_results_test.cpp` tests every row. Where a source is linear, the block is slender (alpha 0.001,
+of orbits 0.0001) and has the source's ratio of the tilt rates; alpha is psi, W is omega/p. Formulas are evaluated to the
+digits shown. "Independent" is a number that does not come from this program, where the published one is not exact.
 
 {chr(10).join(part + chr(10) for part in parts)}
 ## Recorded motions

@@ -269,7 +269,7 @@ TEST(CosinePulse, LiftsABlockAtOnceIfItsPeakIsAboveTheThreshold) {
 TEST(TheBalance, EndsAMotionWhereThatIsAsked) {
   int came_back = 0;
   for (double amplitude = 1.2; amplitude < 9.0; amplitude += 0.1) {
-    Condition condition = under_pulse({.shape = PulseShape::cosine, .amplitude = amplitude, .frequency_ratio = 5.0});
+    Condition condition = under_pulse({.shape = PulseShape::sine, .amplitude = amplitude, .frequency_ratio = 5.0});
     const Trajectory whole = run(condition, 40);
     condition.horizon.until = MotionEnd::balance;
     const Trajectory cut = run(condition, 40);

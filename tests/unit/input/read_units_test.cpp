@@ -206,7 +206,7 @@ TEST(ARateRatioInFiles, OfOneNeedsAHorizon) {
   document["restitution"] = {{"rate_ratio", 1}};
   EXPECT_EQ(mean_restitution(scene_of(experiment_of(document)).restitution, dynamics::geometry_of({})), -1.0);
   document["horizon"] = parse_json(R"({"until_classified": {"at_most_periods": 5000}})");
-  EXPECT_THAT(refusal_of(document), HasSubstr("/horizon/until_classified = {\"at_most_periods\":5000}: waits until"));
+  EXPECT_THAT(refusal_of(document), HasSubstr("/horizon/until_classified: waits until"));
   document["restitution"] = parse_json(R"({"rate_ratio": [1, 0.99]})");
   EXPECT_EQ(refusal_of(document), "");
   document["restitution"] = {{"rate_ratio", 1}};

@@ -100,7 +100,9 @@ TEST(OrbitsReport, NamesABranchByTheClassOfMostOfItsOrbits) {
   study.branches.emplace().pointer = "/restitution";
   study.branches->study.branches = {branch};
   EXPECT_THAT(table_of(study), HasSubstr(" (1,3) "));
-  EXPECT_EQ(Json::parse(orbits_document().text({.study = study})).at(Json::json_pointer("/branches/0/cycles")), 1);
+  EXPECT_EQ(
+      Json::parse(orbits_document().text({.input = {}, .study = study})).at(Json::json_pointer("/branches/0/cycles")),
+      1);
 }
 
 }  // namespace

@@ -198,7 +198,7 @@ double least_of_one_sign(PulseShape shape, double ratio, double height, double l
 
 // Housner (1963) Eq. 9, a rectangle of duration t: Theta - 1 + Theta' = (a - 1) e^t - a at its end.
 TEST(RectanglePulse, OverturnsASlenderBlockFromTheAccelerationOfHousnerOn) {
-  for (const auto& [duration, published] : {std::pair{0.5, 2.541495}, {1.0, 1.581977}, {2.0, 1.156518}}) {
+  for (const auto& [duration, published] : {std::pair{0.5, 2.541494}, {1.0, 1.581977}, {2.0, 1.156518}}) {
     const double limit = 1.0 / (1.0 - std::exp(-duration));
     EXPECT_NEAR(limit, published, 5e-7);
     expect_second_order_in_psi(
@@ -325,7 +325,7 @@ Recorded sampled(const Pulse& pulse, int samples) {
   for (int i = 0; i <= samples; ++i) {
     const double x = length * i / samples;
     motion.samples.push_back({.time = x / ratio_of_pulse / block.frequency_parameter,
-                              .horizontal = amplitude_of_pulse * block.shape_angle * shape_at(pulse, x),
+                              .horizontal = mean_of(pulse.amplitude) * block.shape_angle * shape_at(pulse, x),
                               .vertical = 0.0});
   }
   return support::recorded_by(std::move(motion), ratio_of_pulse);
@@ -360,7 +360,7 @@ TEST(PulseExcitation, IsTheLimitOfItsSamplesWithTheSquareOfTheirSpacing) {
 
 TEST(PulseExcitation, IsItsCornersWhereItIsLinear) {
   for (const PulseShape shape : {PulseShape::rectangle, PulseShape::triangle}) {
-    const Pulse pulse{.shape = shape, .amplitude = amplitude_of_pulse, .frequency_ratio = ratio_of_pulse};
+    const Pulse pulse{.shape = shape, .amplitude = 1.3, .frequency_ratio = ratio_of_pulse};  // which it survives
     const auto exact = strobe_under(pulse);
     ASSERT_GT(exact.size(), 1U);
     EXPECT_GT(std::abs(exact.front().tilt), 0.01) << "the block rocks";

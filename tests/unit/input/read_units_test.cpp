@@ -206,7 +206,7 @@ TEST(ARateRatioInFiles, OfOneNeedsAHorizon) {
   document["restitution"] = {{"rate_ratio", 1}};
   EXPECT_EQ(mean_restitution(scene_of(experiment_of(document)).restitution, dynamics::geometry_of({})), -1.0);
   document["horizon"] = parse_json(R"({"until_classified": {"at_most_periods": 5000}})");
-  EXPECT_THAT(refusal_of(document), HasSubstr("/horizon/until_classified: waits until"));
+  EXPECT_THAT(refusal_of(document), HasSubstr("/horizon/until_classified = {\"at_most_periods\":5000}: waits until"));
   document["restitution"] = parse_json(R"({"rate_ratio": [1, 0.99]})");
   EXPECT_EQ(refusal_of(document), "");
   document["restitution"] = {{"rate_ratio", 1}};
@@ -226,7 +226,7 @@ TEST(TheBalanceInFiles, MayEndAMotionThatBeginsBelowIt) {
   EXPECT_EQ(experiment.conditions.at(0).horizon.until, MotionEnd::balance);
   EXPECT_EQ(experiment_in(experiment.canonical_text).canonical_text, experiment.canonical_text);
   document["initial"] = {{"tilt", -1.0}};
-  EXPECT_THAT(refusal_of(document), HasSubstr("/initial/tilt = -1: reaches the balance"));
+  EXPECT_THAT(refusal_of(document), HasSubstr("/initial/tilt = -1.0: reaches the balance"));
   document["initial"] = {{"tilt_rad", 0.25}};  // psi is 0.245
   EXPECT_THAT(refusal_of(document), HasSubstr("/initial/tilt_rad = 0.25: reaches the balance"));
   document["initial"] = {{"tilt_rad", 0.24}};

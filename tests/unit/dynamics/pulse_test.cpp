@@ -34,7 +34,7 @@ Clock clock_at_x(double x) {
 /// 1) pi - 2 phi the velocity sin(x + phi) - sin(phi) and the displacement cos(phi) - cos(x + phi) - x sin(phi) are 0.
 long double phase_of_type_c(double n) {
   const long double middle = (n + 0.5L) * std::numbers::pi_v<long double>;
-  long double low = 0.01L, high = 0.5L;
+  long double low = 0.001L, high = 0.5L;
   for (int i = 0; i < 80; ++i) {
     const long double phi = 0.5L * (low + high);
     (std::cos(phi) > (middle - phi) * std::sin(phi) ? low : high) = phi;
@@ -102,7 +102,7 @@ TEST(Pulse, EndsAtItsOnlyBreakpoint) {
     const auto end = pulse.next_change(clock);
     ASSERT_TRUE(end);
     EXPECT_NEAR(clock.until(*end) * pulse_frequency + 0.1, 2.0 * std::numbers::pi * expected_length(form), 1e-14);
-    EXPECT_NEAR(pulse_length(form), expected_length(form), 4e-16);
+    EXPECT_NEAR(pulse_length(form), expected_length(form), 1e-15);
     clock.set(*end);
     EXPECT_FALSE(pulse.next_change(clock)) << "the base is still from there on";
     EXPECT_EQ(pulse.horizontal(clock, 1.0), 0.0);

@@ -68,22 +68,23 @@ std::string name_of(const std::vector<Parameter>& parameters) {
 }
 
 /// Units of the numbers whose keys end so; the longest first.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 9> units{{{"_m_s2", "m/s²"},
-                                                                              {"_rad_s", "rad/s"},
-                                                                              {"_m_s", "m/s"},
-                                                                              {"_kg", "kg"},
-                                                                              {"_rad", "rad"},
-                                                                              {"_hz", "Hz"},
-                                                                              {"_g", "g"},
-                                                                              {"_m", "m"},
-                                                                              {"_s", "s"}}};
+constexpr std::array<std::pair<std::string_view, std::string_view>, 9> unit_endings{{{"_m_s2", "m/s²"},
+                                                                                     {"_rad_s", "rad/s"},
+                                                                                     {"_m_s", "m/s"},
+                                                                                     {"_kg", "kg"},
+                                                                                     {"_rad", "rad"},
+                                                                                     {"_hz", "Hz"},
+                                                                                     {"_g", "g"},
+                                                                                     {"_m", "m"},
+                                                                                     {"_s", "s"}}};
 
 /// `centre height` and `m` of `centre_height_m`.
 std::pair<std::string, std::string> words_and_unit(std::string key) {
-  const auto* const unit = std::ranges::find_if(units, [&key](const auto& each) { return key.ends_with(each.first); });
-  if (unit != units.end()) key.resize(key.size() - unit->first.size());
+  const auto* const unit =
+      std::ranges::find_if(unit_endings, [&key](const auto& each) { return key.ends_with(each.first); });
+  if (unit != unit_endings.end()) key.resize(key.size() - unit->first.size());
   std::ranges::replace(key, '_', ' ');
-  return {key, std::string(unit == units.end() ? "" : unit->second)};
+  return {key, std::string(unit == unit_endings.end() ? "" : unit->second)};
 }
 
 /// Null of a place that has no name of its own.

@@ -81,5 +81,11 @@ INSTANTIATE_TEST_SUITE_P(OfAllSources, PublishedResult, ::testing::ValuesIn(publ
 
 TEST(PublishedResults, AreAtLeastSixty) { EXPECT_GE(published_values().size(), 60U); }
 
+TEST(PublishedResults, StandOnTheirPage) {
+  if (std::system("command -v python3 >/dev/null") != 0) GTEST_SKIP() << "skipped: there is no python3";
+  const std::string script = (folder_of_values / "write.py").string();
+  EXPECT_EQ(std::system(("python3 -B '" + script + "' --check --program '" ROCKING_PROGRAM "'").c_str()), 0);
+}
+
 }  // namespace
 }  // namespace rocking

@@ -69,7 +69,7 @@ def row(program, index, value):
     published = " to ".join(value["published"]) if isinstance(value["published"], list) else value["published"]
     unit = "" if value["unit"] == "-" else f" [{value['unit']}]"
     source = index["sources"][value["source"]]
-    return [f"{source['name']}, {value['place']}" + ("" if source["read"] else " (not read here)"),
+    return [f"{source['name']}, {value['place']}" + ("" if source["listed"] else " (formula from memory)"),
             f"{value['quantity']}{unit}: {value['of']}", published, value.get("independent", ""),
             number if isinstance(number, str) else f"{number:.9g}", difference(number, value["published"])]
 
@@ -82,7 +82,8 @@ def text_of(program, index):
             ["source", "quantity", "published", "independent", "rocking", "rocking - published"], rows))
     reasons = {value["note"]: value for value in values if "note" in value}
     why = [[f"{index['sources'][value['source']]['name']}, {value['place']}", note] for note, value in reasons.items()]
-    cited = [[source["name"], source["citation"], "yes" if source["read"] else "no: the formula was derived again"]
+    cited = [[source["name"], source["citation"],
+              "a list of its values" if source["listed"] else "memory of its formula, which was derived again"]
              for source in index["sources"].values()]
     return f"""# Published results, computed again
 
@@ -104,7 +105,9 @@ compared elsewhere.
 
 ## Sources
 
-{table(["source", "", "read here"], cited)}
+No source was opened for this page: its numbers are those of a list that readers of the sources made.
+
+{table(["source", "", "the number is from"], cited)}
 """
 
 

@@ -23,7 +23,8 @@ void add_report(CLI::App& app, Action& action) {
       "`rocking report first.json second.json -o drawn --from 100` draws two files that `rocking trajectory --samples "
       "100` printed: each against time, both in one figure, their phase portrait and their Poincare section. It also "
       "draws bifurcation.json, orbits.json, threshold.json, cost.json, fragility.json, rare.json, infer.json, and what "
-      "`rocking motion --json` and `rocking check-normal --json` print. `--style journal` draws for the column of a journal.");
+      "`rocking motion --json` and `rocking check-normal --json` print. `--style journal` draws for the column of a "
+      "journal.");
   command->add_option("PATH", request->paths, "Folder of the run; or, with -o, JSON files that rocking printed")
       ->required();
   CLI::Option* drawn =

@@ -85,14 +85,18 @@ std::string experiment_schema_text() {
 std::optional<std::string> place_of_key(std::string_view key) {
   std::vector<KeyRow> rows;
   static_cast<void>(describe(rows));
+  std::vector<std::string> places;
   for (const KeyRow& row : rows) {
     const std::size_t point = row.key.rfind('.');
     if (point == std::string::npos || std::string_view(row.key).substr(point + 1) != key) continue;
-    std::string place = '/' + row.key.substr(0, point);
+    const std::size_t kind = row.key.find(": ");  // of `harmonic: excitation.phase_rad`
+    const std::size_t begin = kind == std::string::npos ? 0 : kind + 2;
+    std::string place = '/' + row.key.substr(begin, point - begin);
     std::ranges::replace(place, '.', '/');
-    return place;
+    if (std::ranges::find(places, place) == places.end()) places.push_back(std::move(place));
   }
-  return std::nullopt;
+  if (places.empty()) return std::nullopt;
+  return places.size() == 2 ? places[0] + " or " + places[1] : places[0];
 }
 
 std::string experiment_table() {

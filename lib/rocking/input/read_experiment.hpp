@@ -54,7 +54,7 @@ inline constexpr std::size_t most_experiment_bytes = 64'000'000;
 /// The keys of experiment files as a table in Markdown, as lib/docs/formats.md has it.
 [[nodiscard]] std::string experiment_table();
 
-/// The place of a key of the format, `/realisations` for `until`; absent: it has none, or stands at the top.
+/// The place of a key of the format, `/accuracy` for `rerun_every`; of two, both. Absent: it has none, or stands at the top.
 [[nodiscard]] std::optional<std::string> place_of_key(std::string_view key);
 
 }  // namespace rocking

@@ -38,8 +38,8 @@ using rocking::analysis::Table;
 using rocking::analysis::time_history;
 using rocking::analysis::TrajectoryFile;
 using rocking::support::sample_report;
-using ::testing::ElementsAre;
 using ::testing::ContainsRegex;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 

@@ -280,7 +280,10 @@ TEST(BadExperiment, OfCharactersThatAreNotJsonSaysWhichToWrite) {
 TEST(BadExperiment, WithAKeyThatStandsElsewhereSaysWhere) {
   const auto problems = problems_of(with(least_experiment(), "/until", R"({"half_width": 0.02})"));
   ASSERT_EQ(problems.size(), 1U);
-  EXPECT_EQ(problems[0].remedy, "it stands under /realisations");
+  EXPECT_EQ(problems[0].remedy, "it stands under /horizon or /realisations");
+  const auto elsewhere = problems_of(with(least_experiment(), "/rerun_every", "10"));
+  ASSERT_EQ(elsewhere.size(), 1U);
+  EXPECT_EQ(elsewhere[0].remedy, "it stands under /accuracy");
 }
 
 // The place that a remedy names can be swept: an experiment that follows it is valid.

@@ -158,7 +158,8 @@ void check_orbits(const Experiment& experiment) {
                               "give a whole multiple of the horizontal frequency"});
     }
     if (const auto place = place_of_randomness(condition.scene)) {
-      throw base::InputError({std::string(*place), "", "is random: only a motion in which nothing is random has periodic orbits",
+      throw base::InputError({std::string(*place), "",
+                              "is random: only a motion in which nothing is random has periodic orbits",
                               "give a number, or leave out `fluctuation`"});
     }
   }

@@ -5,12 +5,12 @@
 
 namespace rocking::dynamics {
 namespace {
-constexpr double two_pi = 0x1.921fb54442d18p+2;
+constexpr double full_turn = 0x1.921fb54442d18p+2;
 }
 
 Clock::Clock(double frequency, double phase)
     : frequency_(frequency),
-      length_(two_pi / frequency),
+      length_(full_turn / frequency),
       start_(phase / frequency),
       now_(wrapped({.period = 0, .time = start_})) {}
 

@@ -107,7 +107,7 @@ TEST(Thresholds, AreOfEachRecordOfASuite) {
   const ThresholdStudy study =
       thresholds(experiment_in(experiment.dump(), {}, seen_from(files)), question, {.threads = 2});
   ASSERT_THAT(study.conditions, SizeIs(2));
-  for (const std::size_t i : {0, 1}) {
+  for (const std::size_t i : {0U, 1U}) {
     experiment["excitation"].erase("suite");
     experiment["excitation"]["file"] = i == 0 ? "a.txt" : "b.txt";
     const ThresholdStudy one = thresholds(experiment_in(experiment.dump(), {}, seen_from(files)), question);

@@ -59,7 +59,6 @@ def of_every_study():
             run.report(),
             rocking.orbits(STILL, periods=1),
             rocking.bifurcation(STILL),
-            rocking.threshold(STILL, of="/excitation/amplitude", from_=1, to=20, steps=5),
             rocking.fragility(run, event=["overturning", "tilt > 0.1 psi"], ida=True),
             rocking.compare(run, rocking.run({**RANDOM, "restitution": 0.5})),
             rocking.rare(RANDOM, event="tilt > 0.1 psi", particles=20, relative_error=1.0),
@@ -67,6 +66,7 @@ def of_every_study():
             rocking.motion(pulse(folder), units="m/s2", block=(1.0, 4.0), series=True),
             rocking.check_normal(100),
             rocking.infer(COUNTED, counted_tests(folder)),
+            rocking.threshold(STILL, of="/excitation/amplitude", from_=1, to=20, steps=5),
         ]
 
 

@@ -49,7 +49,7 @@ OF_COMMANDS = {
     "--keys": "help(rocking.documents.Report) and the like",
 }
 OF_ONE_COMMAND = {("report", "--format"): "a function for each",
-                  **{(command, flag): "draw()" for command in ("motion", "fragility")
+                  **{(command, flag): "draw()" for command in ("motion", "fragility", "threshold")
                      for flag in ("--pictures", "--style", "--width")}}
 # Keywords without a flag.
 OF_CALLS = {

@@ -105,7 +105,7 @@ compared elsewhere.
 
 ## Sources
 
-No source was opened for this page: its numbers are those of a list that readers of the sources made.
+No source was opened for this page: its numbers are those of a list that was handed to us, and the citations are from memory.
 
 {table(["source", "", "the number is from"], cited)}
 """

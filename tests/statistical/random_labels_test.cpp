@@ -1,7 +1,9 @@
 // Labels of random scenes in which nothing is random along the way, beside where the motion goes. The first 300 of those of
 // tests/evidence/label_truth.cpp, whose truth stands in tests/reference/labels.csv: no false alarm.
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <fstream>
 #include <optional>
 #include <sstream>
@@ -87,6 +89,33 @@ TEST(RandomScenes, AreCalledByThePeriodOfTheOrbitToWhichTheyTend) {
   EXPECT_LT(until_classified.unresolved, size / 50);
   EXPECT_LE(until_classified.transients, size / 100);
   EXPECT_GT(until_classified.right, size - size / 20);
+}
+
+/// Labels of a scene of another seed at the default horizon, and until it is classified.
+std::array<section::Classification, 2> labels_of(int scene) {
+  constexpr std::uint64_t other_seed = 12;
+  const Experiment experiment = parse_experiment(support::labelled_scene(other_seed, scene).dump());
+  Condition condition = experiment.conditions.front();
+  const section::Classification at_horizon = realise(condition, experiment.seed, 0).classification;
+  condition.horizon.until_classified = UntilClassified{.at_most_periods = 20'000};
+  return {at_horizon, realise(condition, experiment.seed, 0).classification};
+}
+
+// The block lands within 1e-5 psi of the strobe and alternates about the orbit, whose multiplier is -0.991: its points lie
+// before and after an impact by turns, as if there were two.
+TEST(RandomScenes, AreNotCalledTwiceTheirPeriodWhereAnImpactFallsOnTheStrobe) {
+  const auto [at_horizon, in_the_end] = labels_of(382);
+  EXPECT_EQ(at_horizon.reason, section::Reason::still_converging);
+  EXPECT_EQ(support::verdict_on(in_the_end.mode, "(1,1)"), "right");
+}
+
+// Their periods are 13, 13 and 15.
+TEST(RandomScenes, AreNotCalledQuasiPeriodicWhereAnOrbitOfALongPeriodAttractsSlowly) {
+  for (const int scene : {306, 673, 968}) {
+    for (const section::Classification& label : labels_of(scene)) {
+      EXPECT_EQ(label.mode.kind, section::ResponseKind::unresolved) << scene;
+    }
+  }
 }
 
 }  // namespace

@@ -81,10 +81,16 @@ section::NearbyOrbit orbit_of(const OrbitSearch::Found& found) {
   return orbit;
 }
 
-/// How far the motion is from the orbit after a divisor of its period, in distances of the start from it.
-double miss_after(const OrbitSearch::Found& found, const section::StrobePoint& near, int periods) {
-  const section::StrobePoint& after = found.image.states[static_cast<std::size_t>(periods) - 1].point;
+/// How far a motion is from the orbit after a divisor of its period, in distances of the start of the search from it.
+double miss_after(const PoincareImage& image, const OrbitSearch::Found& found, const section::StrobePoint& near,
+                  int periods) {
+  const section::StrobePoint& after = image.states[static_cast<std::size_t>(periods) - 1].point;
   return distance(after, found.point) / (distance(found.point, near) + same_point);
+}
+
+bool is_same_orbit(const std::optional<OrbitSearch::Found>& shorter, const OrbitSearch::Found& found,
+                   const section::StrobePoint& near) {
+  return shorter && distance(shorter->point, found.point) <= same_orbit * distance(found.point, near) + same_point;
 }
 
 /// The condition of one realisation in which nothing is random along the way.
@@ -102,19 +108,34 @@ OrbitSearch::OrbitSearch(const Condition& condition, const random::Draws& draws)
 }
 
 std::optional<section::NearbyOrbit> OrbitSearch::find(const section::StrobePoint& near, int periods) const {
-  const auto found = newton_from(near, periods);
+  auto found = newton_from(near, periods);
   if (!found) return std::nullopt;
   for (int divisor = 1; divisor < periods; ++divisor) {
     if (periods % divisor != 0) continue;
-    const double miss = miss_after(*found, near, divisor);
+    const double miss = miss_after(found->image, *found, near, divisor);
     if (miss > possible_miss) continue;
-    const auto shorter = newton_from(near, divisor);
-    if (shorter && distance(shorter->point, found->point) <= same_orbit * distance(found->point, near) + same_point) {
-      return orbit_of(*shorter);
+    auto shorter = newton_from(near, divisor);
+    if (is_same_orbit(shorter, *found, near)) {
+      found = std::move(shorter);
+      break;
     }
     if (miss <= doubtful_miss) return std::nullopt;
   }
-  return orbit_of(*found);
+  return of_smallest_period(*found, near);
+}
+
+/// An impact at the strobe may lie between the point and the last one before it, whose image is then far away after a divisor
+/// of the period.
+std::optional<section::NearbyOrbit> OrbitSearch::of_smallest_period(const Found& found,
+                                                                    const section::StrobePoint& near) const {
+  const auto periods = static_cast<int>(found.image.states.size());
+  const auto image = periods > 1 ? map_->image(found.point, periods) : std::nullopt;
+  for (int divisor = 1; image && divisor < periods; ++divisor) {
+    if (periods % divisor != 0 || miss_after(*image, found, near, divisor) > doubtful_miss) continue;
+    const auto shorter = newton_from(found.point, divisor);
+    return is_same_orbit(shorter, found, near) ? std::optional(orbit_of(*shorter)) : std::nullopt;
+  }
+  return orbit_of(found);
 }
 
 std::optional<OrbitSearch::Found> OrbitSearch::newton_from(const section::StrobePoint& near, int periods) const {

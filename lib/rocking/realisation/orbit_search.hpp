@@ -26,6 +26,8 @@ class OrbitSearch {
 
  private:
   [[nodiscard]] std::optional<Found> newton_from(const section::StrobePoint& near, int periods) const;
+  [[nodiscard]] std::optional<section::NearbyOrbit> of_smallest_period(const Found& found,
+                                                                       const section::StrobePoint& near) const;
 
   std::optional<PoincareMap> map_;
 };

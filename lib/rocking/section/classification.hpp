@@ -51,7 +51,7 @@ enum class Reason : std::uint8_t {
   not_periodic,  ///< unresolved: repeats for no tested n, and the exponent is negative (long or slowly drifting orbits)
   exponent_unclear,  ///< unresolved: the exponent differs from zero by less than its error, or could not be computed
   clouds_overlap,    ///< unresolved: the points differ by phase more than by chance, but the clouds overlap
-  period_too_long,   ///< unresolved: spectral lines whose common period is longer than `longest_period`
+  period_too_long,   ///< unresolved: spectral lines or a stable orbit of a period longer than `longest_period`
   out_of_order,      ///< unresolved: too many points are far from the cloud that should come next
   not_stationary,    ///< unresolved: the clouds move between parts of the window, to its end
   changed_regime,    ///< unresolved: one response for at least half of the window, which changed before the end

@@ -85,6 +85,7 @@ PendingClassification by_exponent(const ClassifierInput& input, DecisiveSigns de
   const Thresholds& thresholds = input.thresholds;
   const double resolution = input.resolution;
   const bool is_noise_free = !input.random;
+  const OrbitSource find_orbit = input.find_orbit;
   const auto may_be_closed = [](const LongSection& all) {
     return all.exponent && may_be_zero(*all.exponent, all.points.size());
   };
@@ -101,7 +102,11 @@ PendingClassification by_exponent(const ClassifierInput& input, DecisiveSigns de
     if (!is_noise_free && judge(all.exponent, window, thresholds).sign != Sign::unclear) return decided;
     if (is_noise_free && come_closer(all.points)) return unresolved(Reason::still_converging, true);
     const auto curves = find_closed_curves(all.points, resolution, thresholds);
-    return curves ? quasi_periodic(*curves) : decided;
+    if (!curves) return decided;
+    if (is_noise_free && is_near_longer_orbit(all.points.back(), find_orbit, thresholds)) {
+      return unresolved(Reason::period_too_long);
+    }
+    return quasi_periodic(*curves);
   };
   const auto later = [=](const ExponentEstimate& estimate) {
     return may_be_decided_later(estimate, decisive, window, thresholds);

@@ -185,4 +185,14 @@ std::optional<Classification> clouds_about_orbit(std::span<const Period> periods
   return Classification{periodic(rocks.rocks, orbit->period()), Reason::clouds_about_orbit, false, margin};
 }
 
+bool is_near_longer_orbit(const StrobePoint& point, const OrbitSource& find_orbit, const Thresholds& thresholds) {
+  for (int n = longest_period + 1; n <= 2 * longest_period; ++n) {
+    const auto orbit = stable_orbit(find_orbit, point, n, thresholds);
+    if (orbit && orbit->period() > longest_period && distance(orbit->points.front(), point) <= thresholds.reach) {
+      return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace rocking::section

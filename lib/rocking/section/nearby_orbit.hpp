@@ -52,4 +52,9 @@ using OrbitSource = std::function<std::optional<NearbyOrbit>(const StrobePoint& 
                                                                const OrbitSource& find_orbit, double resolution,
                                                                const Thresholds& thresholds);
 
+/// Whether a point is near a stable orbit whose period is longer than any that a label names, up to twice that: its points
+/// look like closed curves while the motion tends to it slowly.
+[[nodiscard]] bool is_near_longer_orbit(const StrobePoint& point, const OrbitSource& find_orbit,
+                                        const Thresholds& thresholds);
+
 }  // namespace rocking::section

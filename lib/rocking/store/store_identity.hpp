@@ -17,7 +17,9 @@ namespace rocking {
 /// 3: the Lyapunov exponent follows from tangent vectors.
 /// 4: the records of a suite have independent random numbers.
 /// 5: labels (m,n) are those of orbits, and exponents in lanes those of the realisation alone.
-inline constexpr std::uint64_t results_version = 6;
+/// 6: a block that sticks without contact slips as soon as that presses it on the base, with a sample there or not.
+/// 7: an impact at the strobe doubles no period, and slow orbits of 13 to 24 periods are not quasi-periodic.
+inline constexpr std::uint64_t results_version = 7;
 
 /// What a store belongs to. Only realisations of the same experiment and results version may be combined.
 struct Identity {

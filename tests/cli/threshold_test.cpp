@@ -62,6 +62,28 @@ TEST_F(Threshold, DrawsTheSpectrumOverAnotherNumber) {
   EXPECT_THAT(refused.errors, HasSubstr("sweep another number"));
 }
 
+TEST_F(Threshold, FindsTheAmplitudeOfAProbability) {
+  Json random = Json::parse(read("pulse.json"));
+  random["restitution"] = Json::parse(R"({ "rate_ratio": { "normal": { "mean": 0.9, "sigma": 0.02 } } })");
+  write("random.json", random.dump());
+  const std::string flags =
+      "threshold random.json --json -q --of /excitation/amplitude --from 2.5 --to 4 --steps 6 "
+      "--probability 0.5 --accuracy 0.05 --realisations 500 ";
+  const auto found = rocking(flags + "-j 1");
+  EXPECT_EQ(found.exit_code, 0) << found.errors;
+  EXPECT_EQ(found.output, rocking(flags + "-j 3").output);
+  EXPECT_EQ(objections("threshold", found.output), "");
+  const Json edge = Json::parse(found.output)["conditions"][0]["edges"][0];
+  // Without scatter the block falls from 3.033 on, and the more the larger the ratio is.
+  EXPECT_LT(edge["stands"]["value"], 3.033);
+  EXPECT_GT(edge["happens"]["value"], 3.033);
+  const auto share = [](const Json& side) {
+    return side["happened"].get<double>() / side["realisations"].get<double>();
+  };
+  EXPECT_LT(share(edge["stands"]), 0.5);
+  EXPECT_GT(share(edge["happens"]), 0.5);
+}
+
 TEST_F(Threshold, RefusesWhatCannotBeAsked) {
   for (const std::string flags :
        {"--from 1 --to 2", "--of /excitation/nothing --from 1 --to 2", "--of /excitation/shape --from 1 --to 2",
@@ -82,7 +104,11 @@ TEST_F(Threshold, RefusesWhatCannotBeAsked) {
   EXPECT_THAT(outside.errors, HasSubstr("/excitation/amplitude = -1"));
   const auto random = rocking("threshold quick.json -o new --of /excitation/amplitude");
   EXPECT_EQ(random.exit_code, 65);
-  EXPECT_THAT(random.errors, AllOf(HasSubstr("/fluctuation: is random"), HasSubstr("rocking fragility")));
+  EXPECT_THAT(random.errors, AllOf(HasSubstr("/fluctuation: is random"), HasSubstr("--probability 0.5")));
+  const auto certain = rocking(std::string("threshold pulse.json -o new --probability 0.5") + asked);
+  EXPECT_EQ(certain.exit_code, 64);
+  EXPECT_THAT(certain.errors, HasSubstr("nothing in this experiment is random"));
+  EXPECT_EQ(rocking("threshold quick.json -o new --of /excitation/amplitude --probability 1").exit_code, 64);
   EXPECT_EQ(rocking("threshold absent.json --of /excitation/amplitude").exit_code, 66);
   EXPECT_FALSE(exists("new"));
 }

@@ -248,11 +248,12 @@ Weight weight_of(const std::set<std::string>& folders) {
 // its reason.
 // - `threshold`, a study: 8 files, 900 lines and 580 of tests.
 // - Pulses, blocks, losses and the end of a motion as papers give them: pulse.cpp, 320 lines, and 360 of tests by closed forms.
+// - The value of a given probability: probability_bands.cpp, 400 lines with what tells it, and 160 of tests.
 TEST(TheHouse, WeighsNoMoreThanBefore) {
   const Weight product = weight_of({"lib", "analysis", "experiments"});
-  EXPECT_LE(product.files, 807U);
-  EXPECT_LE(product.lines, 93'080U);
-  EXPECT_LE(weight_of({"tests"}).lines, 59'999U);
+  EXPECT_LE(product.files, 808U);
+  EXPECT_LE(product.lines, 93'480U);
+  EXPECT_LE(weight_of({"tests"}).lines, 60'150U);
 }
 
 TEST(TheHouseRules, FindAnArrowThatGoesUpOrSideways) {

@@ -47,6 +47,16 @@ bool has_answer(const ThresholdPoint& point) {
   return point.happens || point.termination == dynamics::Termination::reached_horizon;
 }
 
+}  // namespace
+
+std::vector<std::array<double, 2>> ThresholdBands::gaps() const {
+  std::vector<std::array<double, 2>> found;
+  for (std::size_t i = 1; i < edges.size(); ++i) {
+    if (edges[i].begins_band()) found.push_back({edges[i - 1].stands.value, edges[i].stands.value});
+  }
+  return found;
+}
+
 ThresholdBands with_bands(const std::vector<ThresholdPoint>& scan, std::vector<ThresholdEdge> edges) {
   ThresholdBands found{.bands = {}, .edges = std::move(edges), .without_answer = {}};
   double low = scan.front().value;
@@ -65,22 +75,13 @@ ThresholdBands with_bands(const std::vector<ThresholdPoint>& scan, std::vector<T
   return found;
 }
 
-}  // namespace
-
-std::vector<std::array<double, 2>> ThresholdBands::gaps() const {
-  std::vector<std::array<double, 2>> found;
-  for (std::size_t i = 1; i < edges.size(); ++i) {
-    if (edges[i].begins_band()) found.push_back({edges[i - 1].stands.value, edges[i].stands.value});
-  }
-  return found;
-}
-
 std::vector<double> scanned_values(const ThresholdQuestion& question) {
   const double from = question.from.value();
   const double to = question.to.value();
+  const std::uint64_t steps = question.steps.value();
   std::vector<double> values;
-  for (std::uint64_t i = 0; i < question.steps; ++i) {
-    values.push_back(from + (to - from) * (static_cast<double>(i) / static_cast<double>(question.steps)));
+  for (std::uint64_t i = 0; i < steps; ++i) {
+    values.push_back(from + (to - from) * (static_cast<double>(i) / static_cast<double>(steps)));
   }
   values.push_back(to);
   return values;
@@ -101,7 +102,7 @@ std::vector<ThresholdBands> bands_of(std::size_t count, const ThresholdQuestion&
   });
   std::vector<CaseEdge> edges = changes_in(scans);
   all += edges.size();
-  base::for_each_part(how, edges.size(), [&](std::size_t i) { bisect(edges[i], question.accuracy, point_at); });
+  base::for_each_part(how, edges.size(), [&](std::size_t i) { bisect(edges[i], question.accuracy.value(), point_at); });
   std::vector<std::vector<ThresholdEdge>> by_case(count);
   for (const auto& [place, edge] : edges) by_case[place].push_back(edge);
   std::vector<ThresholdBands> found;

@@ -95,7 +95,7 @@ void add_panel(const ThresholdPanel& panel, const ThresholdQuestion& question, c
   figure.panels.back().x.low = spans.front().low;
   figure.panels.back().x.high = spans.back().high;
   const Column column{"x", label_of(x)};
-  const std::string event = does(question.event);
+  const std::string event = what_happens(question);
   Table bands = band_table(panel.conditions, column);
   if (!bands.rows.empty()) {
     figure.tables.push_back(std::move(bands));
@@ -125,8 +125,10 @@ std::optional<Figure> threshold_figure(const ThresholdReport& report) {
     add_panel(panels[i], study.question, x, figure);
   }
   figure.caption =
-      "Areas: the block " + does(study.question.event) +
-      ". Each stands around one computed value of the x axis; its ends were bisected. White between areas "
+      "Areas: the block " + what_happens(study.question) +
+      ". Each stands around one computed value of the x axis; its ends were " +
+      (study.question.probability ? "found to within their 95 % intervals" : "bisected") +
+      ". White between areas "
       "of one value: the block stands again. A band or a gap narrower than a step of the scan may be missing.";
   if (panels.size() > most_slices) {
     figure.caption +=

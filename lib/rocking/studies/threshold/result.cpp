@@ -10,9 +10,11 @@ static const StructType& fields_of(const ThresholdPoint*) {
   static const StructType fields{
       "ThresholdPoint",
       field<&Point::value>("value", "of the number"),
-      field<&Point::impacts>("impacts", "until the fall or the horizon"),
+      field<&Point::impacts>("impacts", "until the fall or the horizon; 0 of a random scene"),
       field<&Point::termination>("termination", "why the motion ended",
                                  the_only<NamedType<dynamics::Termination, dynamics::termination_names>>()),
+      field<&Point::counts, &stats::Proportion::trials>("realisations", "at this value; 1 where nothing is random"),
+      field<&Point::counts, &stats::Proportion::successes>("happened", "those with the event"),
   };
   return fields;
 }
@@ -45,10 +47,14 @@ static const StructType& fields_of(const ThresholdOfCondition*) {
           "begins_inside", "whether the event happens at `from`, so that the first band may begin below"),
       derived<[](const ThresholdOfCondition& condition) { return condition.found.ends_inside(); }>(
           "ends_inside", "whether it happens at `to`, so that the last band may go on"),
-      field<found, &Bands::edges>("edges", "the two values that a bisection has left, by rising value"),
+      field<found, &Bands::edges>(
+          "edges",
+          "the two values that a bisection has left, by rising value; of a random scene the ends of a 95 % interval"),
       field<found, &Bands::without_answer>(
           "without_answer",
-          "values of the scan at which the motion ended by a budget or by Painleve's paradox; counted as standing"),
+          "values of the scan at which the motion ended by a budget or by Painleve's paradox, counted as standing; of "
+          "a "
+          "random scene those at which the share of the event was not told from the probability"),
   };
   return fields;
 }
@@ -65,6 +71,9 @@ const StructType& fields_of(const ThresholdReport*) {
       field<study, question, &Question::event>("event", "as `--event` takes it", event_text_type()),
       field<study, question, &Question::from>("from", "smallest value of the scan"),
       field<study, question, &Question::to>("to", "largest value"),
+      field<study, question, &Question::probability>(
+          "probability", "of a random scene: that of the event at an end of a band; else null", rule::confidence),
+      field<study, question, &Question::realisations>("realisations", "of a random scene: most of them at one value"),
       field<study, question, &Question::steps>(
           "steps", "equal ones, of the scan; a band or a gap that is narrower than one may be missed"),
       field<study, question, &Question::accuracy>(
@@ -77,7 +86,9 @@ const StructType& fields_of(const ThresholdReport*) {
 
 const DocumentOf<ThresholdReport>& threshold_document() {
   static const DocumentOf<ThresholdReport> document(
-      "rocking.threshold/1", "Where in a range of one number an event happens: its bands, by a scan and bisection.",
+      "rocking.threshold/1",
+      "Where in a range of one number an event happens: its bands, by a scan and bisection; of a random scene, where "
+      "its probability passes a given one.",
       [](const ThresholdReport& report, const ReadingPlace& place) { check_input(report.input, place.at("input")); });
   return document;
 }

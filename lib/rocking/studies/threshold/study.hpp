@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "rocking/fields/document.hpp"
 #include "rocking/figures/figure.hpp"
@@ -22,6 +23,9 @@ struct ThresholdReport {
 
 /// `threshold.json`, and the output of `rocking threshold --json`. Equal input gives equal bytes.
 [[nodiscard]] const DocumentOf<ThresholdReport>& threshold_document();
+
+/// `overturns`, or `overturns with a probability above 50 %`.
+[[nodiscard]] std::string what_happens(const ThresholdQuestion& question);
 
 /// The answer in a sentence, and a row for each band.
 [[nodiscard]] std::string threshold_table(const ThresholdStudy& study, Extent extent = Extent::all);

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "rocking/output/parameter_text.hpp"
 #include "rocking/output/response_event_text.hpp"
@@ -18,26 +19,41 @@ int digits_of(double accuracy, int most) {
   return digits;
 }
 
+int digits_of(const ThresholdQuestion& question, int most) {
+  return question.probability ? 3 : digits_of(*question.accuracy, most);
+}
+
+/// The value at a side of an edge; of a random scene, `[4.31, 4.4]`, between both.
+std::string value_at(const ThresholdEdge& edge, double side, const ThresholdQuestion& question, int digits) {
+  if (!question.probability) return significant(side, digits);
+  const auto [low, high] = std::minmax(edge.stands.value, edge.happens.value);
+  return '[' + significant(low, digits) + ", " + significant(high, digits) + ']';
+}
+
 /// Writes the answer about one condition.
 class Sentence {
  public:
-  explicit Sentence(const ThresholdQuestion& question)
-      : question_(&question), digits_(digits_of(question.accuracy, 6)) {}
+  explicit Sentence(const ThresholdQuestion& question) : question_(&question), digits_(digits_of(question, 6)) {}
 
   [[nodiscard]] std::string of(const ThresholdBands& found) const {
-    const std::string event = does(question_->event);
+    const std::string event = what_happens(*question_);
     if (found.bands.empty()) return "never " + event + " " + range();
-    std::string text = event + " from " + number(found.bands.front()[0]) + " on";
+    std::string text = event + " from " + threshold(found) + " on";
     if (found.begins_inside()) text += ", where the range begins";
     const std::vector<std::string> gaps = standing(found);
-    if (!gaps.empty()) text += question_->event.is_overturning() ? ", stands again " : ", not ";
+    const bool stands = question_->event.is_overturning() && !question_->probability;
+    if (!gaps.empty()) text += stands ? ", stands again " : ", not ";
     for (std::size_t i = 0; i < gaps.size(); ++i) {
       text += (i == 0 ? "" : i + 1 == gaps.size() ? " and " : ", ") + gaps[i];
     }
     return text;
   }
 
-  [[nodiscard]] std::string number(double value) const { return significant(value, digits_); }
+  /// Where the first band begins.
+  [[nodiscard]] std::string threshold(const ThresholdBands& found) const {
+    const double value = found.bands.front()[0];
+    return found.begins_inside() ? significant(value, digits_) : side(found.edges.front(), value);
+  }
 
   /// `for amplitude from 1 to 10`.
   [[nodiscard]] std::string range() const {
@@ -46,11 +62,20 @@ class Sentence {
   }
 
  private:
+  [[nodiscard]] std::string side(const ThresholdEdge& edge, double value) const {
+    return value_at(edge, value, *question_, digits_);
+  }
+
   /// Where the block stands above the threshold: `from 6.743 to 7.493`.
   [[nodiscard]] std::vector<std::string> standing(const ThresholdBands& found) const {
     std::vector<std::string> parts;
-    for (const auto& [low, high] : found.gaps()) parts.push_back("from " + number(low) + " to " + number(high));
-    if (!found.ends_inside()) parts.push_back("from " + number(found.edges.back().stands.value) + " on");
+    const auto& edges = found.edges;
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      if (edges[i].begins_band()) continue;
+      const std::string low = side(edges[i], edges[i].stands.value);
+      const bool ends = i + 1 == edges.size();
+      parts.push_back("from " + low + (ends ? " on" : " to " + side(edges[i + 1], edges[i + 1].stands.value)));
+    }
     return parts;
   }
 
@@ -73,22 +98,30 @@ std::string answer_of(const ThresholdStudy& study) {
       least = &condition;
     }
   }
-  const std::string event = does(study.question.event);
+  const std::string event = what_happens(study.question);
   if (least == nullptr) return "never " + event + ' ' + sentence.range() + ", in all " + all;
-  std::string text = event + " from " + sentence.number(least->found.bands.front()[0]) + " on at " +
-                     values_of(least->parameters) + ", the least of " + all;
+  std::string text = event + " from " + sentence.threshold(least->found) + " on at " + values_of(least->parameters) +
+                     ", the least of " + all;
   if (inside > 0) text += "; in " + std::to_string(inside) + " the range begins inside a band";
   if (none > 0) text += "; never " + sentence.range() + " in " + std::to_string(none);
   return text;
 }
 
-/// The value, and the impacts on its two sides; nothing where a band begins or ends with the range.
-look::Row end_cells(const ThresholdEdge* edge, double value, int digits) {
+/// The value, and on its two sides the impacts, or of a random scene the share of the realisations; nothing where a band
+/// begins or ends with the range.
+look::Row end_cells(const ThresholdEdge* edge, double value, const ThresholdQuestion& question) {
+  const int digits = digits_of(question, 10);
   if (edge == nullptr) return {look::number(value, digits), Cell(), Cell()};
-  return {look::number(value, digits), look::whole(edge->happens.impacts), look::whole(edge->stands.impacts)};
+  if (!question.probability) {
+    return {look::number(value, digits), look::whole(edge->happens.impacts), look::whole(edge->stands.impacts)};
+  }
+  const auto share = [](const ThresholdPoint& point) {
+    return per_cent_of(point.counts.successes, point.counts.trials);
+  };
+  return {value_at(*edge, value, question, digits), share(edge->happens), share(edge->stands)};
 }
 
-void add_bands(const ThresholdOfCondition& condition, int digits, look::Table& table) {
+void add_bands(const ThresholdOfCondition& condition, const ThresholdQuestion& question, look::Table& table) {
   const ThresholdBands& found = condition.found;
   if (found.bands.empty()) {
     table.rows.push_back(row_of(condition.parameters, {"never", Cell(), Cell(), Cell(), Cell(), Cell()}));
@@ -99,25 +132,56 @@ void add_bands(const ThresholdOfCondition& condition, int digits, look::Table& t
       const std::size_t place = 2 * i + end;
       return place < first || place - first >= found.edges.size() ? nullptr : &found.edges[place - first];
     };
-    look::Row cells = end_cells(edge(0), found.bands[i][0], digits);
-    look::append(cells, end_cells(edge(1), found.bands[i][1], digits));
+    look::Row cells = end_cells(edge(0), found.bands[i][0], question);
+    look::append(cells, end_cells(edge(1), found.bands[i][1], question));
     table.rows.push_back(row_of(condition.parameters, cells));
   }
 }
 
+/// What the columns say, and how near an end is known.
+std::string meaning_of(const ThresholdQuestion& question) {
+  if (question.probability) {
+    return "from, to: ends of a band of " + question.of +
+           ", [95 % interval]; %: of the realisations, at the end of an "
+           "interval\ninside the band; below, above: at its other end; -: the range ends there\n";
+  }
+  return "from, to: ends of a band of " + question.of + ", " +
+         (*question.accuracy > 0.0 ? "to " + significant(*question.accuracy, 2) + " of their value"
+                                   : std::string("to neighbouring doubles")) +
+         "; impacts: inside, until the fall or the horizon;\nbelow, above: impacts just outside; -: the range ends "
+         "there\n";
+}
+
+/// Edges whose interval is wider than asked for.
+std::size_t wide_edges(const ThresholdStudy& study) {
+  std::size_t count = 0;
+  for (const ThresholdOfCondition& condition : study.conditions) {
+    for (const ThresholdEdge& edge : condition.found.edges) {
+      const auto [low, high] = std::minmax(edge.stands.value, edge.happens.value);
+      count += high - low > *study.question.accuracy * std::max(std::abs(low), std::abs(high)) ? 1 : 0;
+    }
+  }
+  return count;
+}
+
 std::string notes_of(const ThresholdStudy& study) {
   const ThresholdQuestion& question = study.question;
-  const double step = (*question.to - *question.from) / static_cast<double>(question.steps);
+  const double step = (*question.to - *question.from) / static_cast<double>(*question.steps);
   std::size_t without = 0;
   for (const ThresholdOfCondition& condition : study.conditions) without += condition.found.without_answer.size();
-  std::string text = "from, to: ends of a band of " + question.of + ", ";
-  text += question.accuracy > 0.0 ? "to " + significant(question.accuracy, 2) + " of their value"
-                                  : std::string("to neighbouring doubles");
-  text +=
-      "; impacts: inside, until the fall or the horizon;\nbelow, above: impacts just outside; -: the range ends "
-      "there\nscanned in " +
-      counted(question.steps, "step") + " of " + significant(step, 6) +
-      ": a band or a gap that is narrower may be missed\n";
+  std::string text = meaning_of(question) + "scanned in " + counted(*question.steps, "step") + " of " +
+                     significant(step, 6) + ": a band or a gap that is narrower may be missed\n";
+  if (question.probability) {
+    if (const std::size_t wide = wide_edges(study); wide > 0) {
+      text += counted(wide, "interval") + " wider than " + significant(*question.accuracy, 2) + " of the value with " +
+              std::to_string(question.realisations) + " realisations: --realisations\n";
+    }
+    if (without > 0) {
+      text += "at " + counted(without, "value") + " of the scan the probability was not told from " +
+              significant(*question.probability, 3) + ": --realisations\n";
+    }
+    return text;
+  }
   if (without == 0) return text;
   return text + "at " + counted(without, "value") +
          " of the scan the motion ended without an answer, and is counted as standing\n";
@@ -125,13 +189,17 @@ std::string notes_of(const ThresholdStudy& study) {
 
 }  // namespace
 
+std::string what_happens(const ThresholdQuestion& question) {
+  const std::string event = does(question.event);
+  if (!question.probability) return event;
+  return event + " with a probability above " + significant(100.0 * *question.probability, 3) + " %";
+}
+
 std::string threshold_table(const ThresholdStudy& study, Extent extent) {
-  look::Table table =
-      table_of(study.conditions.front().parameters, {"from", "impacts", "below", "to", "impacts", "above"});
+  const std::string inside = study.question.probability ? "%" : "impacts";
+  look::Table table = table_of(study.conditions.front().parameters, {"from", inside, "below", "to", inside, "above"});
   table.absent = "-";
-  for (const ThresholdOfCondition& condition : study.conditions) {
-    add_bands(condition, digits_of(study.question.accuracy, 10), table);
-  }
+  for (const ThresholdOfCondition& condition : study.conditions) add_bands(condition, study.question, table);
   if (extent == Extent::one_screen && table.rows.size() > most_screen_rows) {
     table.notes = counted(table.rows.size() - most_screen_rows, "more row") + ": --all, and the file\n";
     table.rows.resize(most_screen_rows);

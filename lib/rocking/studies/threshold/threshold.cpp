@@ -97,8 +97,8 @@ void check_place(const Experiment& experiment, const std::string& pointer) {
   refuse("of", pointer, "is " + brief(canonical.at(Json::json_pointer(pointer))) + " in this experiment, not a number");
 }
 
-/// The question with its range.
-ThresholdQuestion with_range(const Experiment& experiment, ThresholdQuestion question) {
+/// The question with its range, steps and accuracy.
+ThresholdQuestion completed(const Experiment& experiment, ThresholdQuestion question) {
   const std::vector<double> values = swept_values(experiment, question.of);
   if (values.empty() && !(question.from && question.to)) {
     refuse(question.from ? "to" : "from", "",
@@ -110,15 +110,21 @@ ThresholdQuestion with_range(const Experiment& experiment, ThresholdQuestion que
     refuse("from", base::shortest(*question.from),
            "must be less than the other end of the range, " + base::shortest(*question.to));
   }
+  if (!question.steps) question.steps = question.probability ? 20 : 200;
+  if (!question.accuracy) question.accuracy = question.probability ? 0.02 : 1e-9;
   return question;
 }
 
-/// Throws where a number is drawn: nothing else can tell the event at every value.
-void check_certain(const Condition& condition) {
-  if (const auto place = place_of_randomness(condition.scene)) {
-    throw base::InputError(
-        {std::string(*place), "", "is random, so that no value is a threshold: the event has a probability at each",
-         "give a number, or sweep an intensity and ask `rocking run` and `rocking fragility` for the probability"});
+/// Throws where a number is drawn and no probability is given, or the other way round.
+void check_randomness(const Condition& condition, const ThresholdQuestion& question) {
+  const auto place = place_of_randomness(condition.scene);
+  if (place && !question.probability) {
+    throw base::InputError({std::string(*place), "", "is random, so that the event has a probability at each value",
+                            "give the probability that is sought, such as `--probability 0.5`, or a number here"});
+  }
+  if (!place && question.probability) {
+    refuse("probability", base::shortest(*question.probability),
+           "is asked for, and nothing in this experiment is random: every realisation is the same");
   }
 }
 
@@ -127,7 +133,7 @@ void check_cases(const std::vector<ThresholdCase>& cases, const ThresholdQuestio
   for (const ThresholdCase& one : cases) {
     for (const double value : {*question.from, scanned_values(question)[1], *question.to}) {
       const Condition condition = one.at(question.of, value);
-      check_certain(condition);
+      check_randomness(condition, question);
       check_friction(question.event, condition);
       static_cast<void>(in_units_of_balance(question.event, {condition}));
     }
@@ -140,10 +146,10 @@ std::pair<ThresholdQuestion, std::vector<ThresholdCase>> checked(const Experimen
   check_has_conditions(experiment);
   check_fields(asked_question);
   check_place(experiment, asked_question.of);
-  const ThresholdQuestion question = with_range(experiment, asked_question);
+  const ThresholdQuestion question = completed(experiment, asked_question);
   std::vector<ThresholdCase> cases = cases_of(experiment, question);
-  if (cases.size() * question.steps > most_motions) {
-    refuse("steps", std::to_string(question.steps),
+  if (cases.size() * *question.steps > most_motions) {
+    refuse("steps", std::to_string(*question.steps),
            "makes more than " + std::to_string(most_motions) + " motions for " + std::to_string(cases.size()) +
                " combinations of the other values; give fewer");
   }
@@ -151,18 +157,23 @@ std::pair<ThresholdQuestion, std::vector<ThresholdCase>> checked(const Experimen
   return {question, std::move(cases)};
 }
 
-ThresholdPoint point_of(const Condition& condition, const ResponseEvent& asked_event, double value,
-                        base::StopRequest stop) {
-  using dynamics::EventKind;
+bool happens(const RealisationResult& result, const ResponseEvent& asked_event, const Condition& condition) {
   const ResponseEvent event = in_units_of_balance(asked_event, {condition});
+  return result.termination == dynamics::Termination::overturned || event.is_exceeded(result.peaks);
+}
+
+ThresholdPoint point_of(const Condition& condition, const ResponseEvent& event, double value, base::StopRequest stop) {
+  using dynamics::EventKind;
   const RealisationResult result = realise_unchecked(condition, 0, 0, stop);
   const auto count = [&events = result.operations.events](EventKind kind) {
     return events[static_cast<std::size_t>(kind)];
   };
+  const bool has_happened = happens(result, event, condition);
   return {.value = value,
-          .happens = result.termination == dynamics::Termination::overturned || event.is_exceeded(result.peaks),
+          .happens = has_happened,
           .impacts = count(EventKind::impact_stick) + count(EventKind::impact_slip),
-          .termination = result.termination};
+          .termination = result.termination,
+          .counts = {.successes = has_happened ? 1U : 0U, .trials = 1}};
 }
 
 }  // namespace
@@ -177,7 +188,15 @@ ThresholdStudy thresholds(const Experiment& experiment, const ThresholdQuestion&
   const PointAt point_at = [&cases = cases, &whole = whole, &asked_for](std::size_t place, double value) {
     return point_of(cases[place].at(whole.of, value), whole.event, value, asked_for.stop());
   };
-  std::vector<ThresholdBands> found = bands_of(cases.size(), whole, point_at, asked_for.options());
+  const TrialsAt trials_at = [&, &cases = cases, &whole = whole](std::size_t place, double value) -> Trials {
+    return [&, condition = cases[place].at(whole.of, value)](std::uint64_t realisation) {
+      const RealisationResult result = realise_unchecked(condition, experiment.seed, realisation, asked_for.stop());
+      return happens(result, whole.event, condition);
+    };
+  };
+  std::vector<ThresholdBands> found = whole.probability
+                                          ? bands_by_probability(cases.size(), whole, trials_at, asked_for.options())
+                                          : bands_of(cases.size(), whole, point_at, asked_for.options());
   ThresholdStudy study{.question = whole, .conditions = {}};
   for (std::size_t i = 0; i < cases.size(); ++i) {
     study.conditions.push_back({cases[i].parameters, std::move(found[i])});

@@ -116,11 +116,11 @@ TEST(Thresholds, AreOfEachRecordOfASuite) {
   }
 }
 
-TEST(Thresholds, RefuseWhatIsRandomAndSayWhatToUse) {
+TEST(Thresholds, RefuseWhatIsRandomWithoutAProbability) {
   Json drawn = under_a_pulse();
   drawn["block"]["width_m"] = Json::parse(R"({ "normal": { "mean": 1.0, "sigma": 0.01 } })");
   EXPECT_THAT(refused(drawn, of_amplitude(1.0, 2.0)),
-              AllOf(HasSubstr("/block/width_m"), HasSubstr("is random"), HasSubstr("rocking fragility")));
+              AllOf(HasSubstr("/block/width_m"), HasSubstr("is random"), HasSubstr("--probability 0.5")));
   Json along = under_a_pulse();
   along["fluctuation"] = Json::parse(R"({ "restitution": { "sigma": 0.01 } })");
   EXPECT_THAT(refused(along, of_amplitude(1.0, 2.0)), HasSubstr("/fluctuation: is random"));

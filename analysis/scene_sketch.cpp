@@ -91,6 +91,11 @@ void draw_base(Sketch& sketch, double size, const BlockOutline& block) {
   sketch.path("base", {{left, 0.0}, {right, 0.0}, {right, -0.06 * size}, {left, -0.06 * size}, {left, 0.0}},
               LayerKind::polygon, {.colour = "#d0d0d0", .hatch = 4});
   sketch.path("surface", {{left, 0.0}, {right, 0.0}}, LayerKind::line, {.marker = 0, .width = 2.0});
+  if (block.open_side != 0.0) {
+    const double face = block.open_side > 0.0 ? block.right() : block.left(), depth = 0.06 * size * block.open_side;
+    sketch.path("wall", {{face, 0.0}, {face + depth, 0.0}, {face + depth, size}, {face, size}, {face, 0.0}},
+                LayerKind::polygon, {.colour = "#d0d0d0", .hatch = 4});
+  }
   sketch.arrow("base acceleration", {0.5 * width - 0.11 * size, -0.12 * size}, {0.22 * size, 0.0});
   sketch.word("a_h(t)", {0.5 * width + 0.2 * size, -0.12 * size});
   sketch.arrow("normal force", {0.0, -0.2 * size}, {0.0, 0.2 * size});

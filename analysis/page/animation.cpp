@@ -38,6 +38,7 @@ Json motion_json(const Animation& motion) {
                {"slips", Json::array()},
                {"bases", Json::array()},
                {"contacts", Json::array()}};
+  if (block.open_side != 0.0) json["wall"] = block.open_side > 0.0 ? block.right() : block.left();
   for (const auto& [left, right, bottom, top] : block.rectangles)
     json["rectangles"].push_back({left, right, bottom, top});
   for (const MotionSample& sample : motion.samples) {

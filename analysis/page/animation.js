@@ -238,6 +238,13 @@ var motions = (function () {
     for (var at = Math.ceil(left / mark * 4) * mark / 4; x(at) < sheet.width; at += mark / 4) {
       line(pen, [[x(at), floor], [x(at) - 5, floor + 7]], pale, 1);
     }
+    if (motion.wall !== undefined) {
+      var side = motion.wall > half ? 1 : -1, face = x(motion.wall) + side, top = floor - 1.1 * scale * motion.extent[2];
+      line(pen, [[face, floor], [face, top]], ink, 2);
+      for (var height = floor - 10; height > top; height -= 14) {
+        line(pen, [[face, height], [face + side * 6, height - 6]], pale, 1);
+      }
+    }
     // The block turns about its left edge if the tilt is positive, otherwise about its right edge.
     var pivot = slip + (angle < 0 ? motion.base : 0), own = angle < 0 ? -motion.base : 0;
     var cosine = Math.cos(angle), sine = Math.sin(angle);

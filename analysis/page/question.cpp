@@ -319,6 +319,9 @@ std::string further_question(const Report& report) {
     text +=
         fmt::format("{}{}.{}", &line == lines.data() ? "<p>" : " ", sentence, &line == &lines.back() ? "</p>\n" : "");
   }
+  if (const std::string floor = floor_in_words(report); !floor.empty()) {
+    text += fmt::format("<p>The block stands {}.</p>\n", escaped(floor));
+  }
   return text + fmt::format("<p>{}, {} in all; {}.</p>\n", counted(report.conditions.size(), "condition"),
                             counted(realisations_of(report), "realisation"), horizon_in_brief(report));
 }

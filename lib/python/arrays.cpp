@@ -50,10 +50,10 @@ template <class Kept, class Use>
 void for_each_member(Kept& trajectory, Use&& use) {
   auto& [block, outline, period, strobe, events, history, samples, losses, first_loss, before_fall, peaks, sides,
          contradictions, energy, termination, label] = trajectory;
-  auto& [rectangles, base, centre_x, centre_height, is_given] = outline;
+  auto& [rectangles, base, centre_x, centre_height, is_given, open_side] = outline;
   const auto each = [&use](auto&... members) { (use(members), ...); };
-  each(block, rectangles, base, centre_x, centre_height, is_given, period, strobe, events, history, samples, losses,
-       first_loss, before_fall, peaks, sides, contradictions, energy, termination, label);
+  each(block, rectangles, base, centre_x, centre_height, is_given, open_side, period, strobe, events, history, samples,
+       losses, first_loss, before_fall, peaks, sides, contradictions, energy, termination, label);
 }
 
 template <class Value>

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "reproducibility/lanes_crowds.hpp"
@@ -103,6 +104,22 @@ inline constexpr auto asked_changes = std::to_array<AskedChange>({
     {"a pulse of the base",
      [](Condition& c) {
        c.scene.excitation = Pulse{.shape = dynamics::PulseShape::ricker, .amplitude = 6.0, .frequency_ratio = 7.0};
+       c.horizon = {.transient_periods = 0, .sampled_periods = 12};
+     }},
+    {"a wall",
+     [](Condition& c) {
+       c.scene.friction = std::nullopt;
+       c.scene.block.wall = dynamics::Side::left;
+       c.scene.restitution = WallRatio{Uniform{.low = 0.3, .high = 0.7}};
+       c.scene.initial.tilt = -0.2;
+     }},
+    {"a record on a floor of a random building",
+     [](Condition& c) {
+       GroundMotion motion;
+       for (int i = 0; i < 300; ++i) motion.samples.push_back({0.02 * i, i % 40 < 13 ? 0.3 : -0.15, 0.0});
+       Recorded recorded = support::recorded_by(std::move(motion), 3.0);
+       recorded.building = Building{.frequency_hz = Uniform{.low = 1.0, .high = 2.0}, .height_ratio = 0.7};
+       c.scene.excitation = std::move(recorded);
        c.horizon = {.transient_periods = 0, .sampled_periods = 12};
      }},
 });

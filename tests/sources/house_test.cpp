@@ -111,7 +111,7 @@ TEST(TheHouse, NamesNoStudyInPagesAndProgram) {
 TEST(TheHouse, ShowsFewHeadersThatComputeNothing) {
   const std::set<std::string> headers = included_by("rocking/rocking.hpp");
   EXPECT_GT(headers.size(), 20U);
-  EXPECT_LE(headers.size(), 51U);  // one for each study; pages.hpp is the other one
+  EXPECT_LE(headers.size(), 52U);  // one for each study; pages.hpp is the other one
   EXPECT_THAT(private_headers(headers), IsEmpty());
 }
 
@@ -249,11 +249,12 @@ Weight weight_of(const std::set<std::string>& folders) {
 // - `threshold`, a study: 8 files, 900 lines and 580 of tests.
 // - Pulses, blocks, losses and the end of a motion as papers give them: pulse.cpp, 320 lines, and 360 of tests by closed forms.
 // - The value of a given probability: probability_bands.cpp, 400 lines with what tells it, and 160 of tests.
+// - Floors of buildings and walls: building.cpp, 420 lines with keys and reports, walls 220, and 350 of tests.
 TEST(TheHouse, WeighsNoMoreThanBefore) {
   const Weight product = weight_of({"lib", "analysis", "experiments"});
-  EXPECT_LE(product.files, 808U);
-  EXPECT_LE(product.lines, 93'480U);
-  EXPECT_LE(weight_of({"tests"}).lines, 60'150U);
+  EXPECT_LE(product.files, 810U);
+  EXPECT_LE(product.lines, 94'260U);
+  EXPECT_LE(weight_of({"tests"}).lines, 60'510U);
 }
 
 TEST(TheHouseRules, FindAnArrowThatGoesUpOrSideways) {

@@ -86,6 +86,7 @@ void for_each_full_contact_guard(const MotionSeries<double>& m, const ArmedGuard
   };
   if (armed.state.contact == ContactState::rest) {
     for (const double push : {1.0, -1.0}) {  // the sign of the base acceleration at the event, and the side then
+      if (push * armed.setting.block.open_side < 0.0) continue;
       const Edge& edge = armed.setting.block.edge(push);
       const bool slides_first = armed.mu_s <= edge.tangent;
       const double threshold = slides_first ? armed.mu_s : edge.sine;

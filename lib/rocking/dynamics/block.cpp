@@ -57,7 +57,9 @@ Edge edge_at(double distance, double other, const MassLayout& mass, const Geomet
 
 }  // namespace
 
-Geometry geometry_of(const Block& block) {
+namespace {
+
+Geometry free_geometry_of(const Block& block) {
   if (!block.mass) return rectangle(block.width, block.height, block.gravity);
   const auto& [left, right, height, gyration] = *block.mass;
   const double half_base = 0.5 * (left + right);
@@ -81,6 +83,14 @@ Geometry geometry_of(const Block& block) {
   general.cosine = nearer.cosine;
   general.tangent = nearer.tangent;
   return general;
+}
+
+}  // namespace
+
+Geometry geometry_of(const Block& block) {
+  Geometry geometry = free_geometry_of(block);
+  geometry.open_side = block.open_side;
+  return geometry;
 }
 
 }  // namespace rocking::dynamics

@@ -20,6 +20,7 @@ struct Block {
   double height = 4.0;                  ///< H [m]
   double gravity = 9.81;                ///< g [m/s^2]
   std::optional<MassLayout> mass = {};  ///< where given, the equations use it, and not width and height
+  double open_side = 0.0;  ///< S of the only side to which it can turn, away from a wall; 0: there is no wall
 };
 
 /// The uniform rectangle has equations with fewer operations.
@@ -53,6 +54,7 @@ struct Geometry {
   double load;                 ///< m g over m R p^2, 1 + J: 4/3 for a rectangle
   BlockForm form;
   std::array<Edge, 2> edges;  ///< left, right
+  double open_side = 0.0;     ///< S of the only side to which it can turn; 0: of both
 
   /// The edge about which the block rocks on this side: +1 left, -1 right.
   [[nodiscard]] const Edge& edge(double side) const { return edges[side < 0.0 ? 1 : 0]; }
@@ -64,7 +66,7 @@ struct Geometry {
   }
   [[nodiscard]] bool is_rectangle() const { return form == BlockForm::rectangle; }
   /// Whether the mirror image of a motion is a motion: the edges are alike.
-  [[nodiscard]] bool has_mirror_symmetry() const { return edges[0].sine == edges[1].sine; }
+  [[nodiscard]] bool has_mirror_symmetry() const { return open_side == 0.0 && edges[0].sine == edges[1].sine; }
 };
 
 /// A mass that is laid out as in a uniform rectangle, with equal edges and I = m R^2/3 up to 8 units of the last place, is

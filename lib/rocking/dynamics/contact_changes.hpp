@@ -13,8 +13,9 @@ template <CoefficientSource Coefficients>
 inline void leave_full_contact(MotionContext<Coefficients>& context, double push, bool at_threshold) {
   State& state = context.state;
   const bool was_sliding = state.contact == ContactState::slide;
+  const double open_side = context.setting.block.open_side;
   state.slip_rate = 0.0;
-  state.side = push;
+  state.side = open_side != 0.0 ? open_side : push;
   const Forces forces = sticking_forces(context);
   if (context.coefficients.has_friction()) {
     const double mu_s = context.coefficients.static_friction();

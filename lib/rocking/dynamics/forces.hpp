@@ -80,6 +80,7 @@ template <base::Lane Real, BlockForm form>
 /// Written as w' of rocking, which must be > 0 after a lift. Another form could round to the opposite sign at the
 /// threshold, and the block would lift and land endlessly at one instant.
 [[nodiscard]] inline bool edges_hold(const BaseMotion& base, const Geometry& block) {
+  if (base.horizontal * block.open_side < 0.0) return true;  // pressed against the wall
   const Edge& edge = block.edge(base.horizontal);
   return std::abs(base.horizontal) * edge.cosine <= base.weight * edge.sine;
 }

@@ -37,6 +37,7 @@ template <CoefficientSource Coefficients>
   } else {
     state.tilt_rate =
         sticking_tilt_rate({.tilt_rate = state.tilt_rate, .slip_rate = 0.0}, restitution, context.setting.block);
+    if (state.tilt_rate * context.setting.block.open_side < 0.0) state.tilt_rate = 0.0;  // rounding at a wall
   }
   if (state.tilt_rate != 0.0) state.side = sign(state.tilt_rate);
   if (state.slip_rate != 0.0) state.slip_direction = sign(state.slip_rate);

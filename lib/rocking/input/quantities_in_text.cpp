@@ -47,6 +47,10 @@ std::vector<NamedPlace> collected_places() {
     scene.excitation = Harmonic{.vertical = VerticalHarmonic{.physical_frequency = PhysicalFrequency{.unit = unit}}};
     add_places(scene, places);
   }
+  for (const Building& building : {Building{}, Building{.modes = std::vector<BuildingMode>(most_building_modes)}}) {
+    scene.excitation = Recorded{.building = building};
+    add_places(scene, places);
+  }
   for (const NamedPlace& each : quantities::strengths) places.push_back(each);
   return places;
 }

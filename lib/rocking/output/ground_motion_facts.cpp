@@ -6,6 +6,7 @@
 
 #include "rocking/fields/container_types.hpp"
 #include "rocking/output/findings.hpp"
+#include "rocking/scene/intensity_measures.hpp"
 #include "rocking/scene/restitution.hpp"
 #include "rocking/text/number_text.hpp"
 
@@ -93,6 +94,24 @@ std::string reading_in_words(const GroundMotionFacts& facts) {
 std::optional<double> scale_of(const Scene& scene) {
   const auto* recorded = std::get_if<Recorded>(&scene.excitation);
   return recorded == nullptr ? std::nullopt : std::optional(recorded->size());
+}
+
+const StructType& fields_of(const FloorPeaks*) {
+  static const StructType fields{
+      "FloorPeaks",
+      field<&FloorPeaks::pga_g>("pga_g", "largest horizontal acceleration of the ground over g, scaled",
+                                rule::not_negative),
+      field<&FloorPeaks::floor_peak_g>(
+          "floor_peak_g", "the same of the floor; of a random building that of the mean one", rule::not_negative),
+  };
+  return fields;
+}
+
+std::optional<FloorPeaks> floor_peaks_of(const Scene& scene) {
+  const auto* recorded = std::get_if<Recorded>(&scene.excitation);
+  if (recorded == nullptr || !recorded->building || !recorded->ground_motion) return std::nullopt;
+  return FloorPeaks{.pga_g = recorded->size() * peak_acceleration(recorded->ground_motion->samples),
+                    .floor_peak_g = recorded->size() * peak_acceleration(base_motion(*recorded))};
 }
 
 std::vector<UsedGroundMotion> used_ground_motions(const std::vector<Condition>& conditions) {

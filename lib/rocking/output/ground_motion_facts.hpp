@@ -51,6 +51,17 @@ struct UsedGroundMotion {
 /// The factor on the accelerations of a recorded ground motion, of a random one the mean; absent under other excitations.
 [[nodiscard]] std::optional<double> scale_of(const Scene& scene);
 
+/// Peak horizontal accelerations over g, scaled; of random numbers with their means.
+struct FloorPeaks {
+  double pga_g = 0.0;         ///< of the ground
+  double floor_peak_g = 0.0;  ///< of the floor on which the block stands
+};
+
+[[nodiscard]] const StructType& fields_of(const FloorPeaks*);
+
+/// Absent of a block that does not stand in a building.
+[[nodiscard]] std::optional<FloorPeaks> floor_peaks_of(const Scene& scene);
+
 /// Every file of a run once, in the order of the conditions.
 [[nodiscard]] std::vector<UsedGroundMotion> used_ground_motions(const std::vector<Condition>& conditions);
 

@@ -57,6 +57,8 @@ struct EdgeNumbers {
     uplift.add(edge.tangent);
     rate_ratio.add(dynamics::inelastic_rate_ratio(edge));
   }
+  /// Whether the block turns about it in any condition.
+  [[nodiscard]] bool is_known() const { return distance.least <= distance.largest; }
   [[nodiscard]] look::Row row(const std::string& name, const std::string& direction, std::size_t conditions) const {
     const std::string sliding = slides == 0 ? "no"
                                 : slides == conditions
@@ -110,6 +112,7 @@ std::string block_text(const Experiment& experiment) {
     body.has_friction = body.has_friction || scene.friction;
     body.has_sides = body.has_sides || !block.has_mirror_symmetry();
     for (std::size_t i = 0; i < sides.size(); ++i) {
+      if (block.open_side * (i == 0 ? 1.0 : -1.0) < 0.0) continue;
       sides[i].add(block, block.edges[i]);
       if (scene.friction && mean_static(*scene.friction) < block.edges[i].tangent) ++sides[i].slides;
     }
@@ -119,7 +122,11 @@ std::string block_text(const Experiment& experiment) {
   add_columns(table, {"edge", "b [m]", "R [m]", "psi [rad]", "psi [deg]", "p [rad/s]", "uplift [g]", "Housner",
                       "slides first"});
   if (body.has_sides) {
-    table.rows = {sides[0].row("left", " to the right", conditions), sides[1].row("right", " to the left", conditions)};
+    const auto add = [&](const EdgeNumbers& side, const char* name, const char* direction) {
+      if (side.is_known()) table.rows.push_back(side.row(name, direction, conditions));
+    };
+    add(sides[0], "left", " to the right");
+    add(sides[1], "right", " to the left");
   } else {
     table.rows = {sides[0].row("both", "", conditions)};
   }

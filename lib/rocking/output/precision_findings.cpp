@@ -106,7 +106,7 @@ std::string shortfall(const Until& until, const ConditionResult& result) {
 Finding enough(const Report& report) {
   std::string list;
   std::size_t number = 0;
-  for (const auto& [asked, states_horizon, shaking, scale, result] : report.conditions) {
+  for (const auto& [asked, states_horizon, shaking, scale, floor, result] : report.conditions) {
     if (result.stopped_because != StoppedBecause::at_most_reached || ++number > most_conditions_listed || !asked.until)
       continue;
     const std::string values = values_of(asked.parameters);

@@ -162,7 +162,7 @@ void read_conditions(Report& report) {
   report.left_out = left_out_of(report.input.experiment);
   ConditionReader reader(report.input.experiment);
   for (std::size_t i = 0; i < report.conditions.size(); ++i) {
-    auto& [asked, states_horizon, shaking, scale, result] = report.conditions[i];
+    auto& [asked, states_horizon, shaking, scale, floor, result] = report.conditions[i];
     asked = reader.read(std::move(asked.parameters), "/result/conditions/" + std::to_string(i) + "/parameters");
     for (ModeEstimate& each : result.modes) each.probability.counts.trials = result.realisations;
     for (auto* side : {&result.overturned_left, &result.overturned_right}) {
@@ -255,6 +255,25 @@ bool has_unlike_edges(const Report& report) {
   });
 }
 
+std::string floor_in_words(const Report& report) {
+  std::string words;
+  bool is_one = true;
+  NumberRange ground, floor;
+  for (const ReportedCondition& condition : report.conditions) {
+    const auto* recorded = std::get_if<Recorded>(&condition.asked.scene.excitation);
+    const bool is_in_building = recorded != nullptr && recorded->building;
+    const std::string own = is_in_building ? floor_in_words(*recorded->building) : "on the ground";
+    is_one = is_one && (words.empty() || words == own);
+    words = own;
+    if (!condition.floor) continue;
+    ground.add(condition.floor->pga_g);
+    floor.add(condition.floor->floor_peak_g);
+  }
+  if (is_one && words == "on the ground") return "";
+  return (is_one ? words : std::string("on several floors")) + ": peak " + floor.text() + " g, of the ground " +
+         ground.text() + " g";
+}
+
 Report report_of(Experiment experiment, ExperimentResult result, SystemFacts system) {
   ROCKING_EXPECT(experiment.conditions.size() == result.conditions.size());
   Report report{.input = input_of(experiment),
@@ -271,6 +290,7 @@ Report report_of(Experiment experiment, ExperimentResult result, SystemFacts sys
     condition.asked = std::move(experiment.conditions[i]);
     condition.shaking = shaking_of(condition.asked.scene);
     condition.scale = scale_of(condition.asked.scene);
+    condition.floor = floor_peaks_of(condition.asked.scene);
     condition.result = std::move(result.conditions[i]);
   }
   set_what_follows(report);

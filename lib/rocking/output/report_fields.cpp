@@ -27,6 +27,8 @@ static const StructType& fields_of(const ReportedCondition*) {
           "factor on the accelerations of the ground motion, of a random one the mean; absent under "
           "other excitations",
           rule::not_negative, WithoutValue::omitted),
+      field<&Reported::floor>("floor", "of a building, on which the block stands; absent on the ground", rule::none,
+                              WithoutValue::omitted),
       inlined<&Reported::result>(),
   };
   return fields;

@@ -176,6 +176,7 @@ std::string run_table(const Report& report, const TableLook& look) {
     text += "impacts: " + impacts_text(report) + '\n';
   }
   for (const std::string& line : ground_motion_lines(report.ground_motions)) text += line + '\n';
+  if (const std::string floor = floor_in_words(report); !floor.empty()) text += "the block stands " + floor + '\n';
   return text + warning_lines(findings);
 }
 

@@ -125,7 +125,7 @@ bool look_at_impacts(const Scene& scene, Suspicions& found) {
     const dynamics::Edge& edge = block.edge(side);
     const double ratio = dynamics::inelastic_rate_ratio(edge, mean_restitution(scene.restitution, block, side));
     const bool is_squat = edge.tangent > 1.0;
-    if (!is_squat && ratio >= 0.0) continue;
+    if (!is_squat && (ratio >= 0.0 || scene.block.wall)) continue;
     const std::string shape =
         "the block is squat: its edge is " + significant(edge.sine * block.half_diagonal, 3) +
         " m from the centre of mass, which is " + significant(block.cosine * block.half_diagonal, 3) +

@@ -73,10 +73,12 @@ std::string thresholds_text(const Experiment& experiment) {
   Thresholds found;
   for (const Condition& condition : experiment.conditions) {
     const dynamics::Geometry block = dynamics::geometry_of(mean_block(condition.scene));
-    found.to_right.add(block.edges[0].tangent);
-    found.to_left.add(block.edges[1].tangent);
-    found.has_sides = found.has_sides || !block.is_rectangle();
-    for (const dynamics::Edge& edge : block.edges) {
+    if (!(block.open_side < 0.0)) found.to_right.add(block.edges[0].tangent);
+    if (!(block.open_side > 0.0)) found.to_left.add(block.edges[1].tangent);
+    found.has_sides = found.has_sides || (!block.is_rectangle() && block.open_side == 0.0);
+    for (const double side : {1.0, -1.0}) {
+      if (side * block.open_side < 0.0) continue;
+      const dynamics::Edge& edge = block.edge(side);
       found.uplift.add(edge.tangent);
       found.impact.add(sticking_friction(block, edge));
       if (!condition.scene.friction) continue;
@@ -151,9 +153,10 @@ std::optional<double> least_at(const Scene& scene, double intensity, double limi
     return std::min(amplitude(shapes.most_slender, shapes.most_slender.tangent), amplitude(shapes.squattest, limit));
   }
   if (!recorded->ground_motion || is_drawn(recorded->scale)) return std::nullopt;
+  if (recorded->building && is_drawn(*recorded->building)) return std::nullopt;
   auto [left, right] = shapes.least_tangents;
   const auto scale =
-      least_uplift_scale(recorded->ground_motion->samples, std::array{std::min(left, limit), std::min(right, limit)});
+      least_uplift_scale(base_motion(*recorded), std::array{std::min(left, limit), std::min(right, limit)});
   if (!scale) return std::numeric_limits<double>::infinity();
   return intensity * (*scale / mean_of(recorded->scale));
 }

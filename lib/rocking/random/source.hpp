@@ -43,11 +43,15 @@ enum class Source : std::uint8_t {
   vertical_size = 30,
   vertical_frequency = 31,
   vertical_phase = 32,
-  first_block_part = 64,  ///< and 159 after it: five numbers of each part
+  building_frequency = 33,
+  building_damping = 34,
+  building_height = 35,
+  first_block_part = 64,      ///< and 159 after it: five numbers of each part
+  first_building_mode = 224,  ///< and 29 after it: three numbers of each mode
 };
 
 /// Names of the sources, in the order of their numbers, of which the first is 1.
-inline constexpr std::array<std::string_view, 32> source_names{"static_friction",
+inline constexpr std::array<std::string_view, 35> source_names{"static_friction",
                                                                "kinetic_friction",
                                                                "restitution",
                                                                "amplitude",
@@ -78,7 +82,10 @@ inline constexpr std::array<std::string_view, 32> source_names{"static_friction"
                                                                "slip",
                                                                "vertical_size",
                                                                "vertical_frequency",
-                                                               "vertical_phase"};
+                                                               "vertical_phase",
+                                                               "building_frequency",
+                                                               "building_damping",
+                                                               "building_height"};
 
 /// Empty of a number that no source has.
 [[nodiscard]] constexpr std::string_view to_string(Source source) {

@@ -34,6 +34,7 @@ CoefficientLaws laws_of(const Scene& scene, const dynamics::Geometry& own) {
   }
   laws.restitution = law_along_the_way(f.laws.restitution, mean_restitution(scene.restitution, own),
                                        f.restitution / unit_of(scene.restitution, own));
+  laws.restitution_reach = reach_along_the_way(scene.restitution, own);
   laws.right_edge = right_edge_of(scene.restitution, own);
   laws.amplitude =
       law_along_the_way(f.laws.amplitude, amplitude_for(scene, own), f.amplitude / amplitude_unit(scene, own));
@@ -250,7 +251,7 @@ double SceneCoefficients::restitution(double landing) {
   const auto index = random::paired_index(impacts_.chatters, impacts_.since++);
   const double drawn = value_at_normal(laws_.restitution, draws_.standard_normal(Source::restitution, index));
   const double value = is_one ? drawn : at_edge(drawn);
-  const double clamped = std::clamp(value, least_restitution, largest_restitution);
+  const double clamped = std::clamp(value, laws_.restitution_reach.least, laws_.restitution_reach.largest);
   if (clamped != value) ++clamps_.restitution;
   return clamped;
 }

@@ -22,6 +22,7 @@ struct CoefficientLaws {
   double correlation = 0.0;           ///< of the normal numbers of both
   double own_share = 1.0;             ///< sqrt(1 - correlation^2): of kinetic friction's own number
   RedrawnQuantity restitution = 0.0;  ///< at the left edge
+  Reach restitution_reach;            ///< at any edge
   RightEdge right_edge;
   RedrawnQuantity amplitude = 0.0;
 };

@@ -80,6 +80,7 @@ DrawnShaking shaking_of_start(const Start& start) {
     drawn.vertical = harmonic->vertical_sine(start.geometry, start.scene.block.gravity);
     drawn.vertical.phase = wrapped(drawn.vertical.phase);
   }
+  if (const auto* recorded = std::get_if<Recorded>(&start.scene.excitation)) drawn.building = recorded->building;
   return drawn;
 }
 

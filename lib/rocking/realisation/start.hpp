@@ -82,7 +82,7 @@ class SharedExcitation {
     const DrawnShaking& drawn = beginning.shaking;
     const bool is_known = last_ && last_->asked == scene.excitation && last_->frequency_parameter == p &&
                           last_->shape_angle == psi && last_->frequency == frequency && last_->start == start &&
-                          last_->drawn.vertical == drawn.vertical;
+                          last_->drawn.vertical == drawn.vertical && last_->drawn.building == drawn.building;
     if (!is_known) {
       last_ = Last{scene.excitation, p, psi, frequency, start, drawn, excitation_of(scene, beginning)};
     } else if (last_->drawn.size != drawn.size) {

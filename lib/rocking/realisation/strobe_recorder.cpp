@@ -9,7 +9,7 @@ using dynamics::ContactState;
 using dynamics::EventKind;
 
 StrobeRecorder::StrobeRecorder(const dynamics::Geometry& block, std::int64_t periods)
-    : shape_angles_{block.edges[0].shape_angle, block.edges[1].shape_angle} {
+    : shape_angles_{block.edges[0].shape_angle, block.edges[1].shape_angle}, is_at_wall_(block.open_side != 0.0) {
   periods_.reserve(static_cast<std::size_t>(periods));
 }
 
@@ -41,10 +41,10 @@ void StrobeRecorder::forget() {
 
 void StrobeRecorder::count_impact(const dynamics::State& after) {
   const double rate = std::abs(after.tilt_rate);
-  if (rate >= last_rates_[1]) run_.clear();
+  if (rate >= last_rates_[is_at_wall_ ? 0 : 1]) run_.clear();
   last_rates_ = {rate, last_rates_[0]};
-  if (after.side == side_) return;
-  if (current_.impacts < std::numeric_limits<std::uint16_t>::max()) ++current_.impacts;
+  if (after.side == side_ && !is_at_wall_) return;
+  if (current_.impacts < std::numeric_limits<std::uint16_t>::max() - 1) current_.impacts += impacts_of_one();
   run_.push_back(forgotten_ + periods_.size());
 }
 
@@ -53,7 +53,7 @@ void StrobeRecorder::merge_chatter() {
     if (run_[i] < forgotten_) continue;
     const std::size_t period = run_[i] - forgotten_;
     auto& impacts = period < periods_.size() ? periods_[period].impacts : current_.impacts;
-    --impacts;
+    impacts -= impacts_of_one();
   }
   run_.clear();
   last_rates_ = no_rates;

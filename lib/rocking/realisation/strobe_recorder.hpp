@@ -16,7 +16,7 @@ namespace rocking {
 ///
 /// Impacts after which the block turns about the same edge are not counted. A chatter counts once. It is the sequence
 /// of impacts that leads to full contact, in which each impact is weaker than the one before on the same edge (the
-/// edges may alternate, one being weaker than the other).
+/// edges may alternate, one being weaker than the other). At a wall every impact counts as two: it ends a rock.
 class StrobeRecorder final : public dynamics::Observer {
  public:
   StrobeRecorder(const dynamics::Geometry& block, std::int64_t periods);
@@ -36,8 +36,10 @@ class StrobeRecorder final : public dynamics::Observer {
 
   void count_impact(const dynamics::State& after);
   void merge_chatter();
+  [[nodiscard]] std::uint16_t impacts_of_one() const { return is_at_wall_ ? 2 : 1; }
 
-  std::array<double, 2> shape_angles_;    ///< of the left and the right edge
+  std::array<double, 2> shape_angles_;  ///< of the left and the right edge
+  bool is_at_wall_;
   std::vector<section::Period> periods_;  ///< complete ones
   std::size_t forgotten_ = 0;             ///< number of periods before these
   section::Period current_;

@@ -156,7 +156,10 @@ BlockNumber part_number(std::size_t part, std::size_t k) {
   return {{{texts[place][1], texts[place][0]}, source}, k < 2};
 }
 
-dynamics::Block mean_of(const SceneBlock& block) {
+namespace {
+
+/// Without a wall.
+dynamics::Block free_mean_of(const SceneBlock& block) {
   dynamics::Block mean{.width = mean_of(block.width), .height = mean_of(block.height), .gravity = block.gravity};
   if (const auto* centre = std::get_if<GivenCentre>(&block.mass)) {
     const double offset = centre->offset ? mean_of(*centre->offset) : 0.0;
@@ -185,6 +188,14 @@ dynamics::Block mean_of(const SceneBlock& block) {
   return mean;
 }
 
+}  // namespace
+
+dynamics::Block mean_of(const SceneBlock& block) {
+  dynamics::Block mean = free_mean_of(block);
+  if (block.wall) mean.open_side = *block.wall == dynamics::Side::right ? 1.0 : -1.0;
+  return mean;
+}
+
 double BlockOutline::left() const { return std::ranges::min(rectangles, {}, &Rectangle::left).left; }
 double BlockOutline::right() const { return std::ranges::max(rectangles, {}, &Rectangle::right).right; }
 double BlockOutline::top() const { return std::ranges::max(rectangles, {}, &Rectangle::top).top; }
@@ -195,7 +206,8 @@ BlockOutline outline_of(const SceneBlock& block) {
                        .base = mean.width,
                        .centre_x = 0.5 * mean.width,
                        .centre_height = 0.5 * mean.height,
-                       .is_given = !std::holds_alternative<GivenEdges>(block.mass)};
+                       .is_given = !std::holds_alternative<GivenEdges>(block.mass),
+                       .open_side = mean.open_side};
   if (!mean.mass) return outline;
   outline.base = mean.mass->left_edge + mean.mass->right_edge;
   outline.centre_x = mean.mass->left_edge;
@@ -218,7 +230,9 @@ BlockOutline outline_of(const SceneBlock& block) {
   return outline;
 }
 
-ShapeRange shapes_of(const SceneBlock& block) {
+namespace {
+
+ShapeRange free_shapes_of(const SceneBlock& block) {
   if (std::holds_alternative<UniformMass>(block.mass)) {
     const Reach width = reach_of_number(block.width, true);
     const Reach height = reach_of_number(block.height, true);
@@ -243,6 +257,16 @@ ShapeRange shapes_of(const SceneBlock& block) {
     least = std::min(least, nearer);
     largest = std::max(largest, farther);
   });
+  return range;
+}
+
+}  // namespace
+
+ShapeRange shapes_of(const SceneBlock& block) {
+  ShapeRange range = free_shapes_of(block);
+  // The edge about which a block at a wall cannot turn holds whatever the acceleration.
+  if (block.wall)
+    range.least_tangents[*block.wall == dynamics::Side::left ? 0 : 1] = std::numeric_limits<double>::infinity();
   return range;
 }
 

@@ -21,11 +21,14 @@ struct BlockNumber : QuantityPlace {
 /// Of number `k` of part `part`, in the order of the members of BlockPart.
 [[nodiscard]] BlockNumber part_number(std::size_t part, std::size_t k);
 
+/// Of number `k` of mode `i` of a building, in the order of the members of BuildingMode.
+[[nodiscard]] QuantityPlace mode_number(std::size_t i, std::size_t k);
+
 /// Calls visit(BlockNumber, quantity) for each number that the form of the block has.
 template <class ABlock, class Visit>
 void for_each_block_number(ABlock& block, const Visit& visit) {
   using random::Source;
-  auto& [width, height, gravity, mass] = block;
+  auto& [width, height, gravity, mass, wall] = block;
   const auto visit_mass = [&visit, &width = width, &height = height](auto& form) {
     using MassForm = std::remove_cvref_t<decltype(form)>;
     if constexpr (std::is_same_v<MassForm, GivenEdges>) {
@@ -115,6 +118,26 @@ template <class Physical>
   return units[static_cast<std::size_t>(unit)];
 }
 
+/// Constant or not.
+template <class ABuilding, class Visit>
+void visit_building(ABuilding& building, const Visit& visit) {
+  using random::Source;
+  auto& [frequency, damping, height, uniform_modes, modes] = building;
+  for (std::size_t i = 0; i < modes.size(); ++i) {
+    auto& [own_frequency, own_damping, factor] = modes[i];
+    visit(mode_number(i, 0), own_frequency);
+    visit(mode_number(i, 1), own_damping);
+    visit(mode_number(i, 2), factor);
+  }
+  if (!modes.empty()) return;
+  visit({{"/excitation/building/frequency_hz", "frequency of the building", "f_1"}, Source::building_frequency},
+        frequency);
+  visit({{"/excitation/building/damping_ratio", "damping ratio of the building"}, Source::building_damping}, damping);
+  visit(
+      {{"/excitation/building/height_ratio", "height of the floor over that of the building"}, Source::building_height},
+      height);
+}
+
 /// Of any kind of excitation, constant or not.
 template <class Kind, class Visit>
 void visit_excitation(Kind& kind, const Visit& visit) {
@@ -128,6 +151,9 @@ void visit_excitation(Kind& kind, const Visit& visit) {
   }
   if constexpr (requires { kind.scale; }) {
     visit({strengths[0], Source::excitation_size}, kind.scale);
+  }
+  if constexpr (requires { kind.building; }) {
+    if (kind.building) visit_building(*kind.building, visit);
   }
   if constexpr (requires { kind.phase; }) visit({{"/excitation/phase_rad", "phase", "Φ"}, Source::phase}, kind.phase);
   if constexpr (requires { kind.vertical; }) {

@@ -90,7 +90,14 @@ void keys_of_amplitude_and_frequency(FieldVisitor& in, Kind& kind, const std::ar
   }
 }
 
+void refuse_building(FieldVisitor& in) {
+  in.refuse("building",
+            "is for a ground motion: the motion of a floor under harmonic shaking or a pulse is not computed",
+            "write \"kind\": \"recorded\", or give the amplitude of the floor");
+}
+
 void keys_of(FieldVisitor& in, Harmonic& harmonic, const dynamics::Block&, RecordFields&) {
+  refuse_building(in);
   keys_of_amplitude_and_frequency(in, harmonic, amplitude_units, frequency_units);
   in.value({"phase_rad", "Phi [rad]"}, harmonic.phase, rules::phase, Absent::standard);
   in.optional("vertical", harmonic.vertical, [&in](VerticalHarmonic& vertical) {
@@ -214,6 +221,28 @@ std::vector<double> keys_of_periods(FieldVisitor& in, std::string_view strength,
   return periods;
 }
 
+void keys_of(FieldVisitor& in, Building& building) {
+  const Json* modes = in.found("modes");
+  const bool has_list = modes != nullptr ? modes->is_array() : !building.modes.empty();
+  if (has_list) {
+    for (const std::string_view key : {"frequency_hz", "damping_ratio", "height_ratio"}) {
+      in.refuse(key, "excludes a list of modes, each of which has a frequency, a damping ratio and a factor",
+                "omit it");
+    }
+  } else {
+    in.value({"frequency_hz", "of the first mode of a uniform shear building [Hz]"}, building.frequency_hz,
+             rules::building_frequency_hz, in.describes() ? Absent::omitted : Absent::error);
+    in.value({"damping_ratio", "of each of its modes, over critical"}, building.damping_ratio, rules::damping_ratio,
+             Absent::standard);
+    in.value({"height_ratio", "of the floor over that of the building"}, building.height_ratio, rules::height_ratio,
+             in.describes() ? Absent::omitted : Absent::error);
+  }
+  in.value({"modes",
+            "their number; or, in place of the keys above, a list of modes: frequency_hz, damping_ratio, and factor, "
+            "the participation factor times the shape at the floor"},
+           building, modes_type(), Absent::standard);
+}
+
 /// What a table says of a record that it selects. Returns the factor on its accelerations.
 double keys_of_selection(FieldVisitor& in, Recorded& recorded) {
   const auto number = [&in](const Key& key, std::optional<double>& value, const Rule& rule) {
@@ -270,6 +299,10 @@ void keys_of(FieldVisitor& in, Recorded& recorded, const dynamics::Block& block,
   });
   if (!has_times) how.name.clear();
   if (in.is_reading()) recorded.frequency_ratio = block_is_sound ? strobe_once_a_second(block) : 1.0;
+  in.optional("building", recorded.building, [&in](Building& building) {
+    in.object({"building", "on a floor of which the block stands, a linear one; absent: on the ground"},
+              Absent::omitted, [&building](FieldVisitor& keys) { keys_of(keys, building); });
+  });
   in.value({"frequency_ratio", "of the strobe; absent: a strobe period of the mean block is a second"},
            recorded.frequency_ratio, rules::frequency_ratio, in.follows_from({"/block", "/excitation/kind"}));
   if (strength.unit == 0) recorded.scale = strength.value;
@@ -303,6 +336,7 @@ void keys_of(FieldVisitor& in, Pulse& pulse, const dynamics::Block&, RecordField
   }
   in.refuse("scale", "is for a ground motion; a pulse has an amplitude", "write \"amplitude\" instead");
   in.refuse("vertical", "is for harmonic excitation", "omit it, or write \"kind\": \"harmonic\"");
+  refuse_building(in);
   const std::size_t problems_before = in.problem_count();
   in.choice(
       {"shape",
@@ -352,8 +386,11 @@ dynamics::Excitation Harmonic::motion(const dynamics::Geometry&, const dynamics:
 
 dynamics::Excitation Recorded::motion(const dynamics::Geometry& block, const dynamics::Clock& clock,
                                       const DrawnShaking& drawn) const {
-  const auto knots = std::make_shared<const dynamics::NormalisedGroundMotion>(ground_motion->samples,
-                                                                              block.frequency_parameter, clock);
+  const auto on_clock = [&](const std::vector<dynamics::GroundMotionSample>& samples) {
+    return std::make_shared<const dynamics::NormalisedGroundMotion>(samples, block.frequency_parameter, clock);
+  };
+  const auto& ground = ground_motion->samples;
+  const auto knots = on_clock(drawn.building ? floor_motion(ground, *drawn.building) : ground);
   if (ground_motion->has_vertical) return dynamics::RecordedExcitation<true>(knots, drawn.size);
   return dynamics::RecordedExcitation<false>(knots, drawn.size);
 }

@@ -13,6 +13,7 @@
 
 #include "rocking/dynamics/block.hpp"
 #include "rocking/dynamics/excitation/shape.hpp"
+#include "rocking/scene/building.hpp"
 #include "rocking/scene/quantity.hpp"
 
 namespace rocking::dynamics {
@@ -91,6 +92,7 @@ struct PhysicalFrequency {
 struct DrawnShaking {
   double size = 0.0;  ///< amplitude, or scale of a ground motion, as it is given
   dynamics::VerticalSine vertical = {};
+  std::optional<Building> building = std::nullopt;  ///< of numbers without laws; absent: the block stands on the ground
   friend bool operator==(const DrawnShaking&, const DrawnShaking&) = default;
 };
 
@@ -165,18 +167,20 @@ struct Recorded {
   std::optional<double> return_period{};  ///< likewise in place of the level [years]
   std::optional<double> magnitude{};      ///< of the earthquake
   std::optional<double> distance_km{};    ///< from the station to the rupture
+  std::optional<Building> building{};     ///< on a floor of which the block stands; absent: on the ground
 
   friend bool operator==(const Recorded&, const Recorded&) = default;
 
-  static constexpr std::array<std::string_view, 9> horizon_follows_from{"/block",
-                                                                        "/formulation",
-                                                                        "/restitution",
-                                                                        "/excitation/kind",
-                                                                        "/excitation/file",
-                                                                        "/excitation/component",
-                                                                        "/excitation/time_step_s",
-                                                                        "/excitation/columns",
-                                                                        "/excitation/frequency_ratio"};
+  static constexpr std::array<std::string_view, 10> horizon_follows_from{"/block",
+                                                                         "/formulation",
+                                                                         "/restitution",
+                                                                         "/excitation/building",
+                                                                         "/excitation/kind",
+                                                                         "/excitation/file",
+                                                                         "/excitation/component",
+                                                                         "/excitation/time_step_s",
+                                                                         "/excitation/columns",
+                                                                         "/excitation/frequency_ratio"};
 
   [[nodiscard]] double size() const { return mean_of(scale); }
   [[nodiscard]] static double size_unit(const dynamics::Geometry&, double) { return 1.0; }
@@ -185,16 +189,25 @@ struct Recorded {
   }
   [[nodiscard]] static Quantity start_phase() { return 0.0; }
   [[nodiscard]] double end_of_shaking(const dynamics::Geometry& block) const {
-    return ground_motion ? ground_motion->samples.back().time * block.frequency_parameter : 0.0;
+    if (!ground_motion) return 0.0;
+    const double more = building ? settling_time(*building) : 0.0;
+    return (ground_motion->samples.back().time + more) * block.frequency_parameter;
   }
   [[nodiscard]] std::vector<std::string_view> effects() const {
     std::vector<std::string_view> names{"recorded horizontal motion of the base"};
     if (ground_motion->has_vertical) names.emplace_back("recorded vertical motion of the base");
+    if (building) names.emplace_back("a building between the ground and the base");
     return names;
   }
   [[nodiscard]] dynamics::Excitation motion(const dynamics::Geometry& block, const dynamics::Clock& clock,
                                             const DrawnShaking& drawn) const;
 };
+
+/// The accelerations of the base over g, before scaling: those of the ground, or of the floor of the mean building.
+[[nodiscard]] inline std::vector<dynamics::GroundMotionSample> base_motion(const Recorded& recorded) {
+  const auto& ground = recorded.ground_motion->samples;
+  return recorded.building ? floor_motion(ground, *recorded.building) : ground;
+}
 
 /// A pulse as asked for: one pulse of a given shape, from tau = 0 on.
 struct Pulse {

@@ -77,6 +77,8 @@ struct SceneBlock {
   Quantity height = 4.0;  ///< H [m]; likewise
   double gravity = 9.81;  ///< g [m/s^2]
   SceneMass mass = {};
+  /// At which a wall stands, so that the block turns to the other one only. What an impact there leaves is a WallRatio.
+  std::optional<dynamics::Side> wall = std::nullopt;
   friend bool operator==(const SceneBlock&, const SceneBlock&) = default;
 };
 
@@ -107,6 +109,7 @@ struct BlockOutline {
   double centre_x = 0.0;              ///< of the centre of mass
   double centre_height = 0.0;         ///< likewise, above the base
   bool is_given = true;               ///< otherwise it is only known where the edges and the centre of mass are
+  double open_side = 0.0;             ///< dynamics::Block::open_side: a wall stands at the other one
 
   [[nodiscard]] double left() const;
   [[nodiscard]] double right() const;
@@ -138,8 +141,15 @@ struct RateRatio {
   friend bool operator==(const RateRatio&, const RateRatio&) = default;
 };
 
+/// The ratio abs(w2/w1) of the tilt rates across an impact on floor and wall at once, after which the block turns away from
+/// the wall again [-]. e follows from the edge that lands: dynamics::restitution_of_rate_ratio of its negative.
+struct WallRatio {
+  Quantity value = 0.5;
+  friend bool operator==(const WallRatio&, const WallRatio&) = default;
+};
+
 /// The vertical restitution e of an impact [-], or what it follows from. What each law gives: scene/restitution.cpp.
-using Restitution = std::variant<Quantity, Jy25Restitution, RateRatio>;
+using Restitution = std::variant<Quantity, Jy25Restitution, RateRatio, WallRatio>;
 
 struct Friction {
   Quantity static_coefficient = 0.0;                   ///< mu_s [-]

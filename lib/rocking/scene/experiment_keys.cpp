@@ -66,7 +66,23 @@ void keys_of(FieldVisitor& in, SceneBlock& block, GivenCentre& centre, Absent ab
               [&in](Quantity& radius) { in.value(radius_key, radius, rules::length, Absent::omitted); });
 }
 
-void keys_of(FieldVisitor& in, SceneBlock& block) {
+/// The ratio of the rates at a wall is a law of restitution, in place of that of the floor alone.
+void keys_of_wall(FieldVisitor& in, SceneBlock& block, Restitution& restitution) {
+  in.optional("wall", block.wall, [&](dynamics::Side& side) {
+    in.object(
+        {"wall", "at one side of the block, which turns away from it only; without friction; absent: none"},
+        Absent::omitted, [&](FieldVisitor& keys) {
+          auto* const known = std::get_if<WallRatio>(&restitution);
+          WallRatio ratio = known == nullptr ? WallRatio{} : *known;
+          keys.choice({"side", "of the block at which the wall stands"}, side, dynamics::side_names, Absent::error);
+          keys.value({"rate_ratio", "abs(w2/w1) of an impact on floor and wall"}, ratio.value, rules::wall_ratio,
+                     Absent::error);
+          if (keys.is_reading()) restitution = ratio;
+        });
+  });
+}
+
+void keys_of(FieldVisitor& in, SceneBlock& block, Restitution& restitution) {
   if (in.is_reading()) choose_form(in, block.mass);
   const bool describes = in.describes();
   in.require_one_of({"width_m", "edges_m", "parts", "p_rad_s"});
@@ -104,6 +120,7 @@ void keys_of(FieldVisitor& in, SceneBlock& block) {
              rules::slenderness, absent);
   }
   in.value({"gravity_m_s2", "g [m/s^2]"}, block.gravity, rules::gravity, Absent::standard);
+  keys_of_wall(in, block, restitution);
 }
 
 void keys_of_formulation(FieldVisitor& in, Scene& scene) {
@@ -115,10 +132,15 @@ void keys_of_formulation(FieldVisitor& in, Scene& scene) {
   if (in.is_reading()) {
     scene.slide_inertia = options.slide_inertia;
     scene.impact_slip_rule = options.impact_slip_rule;
-    if (options.is_jy25) scene.restitution = Jy25Restitution{};
+    if (options.is_jy25 && !scene.block.wall) scene.restitution = Jy25Restitution{};
   }
   const Absent follows = in.follows_from({"/formulation"});
   in.choice({"slide_inertia", "inertia in the slip equations"}, scene.slide_inertia, slide_inertia_names, follows);
+  if (scene.block.wall && !in.describes()) {
+    in.refuse("restitution", "is that of an impact on the floor alone; at a wall it is the rate ratio of the wall",
+              "omit it");
+    return in.choice({"impact_slip_rule", ""}, scene.impact_slip_rule, impact_slip_rule_names, follows);
+  }
   Formed restitution = formed(scene.restitution);
   in.value({"restitution",
             "vertical restitution e of an impact; \"jy25\": 1 - 1.5 sin^2(psi); rate_ratio: the measured ratio "
@@ -303,7 +325,7 @@ void keys_of(FieldVisitor& in, InitialState& initial, bool slides) {
 
 void keys_of(FieldVisitor& in, Scene& scene, RecordFields& records) {
   in.object({"block", "a rigid block: a uniform rectangle, or with its mass elsewhere"}, Absent::error,
-            [&](FieldVisitor& keys) { keys_of(keys, scene.block); });
+            [&](FieldVisitor& keys) { keys_of(keys, scene.block, scene.restitution); });
   keys_of_formulation(in, scene);
   in.object({"excitation", "how the base moves"}, Absent::error,
             [&](FieldVisitor& keys) { keys_of(keys, scene.excitation, mean_block(scene), records); });

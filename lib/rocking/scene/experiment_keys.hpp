@@ -134,6 +134,9 @@ class QuantityPairType final : public ValueType {
 /// Of a std::vector<BlockPart>.
 [[nodiscard]] const ValueType& parts_type();
 
+/// Of a Building: its list of modes, or their number.
+[[nodiscard]] const ValueType& modes_type();
+
 /// JSON Schema of any of the laws, whatever its numbers, to which the schema of a quantity refers.
 [[nodiscard]] Json law_schema();
 

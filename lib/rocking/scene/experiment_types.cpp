@@ -133,50 +133,105 @@ void keys_of(FieldVisitor& in, BlockPart& part) {
   in.value({"bottom_m", "of its bottom above the floor [m]"}, part.bottom, rules::bottom, Absent::error);
 }
 
-class PartsType final : public ValueType {
+void keys_of(FieldVisitor& in, BuildingMode& mode) {
+  in.value({"frequency_hz", "[Hz]"}, mode.frequency_hz, rules::building_frequency_hz, Absent::error);
+  in.value({"damping_ratio", "over critical"}, mode.damping_ratio, rules::damping_ratio, Absent::error);
+  in.value({"factor", "participation factor times the shape at the floor"}, mode.factor, rules::mode_factor,
+           Absent::error);
+}
+
+/// A list of objects, of a std::vector<T>.
+template <class T>
+class ObjectsType final : public ValueType {
  public:
+  ObjectsType(std::size_t most, std::string_view what, std::string_view remedy)
+      : most_(most), what_(what), remedy_(remedy) {}
+
   [[nodiscard]] Json json(const void*) const override { return Json::array(); }
   void read(const Json& json, const ReadingPlace& place, void* value) const override {
-    auto& parts = *static_cast<std::vector<BlockPart>*>(value);
-    parts.clear();
-    if (!json.is_array() || json.empty() || json.size() > most_parts) {
-      return place.reject(json, "must be a list of 1 to " + std::to_string(most_parts) + " parts",
-                          "give rectangles such as {\"width_m\": 0.6, \"height_m\": 1.0, \"mass_kg\": 80, \"x_m\": 0, "
-                          "\"bottom_m\": 0}");
+    auto& objects = *static_cast<std::vector<T>*>(value);
+    objects.clear();
+    if (!json.is_array() || json.empty() || json.size() > most_) {
+      return place.reject(json, "must be a list of 1 to " + std::to_string(most_) + ' ' + what_, remedy_);
     }
     Json canonical = Json::array();
     for (std::size_t i = 0; i < json.size(); ++i) {
       FieldReader in(json[i], place.pointer + '/' + std::to_string(i), *place.problems);
-      keys_of(in, parts.emplace_back());
+      keys_of(in, objects.emplace_back());
       canonical.push_back(in.finish());
     }
     if (place.canonical != nullptr) *place.canonical = std::move(canonical);
   }
   void check(const void* value, const ReadingPlace& place) const override {
-    auto parts = *static_cast<const std::vector<BlockPart>*>(value);
-    if (parts.empty() || parts.size() > most_parts) {
-      place.problems->push_back({place.pointer, std::to_string(parts.size()),
-                                 "must be 1 to " + std::to_string(most_parts) + " parts", "give fewer, or one"});
-      parts.resize(std::min(parts.size(), most_parts));
+    auto objects = *static_cast<const std::vector<T>*>(value);
+    if (objects.empty() || objects.size() > most_) {
+      place.problems->push_back({place.pointer, std::to_string(objects.size()),
+                                 "must be 1 to " + std::to_string(most_) + ' ' + what_, "give fewer, or one"});
+      objects.resize(std::min(objects.size(), most_));
     }
-    for (std::size_t i = 0; i < parts.size(); ++i) {
+    for (std::size_t i = 0; i < objects.size(); ++i) {
       FieldChecker checker(place.pointer + '/' + std::to_string(i), *place.problems);
-      keys_of(checker, parts[i]);
+      keys_of(checker, objects[i]);
     }
   }
   [[nodiscard]] Json schema(const Rule&) const override {
     std::vector<KeyRow> rows;
     FieldDescriber describer("", rows);
-    BlockPart part;
-    keys_of(describer, part);
-    return {{"type", "array"}, {"items", describer.schema()}, {"minItems", 1}, {"maxItems", most_parts}};
+    T object;
+    keys_of(describer, object);
+    return {{"type", "array"}, {"items", describer.schema()}, {"minItems", 1}, {"maxItems", most_}};
   }
   [[nodiscard]] Shown shown(const void*) const override { return {.allowed = "list of objects", .standard = ""}; }
+
+ private:
+  std::size_t most_;
+  std::string what_, remedy_;
+};
+
+/// The modes of a Building: a list, or their number.
+class ModesType final : public ValueType {
+ public:
+  [[nodiscard]] Json json(const void* value) const override {
+    const auto& building = *static_cast<const Building*>(value);
+    return building.modes.empty() ? number_.json(&building.uniform_modes) : list_.json(&building.modes);
+  }
+  void read(const Json& json, const ReadingPlace& place, void* value) const override {
+    auto& building = *static_cast<Building*>(value);
+    building.modes.clear();
+    if (json.is_array()) return list_.read(json, place, &building.modes);
+    number_.read(json, place, &building.uniform_modes);
+  }
+  void check(const void* value, const ReadingPlace& place) const override {
+    const auto& building = *static_cast<const Building*>(value);
+    if (!building.modes.empty()) return list_.check(&building.modes, place);
+    number_.check(&building.uniform_modes, place);
+  }
+  [[nodiscard]] Json schema(const Rule& rule) const override {
+    return {{"anyOf", Json::array({number_.schema(rule), list_.schema(rule)})}};
+  }
+  [[nodiscard]] Shown shown(const void* value) const override {
+    Shown shown = number_.shown(&static_cast<const Building*>(value)->uniform_modes);
+    shown.allowed += ", or list of objects";
+    return shown;
+  }
+
+ private:
+  NumberType<int> number_{rules::uniform_modes};
+  ObjectsType<BuildingMode> list_{
+      most_building_modes, "modes",
+      "give modes such as {\"frequency_hz\": 1.5, \"damping_ratio\": 0.05, \"factor\": 1.2}"};
 };
 
 }  // namespace
 
-const ValueType& parts_type() { return the_only<PartsType>(); }
+const ValueType& parts_type() {
+  static const ObjectsType<BlockPart> type(
+      most_parts, "parts",
+      "give rectangles such as {\"width_m\": 0.6, \"height_m\": 1.0, \"mass_kg\": 80, \"x_m\": 0, \"bottom_m\": 0}");
+  return type;
+}
+
+const ValueType& modes_type() { return the_only<ModesType>(); }
 
 Json law_schema() {
   constexpr Rule any_number;

@@ -299,6 +299,54 @@ std::optional<Refusal> until_classified_too_short(const Condition& condition) {
                  "give at least " + std::to_string(fixed + horizon.sampled_periods) + ", one window more"};
 }
 
+std::optional<Refusal> friction_at_wall(const Condition& condition) {
+  if (!condition.scene.friction || !condition.scene.block.wall) return std::nullopt;
+  return Refusal{"stands beside a wall, away from which a block would slide with a second contact that is not modelled",
+                 "omit it: a block at a wall does not slide"};
+}
+
+std::optional<Refusal> wall_without_ratio(const Condition& condition) {
+  if (condition.scene.block.wall.has_value() == std::holds_alternative<WallRatio>(condition.scene.restitution)) {
+    return std::nullopt;
+  }
+  return Refusal{"and the law of the restitution do not belong together", "give a wall a WallRatio, and only a wall"};
+}
+
+/// A start behind the wall, or that moves into it.
+template <Quantity InitialState::*number>
+std::optional<Refusal> start_in_wall(const Condition& condition) {
+  const SceneBlock& block = condition.scene.block;
+  if (!block.wall) return std::nullopt;
+  const bool is_tilt = number == &InitialState::tilt;
+  const Reach tilt = reach_of(condition.scene.initial.tilt), own = reach_of(condition.scene.initial.*number);
+  const bool is_wall_right = *block.wall == dynamics::Side::right;
+  const bool is_into = is_wall_right ? own.least < 0.0 : own.largest > 0.0;
+  if (!is_into || (!is_tilt && !(tilt.least <= 0.0 && tilt.largest >= 0.0))) return std::nullopt;
+  return Refusal{std::string("turns the block into the wall at its ") + (is_wall_right ? "right" : "left"),
+                 std::string("give a number that is not ") + (is_wall_right ? "negative" : "positive")};
+}
+
+/// A drawn number of a building that may be outside its bounds. Laws without bounds are given those by the file.
+std::optional<Refusal> building_beyond_bounds(const Condition& condition) {
+  const auto* recorded = std::get_if<Recorded>(&condition.scene.excitation);
+  if (recorded == nullptr || !recorded->building) return std::nullopt;
+  std::optional<Refusal> refusal;
+  quantities::visit_building(*recorded->building, [&](const QuantityPlace& what, const Quantity& number) {
+    if (refusal || !is_drawn(number)) return;
+    const bool is_frequency = what.place.ends_with("frequency_hz"), is_damping = what.place.ends_with("damping_ratio");
+    if (what.place.ends_with("factor")) return;
+    const Rule& rule = is_frequency ? rules::building_frequency_hz
+                       : is_damping ? rules::damping_ratio
+                                    : rules::height_ratio;
+    const auto [least, largest] = reach_of(number);
+    if (rule.allows(least) && rule.allows(largest)) return;
+    refusal = Refusal{"has a law of the " + std::string(what.name) + " that reaches from " + shown(least) + " to " +
+                          shown(largest) + "; each value " + std::string(rule.demand),
+                      "give a uniform or a lognormal law, or a normal one with \"between\""};
+  });
+  return refusal;
+}
+
 std::string no_value(const Condition&) { return ""; }
 
 struct Relation {
@@ -394,6 +442,20 @@ constexpr auto all_relations = std::to_array<Relation>({
      tilt_beyond_balance,
      [](const Condition& c) { return text_of(c.scene.initial.tilt); },
      [](const Condition& c) { return quantities::in_unit(c.scene.initial.units.tilt, quantities::tilts).place; }},
+    {"/friction", {"/friction", "/block/wall"}, friction_at_wall, no_value},
+    {"/block/wall", {"/block/wall", "/restitution"}, wall_without_ratio, no_value},
+    {"/initial/tilt",
+     {"/block", "/initial/tilt", "/initial/tilt_rad"},
+     start_in_wall<&InitialState::tilt>,
+     [](const Condition& c) { return text_of(c.scene.initial.tilt); },
+     [](const Condition& c) { return quantities::in_unit(c.scene.initial.units.tilt, quantities::tilts).place; }},
+    {"/initial/tilt_rate",
+     {"/block", "/initial/tilt_rate", "/initial/tilt_rate_rad_s"},
+     start_in_wall<&InitialState::tilt_rate>,
+     [](const Condition& c) { return text_of(c.scene.initial.tilt_rate); },
+     [](const Condition& c) {
+       return quantities::in_unit(c.scene.initial.units.tilt_rate, quantities::tilt_rates).place;
+     }},
     {"/initial/slip",
      {"/initial/slip", "/initial/slip_m"},
      slip_without_friction<&InitialState::slip>,
@@ -427,6 +489,7 @@ constexpr auto all_relations = std::to_array<Relation>({
      {"/block", "/excitation", "/fluctuation/amplitude"},
      amplitude_sigma_beyond_bounds,
      no_value},
+    {"/excitation/building", {"/excitation/building"}, building_beyond_bounds, no_value},
     rate_ratio_of_block<0>,
     rate_ratio_of_block<1>,
 });

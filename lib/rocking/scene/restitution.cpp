@@ -131,10 +131,42 @@ void put(const RateRatio& ratio, Formed& formed) {
 }
 void set(RateRatio& ratio, Formed value) { ratio = {.value = std::move(value.value), .right = std::move(value.right)}; }
 
-/// In the order of the alternatives.
-constexpr auto forms = []<class... Laws>(std::variant<Laws...>*) {
-  return std::array{form(static_cast<const Laws*>(nullptr))...};
-}(static_cast<Restitution*>(nullptr));
+// The rebound from a wall
+
+/// e with which an impact of this edge sends the block back.
+double at_wall(double ratio, const dynamics::Edge& landing) {
+  return dynamics::restitution_of_rate_ratio(landing, -ratio);
+}
+double mean(const WallRatio& wall, const Geometry& block, double landing) {
+  return at_wall(mean_of(wall.value), block.edge(landing));
+}
+double as_given(const WallRatio& wall, const Geometry&) { return mean_of(wall.value); }
+double unit(const WallRatio&, const Geometry& block) { return dynamics::impact_loss(0.0, block); }
+std::optional<double> lognormal(const WallRatio&) { return std::nullopt; }
+RestitutionNumbers numbers(const WallRatio& wall) {
+  return {{{{{"/block/wall/rate_ratio", "rate ratio at the wall", "e_w"}, Source::mean_restitution}, &wall.value}, {}}};
+}
+Reach bounds(const WallRatio&, Source, const Geometry&, double) { return {0.0, largest_wall_ratio}; }
+std::optional<Refusal> refusal(const WallRatio&, std::size_t, const ShapeRange&, double) { return std::nullopt; }
+RightEdge right_edge(const WallRatio&, const Geometry& block) { return right_edge(RateRatio{}, block); }
+bool is_alike(const WallRatio&) { return true; }
+
+/// Along the way.
+template <class Law>
+Reach redrawn(const Law&, const Geometry&) {
+  return {least_restitution, largest_restitution};
+}
+Reach redrawn(const WallRatio&, const Geometry& block) {
+  const dynamics::Edge& landing = block.edge(-block.open_side);
+  return {at_wall(0.0, landing), at_wall(largest_wall_ratio, landing)};
+}
+
+/// Of the key `restitution`, in the order of the alternatives; the rebound from a wall stands with the wall.
+constexpr std::array forms{form(static_cast<const Quantity*>(nullptr)),
+                           form(static_cast<const Jy25Restitution*>(nullptr)),
+                           form(static_cast<const RateRatio*>(nullptr))};
+void put(const WallRatio&, Formed&) {}
+void set(WallRatio&, const Formed&) {}
 
 }  // namespace
 
@@ -173,6 +205,10 @@ std::optional<Refusal> refusal_of(const Scene& scene, std::size_t number) {
   const ShapeRange shapes = shapes_of(scene.block);
   const double largest = largest_restitution_of(scene);
   return std::visit([&](const auto& each) { return refusal(each, number, shapes, largest); }, scene.restitution);
+}
+
+Reach reach_along_the_way(const Restitution& law, const Geometry& block) {
+  return std::visit([&](const auto& each) { return redrawn(each, block); }, law);
 }
 
 RightEdge right_edge_of(const Restitution& law, const Geometry& block) {
@@ -224,6 +260,7 @@ std::string NumberRange::text() const {
 }
 
 void RateRatios::add(const Scene& scene) {
+  if (const auto* wall = std::get_if<WallRatio>(&scene.restitution)) return at_wall_.add(mean_of(wall->value));
   const Geometry block = dynamics::geometry_of(mean_block(scene));
   for (const double side : {1.0, -1.0}) {
     const dynamics::Edge& edge = block.edge(side);
@@ -242,6 +279,9 @@ void RateRatios::add(const Scene& scene) {
 }
 
 std::string RateRatios::text() const {
+  if (at_wall_.largest >= at_wall_.least) {
+    return at_wall_.text() + " of the tilt rate comes back from the wall, away from which the block turns";
+  }
   const auto of = [this](NumberRange OfEdge::*numbers) {
     const std::string left = (edges_[0].*numbers).text(), right = (edges_[1].*numbers).text();
     return left == right ? left : left + " (left edge) and " + right + " (right edge)";

@@ -19,6 +19,8 @@ namespace rocking {
 /// Bounds of the restitution e that may be drawn.
 inline constexpr double least_restitution = -0.999;
 inline constexpr double largest_restitution = 1.0;
+/// Largest ratio of the rates at a wall.
+inline constexpr double largest_wall_ratio = 0.999;
 
 /// Mean of e for a block of this shape where the edge of a side with the sign of `landing` lands.
 [[nodiscard]] double mean_restitution(const Restitution& law, const dynamics::Geometry& block, double landing = 1.0);
@@ -51,6 +53,9 @@ using RestitutionNumbers = std::array<RestitutionNumber, 2>;
 
 /// Bounds of the number with this source, as it is given, for a block of this shape.
 [[nodiscard]] Reach bounds_of(const Scene& scene, random::Source source, const dynamics::Geometry& block);
+
+/// Bounds of e as it is drawn again along the way.
+[[nodiscard]] Reach reach_along_the_way(const Restitution& law, const dynamics::Geometry& block);
 
 /// Why the blocks of the scene cannot have the number with this place among numbers_of.
 [[nodiscard]] std::optional<Refusal> refusal_of(const Scene& scene, std::size_t number);
@@ -96,6 +101,7 @@ class RateRatios {
     NumberRange housner;
   };
   std::array<OfEdge, 2> edges_;  ///< where the left edge lands, and the right one
+  NumberRange at_wall_;          ///< of blocks at a wall, which are in none of the others
   NumberRange share_;        ///< of Housner's ratio that e leave which are given as numbers, of blocks that go on over
                              ///< their other edge
   NumberRange like_ratios_;  ///< those of these e that lie among measured ratios

@@ -2,6 +2,7 @@
 
 #include "rocking/base/rule.hpp"
 #include "rocking/scene/experiment.hpp"
+#include "rocking/scene/restitution.hpp"
 
 /// Every bound on a number of a condition, whether it comes from an experiment file or from C++. Bounds far outside
 /// what is physical keep the arithmetic away from overflow; the others are the model's. Defaults are the member
@@ -46,12 +47,21 @@ inline constexpr Rule pga_g =
     within(0.0, 1e6, "must be a number from 0 to 1e6: the peak acceleration over gravity", "0.4");
 inline constexpr Rule pgv_m_s = within(0.0, 1e6, "must be a number of m/s from 0 to 1e6: the peak velocity", "0.5");
 inline constexpr Rule oscillator_period_s = within(0.01, 100.0, "must be a period in seconds, from 0.01 to 100", "1.0");
+inline constexpr Rule building_frequency_hz =
+    within(0.05, 100.0, "must be a number of Hz from 0.05 to 100: the frequency of a mode", "1.5");
+inline constexpr Rule damping_ratio = within(1e-3, 0.99, "must be a number from 0.001 to 0.99: over critical", "0.05");
+inline constexpr Rule height_ratio =
+    within(0.0, 1.0, "must be a number from 0 to 1: of the floor over that of the building", "0.8");
+inline constexpr Rule mode_factor = within(-1e3, 1e3, "must be a number from -1000 to 1000", "1.2");
+inline constexpr Rule uniform_modes{.least = 1, .most = most_building_modes, .example = "3"};
 inline constexpr Rule time_step = within(1e-9, 1e6, "must be a positive number of seconds, from 1e-9 to 1e6", "0.005");
 inline constexpr Rule friction_coefficient = within(0.0, 1e6, "must not be negative or above 1e6", "0.35");
 inline constexpr Rule restitution{
     .above = -1.0, .most = 1.0, .demand = "must be above -1 and at most 1, or be \"jy25\"", .example = "0.0"};
 inline constexpr Rule rate_ratio =
     within(0.0, 1.0, "must be a number from 0 to 1: the ratio abs(w2/w1) of the tilt rates across an impact", "0.93");
+inline constexpr Rule wall_ratio =
+    within(0.0, largest_wall_ratio, "must be a number from 0 to 0.999: the ratio abs(w2/w1) of the tilt rates", "0.5");
 inline constexpr Rule sigma = within(0.0, 1e6, "must not be negative or above 1e6: a standard deviation", "0.03");
 inline constexpr Rule weight = within(0.0, 1e6, "must not be negative or above 1e6: a relative frequency", "1.0");
 inline constexpr Rule kinetic_ratio = within(0.0, 1.0, "must be a number from 0 to 1: mu_k over mu_s", "0.85");

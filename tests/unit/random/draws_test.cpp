@@ -49,7 +49,10 @@ TEST(Source, KeepsItsNumber) {
                                                 {30, "vertical_size"},
                                                 {31, "vertical_frequency"},
                                                 {32, "vertical_phase"},
-                                                {33, ""}};
+                                                {33, "building_frequency"},
+                                                {34, "building_damping"},
+                                                {35, "building_height"},
+                                                {36, ""}};
   for (const auto& [number, name] : numbers) EXPECT_EQ(to_string(static_cast<Source>(number)), name);
 }
 

@@ -221,7 +221,7 @@ TEST_F(DamagedStore, OfTheRightLengthKeepsIt) {
 
 TEST_F(DamagedStore, IsRefusedWhereItsIdentityWasChanged) {
   for (const char* change : {"experiment = '{\"a\": 2}'", "code = '2'", "files = '/'", "part = 1, parts = 2",
-                             "part = 0, parts = 0", "parts = 0", "results = 7", "experiment_sha256 = 'x'"}) {
+                             "part = 0, parts = 0", "parts = 0", "results = results + 1", "experiment_sha256 = 'x'"}) {
     const std::string sound = bytes();
     sqlite::Database(path_, Access::write).execute(std::string("UPDATE identity SET ") + change);
     try {

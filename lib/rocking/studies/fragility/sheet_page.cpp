@@ -72,6 +72,10 @@ std::string periods_sentence(const std::vector<double>& periods) {
                      significant(periods.front(), 4), is_range ? " to " + significant(periods.back(), 4) : "");
 }
 
+std::string paragraph(bool is_warning, const std::string& beginning, const std::string& facts) {
+  return facts.empty() ? "" : fmt::format("<p{}>{}{}.</p>\n", is_warning ? " class=\"warning\"" : "", beginning, facts);
+}
+
 std::string motions(const SheetContent& sheet) {
   const std::vector<RecordCurve>& records = sheet.suites.front().curve.records;
   std::string names;
@@ -87,6 +91,7 @@ std::string motions(const SheetContent& sheet) {
              periods_sentence(sheet.periods), records.size(), sheet.suites.front().curve.levels.size(),
              significant(sheet.suites.front().curve.levels.front().intensity, 3),
              significant(sheet.suites.front().curve.levels.back().intensity, 3), names) +
+         paragraph(false, "The block stands ", escaped(floor_in_words(sheet.run))) +
          (missing ? fmt::format("<p class=\"small\">{}.</p>\n", escaped(in_words(*missing))) : "");
 }
 
@@ -174,10 +179,6 @@ std::string rates(const SheetContent& sheet) {
       "<h2>Rate of {}</h2>\n<table><thead><tr><th></th>{}</tr></thead>\n<tbody>\n{}</tbody></table>\n<p "
       "class=\"small\">{}</p>\n",
       escaped(words_of(event_of(sheet))), head, rows, notes);
-}
-
-std::string paragraph(bool is_warning, const std::string& beginning, const std::string& facts) {
-  return facts.empty() ? "" : fmt::format("<p{}>{}{}.</p>\n", is_warning ? " class=\"warning\"" : "", beginning, facts);
 }
 
 /// What was found when the ground motions were read.

@@ -41,6 +41,7 @@ struct MotionQuestion {
   double damping = 0.05;                                ///< of the response spectrum, in [0, 1)
   std::vector<double> periods;                          ///< of the response spectrum [s]
   std::optional<dynamics::Block> block = std::nullopt;  ///< whose least scale of uplift is wanted
+  std::optional<Building> building = std::nullopt;      ///< of a floor of which the motion is wanted, too
 };
 
 /// A ground motion and its intensity measures.
@@ -50,6 +51,7 @@ struct MeasuredMotion {
   IntensityMeasures measures;
   std::vector<SpectralPoint> spectrum;                ///< one for each period
   std::optional<double> uplift_scale = std::nullopt;  ///< absent: no block, or no scale uplifts it
+  std::optional<double> floor_peak_g = std::nullopt;  ///< of the ground: that of the floor, which is the next motion
 };
 
 /// Files with recorded accelerations, and how to read them.
@@ -65,7 +67,8 @@ struct GroundMotionRequest {
   MotionQuestion question = {};  ///< 1 g, damping, periods of the response spectrum, block
 };
 
-/// The ground motions with their intensity measures, in the order of the files. Throws base::InputError with the file,
+/// The ground motions with their intensity measures, in the order of the files, each with that of the floor behind it where a
+/// building is given. Throws base::InputError with the file,
 /// line and value of each fault, also for an unknown format or unit, and std::system_error where a file cannot be read.
 [[nodiscard]] ROCKING_API std::vector<MeasuredMotion> motion(const GroundMotionRequest& request);
 

@@ -75,6 +75,9 @@ static const StructType& fields_of(const ReportedMotion*) {
                                    "with `--block`: the least scale at which abs(alpha) reaches (B/H)(1 + alpha_v); "
                                    "null if no scale does",
                                    rule::positive, WithoutValue::omitted),
+      field<&Motion::floor_peak_g>("floor_peak_g",
+                                   "with `--building`: largest abs(a) of the floor over g, whose motion follows",
+                                   rule::not_negative, WithoutValue::omitted),
       field<&Motion::spectrum>("spectrum", "response spectrum at the periods that were asked for"),
       field<&Motion::series>("series", "with `--series`: the motion at its samples, for `rocking report`", {},
                              WithoutValue::omitted),
@@ -152,6 +155,7 @@ ReportedMotion reported(const MeasuredMotion& found, const MotionQuestion& quest
                           .measures = found.measures,
                           .vertical_pga_g = {},
                           .uplift_scale = {},
+                          .floor_peak_g = found.floor_peak_g,
                           .spectrum = found.spectrum,
                           .series = {}};
   if (motion.has_vertical) reported.vertical_pga_g = found.measures.vertical_pga_g;

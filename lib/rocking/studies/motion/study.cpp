@@ -39,6 +39,17 @@ void check(const GroundMotionRequest& request) {
   }
 }
 
+std::shared_ptr<const GroundMotion> floor_of(const GroundMotion& ground, const Building& building) {
+  GroundMotion floor = ground;
+  floor.samples = floor_motion(ground.samples, building);
+  floor.name += " (floor)";
+  floor.header_peak.reset();
+  floor.declared.reset();
+  floor.warnings.clear();
+  if (floor.samples.size() > 1) floor.time_step = floor.samples[1].time - floor.samples[0].time;
+  return std::make_shared<const GroundMotion>(std::move(floor));
+}
+
 }  // namespace
 
 std::vector<MeasuredMotion> motion(const GroundMotionRequest& request) {
@@ -62,8 +73,12 @@ std::vector<MeasuredMotion> motion(const GroundMotionRequest& request) {
   std::vector<MeasuredMotion> motions;
   for (const std::string& file : request.files) {
     how.name = file;
-    auto read = files.motion(how, problems);
-    if (read) motions.push_back(measured(std::move(read), files.digest(file), request.question));
+    const auto read = files.motion(how, problems);
+    if (!read) continue;
+    motions.push_back(measured(read, files.digest(file), request.question));
+    if (!request.question.building) continue;
+    motions.push_back(measured(floor_of(*read, *request.question.building), files.digest(file), request.question));
+    motions[motions.size() - 2].floor_peak_g = motions.back().measures.pga_g;
   }
   if (!problems.empty()) throw base::InputError(std::move(problems));
   return motions;
@@ -117,7 +132,8 @@ namespace {
 struct FilesQuestion {
   GroundMotionRequest request{
       .files = {}, .series = true, .question = {.periods = {0.1, 0.2, 0.3, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0, 5.0}}};
-  std::optional<std::vector<double>> block = {};  ///< width and height [m]
+  std::optional<std::vector<double>> block = {};     ///< width and height [m]
+  std::optional<std::vector<double>> building = {};  ///< frequency [Hz], damping ratio, and height of the floor
 };
 
 const StructType& fields_of(const FilesQuestion*) {
@@ -127,6 +143,11 @@ const StructType& fields_of(const FilesQuestion*) {
       asked(field<&FilesQuestion::block>("block",
                                          "Width and height of a block [m], whose least scale of uplift is printed"),
             {.names = "--block", .letter = "W H", .count = 2}),
+      asked(field<&FilesQuestion::building>(
+                "building",
+                "Frequency [Hz] and damping ratio of a uniform shear building, and the height of a floor over that of "
+                "the building: its motion is measured beside that of the ground"),
+            {.names = "--building", .letter = "F Z H", .count = 3}),
   };
   return fields;
 }
@@ -156,6 +177,23 @@ void take_block(FilesQuestion& question) {
   asked.block = dynamics::Block{question.block->front(), question.block->back(), asked.gravity};
 }
 
+void take_building(FilesQuestion& question) {
+  if (!question.building) return;
+  if (question.building->size() != 3) {
+    throw UnfitQuestion("--building: give three numbers, frequency, damping ratio and height");
+  }
+  const std::array<const Rule*, 3> bounds{&rules::building_frequency_hz, &rules::damping_ratio, &rules::height_ratio};
+  for (std::size_t i = 0; i < bounds.size(); ++i) {
+    const double number = (*question.building)[i];
+    if (!bounds[i]->allows(number)) {
+      throw UnfitQuestion("--building " + base::shortest(number) + ": " + std::string(bounds[i]->demand));
+    }
+  }
+  const std::vector<double>& numbers = *question.building;
+  question.request.question.building =
+      Building{.frequency_hz = numbers[0], .damping_ratio = numbers[1], .height_ratio = numbers[2]};
+}
+
 void check(const Subject&, FilesQuestion& question) {
   GroundMotionRequest& request = question.request;
   part_columns_from_files(request);
@@ -168,6 +206,7 @@ void check(const Subject&, FilesQuestion& question) {
     throw UnfitQuestion("--vertical: belongs to one file; give one FILE");
   }
   take_block(question);
+  take_building(question);
 }
 
 std::vector<std::string> warnings_of(const std::vector<MeasuredMotion>& motions) {

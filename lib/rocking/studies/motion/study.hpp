@@ -61,6 +61,7 @@ struct ReportedMotion {
   IntensityMeasures measures;
   std::optional<double> vertical_pga_g;
   std::optional<std::optional<double>> uplift_scale;  ///< absent: no block; null: no scale
+  std::optional<double> floor_peak_g;                 ///< of the ground below a floor
   std::vector<SpectralPoint> spectrum;
   std::optional<MotionSeries> series;
 };

@@ -5,10 +5,9 @@
 #include <string_view>
 
 #include "analysis/figure_scripts.hpp"
-#include "analysis/quantity.hpp"
 #include "rocking/figures/sweep_view.hpp"
-#include "rocking/input/quantities_in_text.hpp"
 #include "rocking/look/text_table.hpp"
+#include "rocking/output/parameter_text.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking::analysis {
@@ -187,20 +186,23 @@ std::string scene_in_words(const Report& report, const ReportedCondition& condit
       text += ", " + with_greek(in_both_forms(*condition.shaking, key));
     }
   }
-  // `, A_h = 4.2`, if it stands in the experiment.
-  const auto quote = [&](const std::string& pointer, const std::string& words) {
-    const Json value = value_at(report, condition, pointer);
-    if (value.is_number() || has_law(value)) text += ", " + words + ' ' + quantity_in_words(quantity_in(value));
+  const auto add = [&text](const std::string& words, const std::string& number) {
+    text += ", " + words + ' ' + number;
   };
-  if (!condition.shaking) quote("/excitation/frequency_ratio", "Ω_h =");
-  quote("/friction/static", "μ_s =");
-  quote("/friction/kinetic", "μ_k =");
-  const Json fluctuation = value_at(report, condition, "/fluctuation");
-  for (const auto& [source, scatter] : fluctuation.items()) {
+  const Json asked = applied(report.input.experiment, condition.asked.parameters);
+  const Json::json_pointer strobe("/excitation/frequency_ratio"), along_the_way("/fluctuation");
+  if (!condition.shaking && asked.contains(strobe)) add("Ω_h =", significant(asked.at(strobe).get<double>(), 6));
+  if (const auto& friction = scene.friction) {
+    add("μ_s =", quantity_in_words(friction->static_coefficient));
+    if (!friction->kinetic_ratio) add("μ_k =", quantity_in_words(friction->kinetic_coefficient));
+  }
+  if (!asked.contains(along_the_way)) return text;
+  for (const auto& [source, scatter] : asked.at(along_the_way).items()) {
     std::string name = source;
     std::ranges::replace(name, '_', ' ');
-    quote("/fluctuation/" + source + "/sigma", name + " fluctuates with σ =");
-    quote("/fluctuation/" + source + "/relative_sigma", name + " fluctuates with relative σ =");
+    for (const auto& [key, words] : {std::pair("sigma", "σ ="), std::pair("relative_sigma", "relative σ =")}) {
+      if (scatter.contains(key)) add(name + " fluctuates with " + words, significant(scatter.at(key).get<double>(), 6));
+    }
   }
   return text;
 }

@@ -7,7 +7,6 @@
 
 #include "analysis/page/words.hpp"
 #include "rocking/figures/sweep_view.hpp"
-#include "rocking/input/quantities_in_text.hpp"
 #include "rocking/output/mode_table.hpp"
 #include "rocking/output/report.hpp"
 
@@ -35,14 +34,10 @@ class Along {
     return report_->conditions[slice_->conditions[place]];
   }
   /// `A_h = 4.5`, as HTML.
-  [[nodiscard]] std::string name(std::size_t place) const {
-    const Parameter& parameter = at(place).asked.parameters[entry_];
-    return place_html(parameter.pointer, json_of(parameter.value));
-  }
+  [[nodiscard]] std::string name(std::size_t place) const { return place_html(at(place).asked.parameters[entry_]); }
   /// The value only, where the quantity has been named.
   [[nodiscard]] std::string value(std::size_t place) const {
-    const Parameter& parameter = at(place).asked.parameters[entry_];
-    return place_value_html(parameter.pointer, json_of(parameter.value));
+    return place_value_html(at(place).asked.parameters[entry_]);
   }
   [[nodiscard]] std::string name(const Range& range) const {
     if (range.first == range.last) return name(range.first);

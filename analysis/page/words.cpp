@@ -4,6 +4,7 @@
 
 #include "analysis/page/html.hpp"
 #include "rocking/figures/sweep_view.hpp"
+#include "rocking/output/parameter_text.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking::analysis {
@@ -30,15 +31,15 @@ std::string meaning_of(const section::ResponseMode& mode) {
   return "rocks " + times(mode.rocks) + " in " + in_words(mode.periods) + " periods";
 }
 
-std::string place_value_html(const std::string& pointer, const Json& value) {
-  const Axis axis = axis_of_parameter(pointer);
-  return escaped(short_value(pointer, value)) + (axis.unit.empty() ? "" : ' ' + escaped(axis.unit));
+std::string place_value_html(const Parameter& parameter) {
+  const Axis axis = axis_of_parameter(parameter.pointer);
+  return escaped(short_value(parameter)) + (axis.unit.empty() ? "" : ' ' + escaped(axis.unit));
 }
 
-std::string place_html(const std::string& pointer, const Json& value) {
-  const Axis axis = axis_of_parameter(pointer);
+std::string place_html(const Parameter& parameter) {
+  const Axis axis = axis_of_parameter(parameter.pointer);
   const std::string name = axis.symbol.empty() ? escaped(axis.quantity) + ' ' : symbol_html(axis.symbol) + " = ";
-  return name + place_value_html(pointer, value);
+  return name + place_value_html(parameter);
 }
 
 std::string condition_name(const Report& report, std::size_t condition) {

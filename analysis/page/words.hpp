@@ -15,11 +15,11 @@ namespace rocking::analysis {
 [[nodiscard]] std::string meaning_of(const section::ResponseMode& mode);
 
 /// A value of a swept parameter as HTML, with its unit: `4.5`, `1.05 g`.
-[[nodiscard]] std::string place_value_html(const std::string& pointer, const Json& value);
+[[nodiscard]] std::string place_value_html(const Parameter& parameter);
 
 /// The same with the symbol of the parameter, or with its name if it has none: `A_h = 4.5`, `scale of the ground motion
 /// 0.5`.
-[[nodiscard]] std::string place_html(const std::string& pointer, const Json& value);
+[[nodiscard]] std::string place_html(const Parameter& parameter);
 
 /// `friction 0.35/0.3, base amplitude 4.5`, or `the only condition`.
 [[nodiscard]] std::string condition_name(const Report& report, std::size_t condition);

@@ -58,7 +58,7 @@ std::string name_of_others(const Report& report, const ReportedCondition& condit
   for (std::size_t i = 0; i < report.swept.size(); ++i) {
     if (i == shown) continue;
     const Axis axis = axis_of_parameter(report.swept[i]);
-    name += (name.empty() ? "" : ", ") + axis.quantity + ' ' + rocking::short_value(condition.asked.parameters[i]);
+    name += (name.empty() ? "" : ", ") + axis.quantity + ' ' + short_value(condition.asked.parameters[i]);
     if (!axis.unit.empty()) name += ' ' + axis.unit;
     const std::string_view key = shaking_key(report.swept[i], condition.shaking);
     if (other_forms && !key.empty()) name += " = " + other_form(*condition.shaking, key);
@@ -105,7 +105,7 @@ void place_by_name(const Report& report, std::size_t shown, SweepView& view) {
   for (const ReportedCondition& condition : report.conditions) {
     const Parameter& parameter = condition.asked.parameters[shown];
     const auto [found, is_new] = places.try_emplace(parameter.value, static_cast<double>(places.size()));
-    if (is_new) view.axis.ticks.push_back({.place = found->second, .text = rocking::short_value(parameter)});
+    if (is_new) view.axis.ticks.push_back({.place = found->second, .text = short_value(parameter)});
     view.x.push_back(found->second);
   }
 }
@@ -168,29 +168,8 @@ Axis axis_of_parameter(const std::string& pointer, Shakings shakings) {
   return axis;
 }
 
-Json value_at(const Report& report, const ReportedCondition& condition, const std::string& pointer) {
-  const auto at = [](const Json& document, const std::string& place) {
-    const Json::json_pointer found(place);
-    return document.contains(found) ? document.at(found) : Json();
-  };
-  Json value = at(report.input.experiment, pointer);
-  for (std::size_t i = 0; i < report.swept.size(); ++i) {
-    const std::string& swept = report.swept[i];
-    if (pointer == swept || pointer.starts_with(swept + '/')) {
-      value = at(json_of(condition.asked.parameters[i].value), pointer.substr(swept.size()));
-    } else if (swept.starts_with(pointer + '/')) {
-      value[Json::json_pointer(swept.substr(pointer.size()))] = json_of(condition.asked.parameters[i].value);
-    }
-  }
-  return value;
-}
-
 std::string name_of_condition(const Report& report, const ReportedCondition& condition) {
   return name_of_others(report, condition, report.swept.size(), true);
-}
-
-std::string short_value(const std::string& pointer, const Json& value) {
-  return rocking::short_value({.pointer = pointer, .value = swept_value(value)});
 }
 
 std::vector<SpanAround> spans_around(const std::vector<double>& places) {
@@ -274,8 +253,8 @@ std::string values_in_words(const std::vector<Parameter>& others) {
   std::string words;
   for (const auto& [pointer, value] : others) {
     const Axis axis = axis_of_parameter(pointer);
-    words += (words.empty() ? "" : ", ") + axis.quantity + ' ' +
-             rocking::short_value({.pointer = pointer, .value = value}) + (axis.unit.empty() ? "" : ' ' + axis.unit);
+    words += (words.empty() ? "" : ", ") + axis.quantity + ' ' + short_value({.pointer = pointer, .value = value}) +
+             (axis.unit.empty() ? "" : ' ' + axis.unit);
   }
   return words;
 }

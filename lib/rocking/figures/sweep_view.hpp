@@ -67,16 +67,9 @@ void add_bars(const Table& table, const CategoryBars& bars, Figure& figure);
 /// `Omega_h` as `Ω_h`, as figures and pages write it.
 [[nodiscard]] std::string with_greek(std::string text);
 
-/// What stands at a place of the canonical experiment of one condition, for texts that quote it; null if nothing does.
-/// What is computed follows from ReportedCondition::asked.
-[[nodiscard]] Json value_at(const Report& report, const ReportedCondition& condition, const std::string& pointer);
-
 /// The values of all swept parameters of a condition, those of its shaking in both forms: `friction 0.35/0.3, base
 /// amplitude 4.5 = 1.1 g`; empty if nothing is swept.
 [[nodiscard]] std::string name_of_condition(const Report& report, const ReportedCondition& condition);
-
-/// Short text of the value of a parameter: `0.35/0.3` for friction.
-[[nodiscard]] std::string short_value(const std::string& pointer, const Json& value);
 
 /// Ends of the interval around each of these increasing numbers: halfway to its neighbours.
 struct SpanAround {

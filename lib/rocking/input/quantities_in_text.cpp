@@ -5,15 +5,12 @@
 #include <utility>
 #include <variant>
 
-#include "rocking/base/error.hpp"
 #include "rocking/scene/drawn_quantities.hpp"
 #include "rocking/scene/excitation.hpp"
 #include "rocking/scene/experiment_keys.hpp"
 
 namespace rocking {
 namespace {
-
-constexpr Rule any_number{.demand = "must be a number", .example = "1.0"};
 
 void add_places(const Scene& scene, std::vector<NamedPlace>& places) {
   for_each_quantity(scene, [&places](const QuantityPlace& what, const Quantity&) {
@@ -55,13 +52,6 @@ std::vector<NamedPlace> collected_places() {
   return places;
 }
 
-template <class... Kinds>
-std::string_view words_of(std::string_view name, std::variant<Kinds...>*) {
-  std::string_view words;
-  static_cast<void>(((Kinds::name == name && (words = Kinds::in_words, true)) || ...));
-  return words;
-}
-
 }  // namespace
 
 SweptValue swept_value(const Json& value) {
@@ -81,26 +71,9 @@ Json json_of(const SweptValue& value) {
 
 std::string json_text_of(const SweptValue& value) { return json_of(value).dump(); }
 
-bool has_law(const Json& value) {
-  return value.is_object() &&
-         std::ranges::any_of(law_names, [&value](std::string_view name) { return value.contains(std::string(name)); });
-}
-
-Quantity quantity_in(const Json& value) {
-  Problems problems;
-  Quantity quantity = 0.0;
-  QuantityType(any_number).read(value, {.pointer = "/value", .problems = &problems}, &quantity);
-  if (!problems.empty()) throw base::InputError(std::move(problems));
-  return quantity;
-}
-
 const std::vector<NamedPlace>& places_of_quantities() {
   static const std::vector<NamedPlace> places = collected_places();
   return places;
-}
-
-std::string_view excitation_in_words(std::string_view kind) {
-  return words_of(kind, static_cast<Excitation*>(nullptr));
 }
 
 }  // namespace rocking

@@ -10,8 +10,7 @@
 
 #include "rocking/input/quantities_in_text.hpp"
 #include "rocking/output/mode_table.hpp"
-#include "rocking/scene/quantity.hpp"
-#include "rocking/text/json.hpp"
+#include "rocking/scene/experiment_keys.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking {
@@ -104,6 +103,13 @@ const NamedPlace* named_place(const std::string& pointer) {
   return nullptr;
 }
 
+/// Of a law that is given by it and reaches as far as it does; absent otherwise.
+std::optional<double> standard_deviation_in(const Quantity& quantity) {
+  if (const auto* normal = std::get_if<Normal>(&quantity); normal != nullptr && !normal->between) return normal->sigma;
+  if (const auto* lognormal = std::get_if<Lognormal>(&quantity)) return lognormal->sigma;
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::string short_value(const Parameter& parameter) {
@@ -121,6 +127,31 @@ std::string short_value(const Parameter& parameter) {
     text += part.is_number() ? significant(part.get<double>(), 6) : brief(part);
   }
   return text;
+}
+
+Json applied(Json experiment, const std::vector<Parameter>& parameters) {
+  for (const Parameter& parameter : parameters) {
+    experiment[Json::json_pointer(parameter.pointer)] = json_of(parameter.value);
+  }
+  return experiment;
+}
+
+std::string range_in_words(const NumberRange& range, int digits) {
+  const std::string low = significant(range.least, digits);
+  const std::string high = significant(range.largest, digits);
+  return low == high ? low : low + " to " + high;
+}
+
+std::string quantity_in_words(const Quantity& quantity) {
+  if (!is_drawn(quantity)) return significant(mean_of(quantity), 6);
+  const std::string law(law_names.at(quantity.index() - 1));
+  if (const auto sigma = standard_deviation_in(quantity)) {
+    return significant(mean_of(quantity), 3) + " (drawn, " + (law == Normal::name ? "" : law + ", ") +
+           "standard deviation " + significant(*sigma, 3) + ')';
+  }
+  const Reach reach = reach_of(quantity);
+  return significant(reach.least, 3) + " to " + significant(reach.largest, 3) +
+         (law == Uniform::name ? " (drawn)" : " (drawn, " + law + ')');
 }
 
 std::string values_of(const std::vector<Parameter>& parameters) {

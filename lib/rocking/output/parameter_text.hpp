@@ -6,6 +6,8 @@
 
 #include "rocking/look/table.hpp"
 #include "rocking/scene/experiment.hpp"
+#include "rocking/scene/restitution.hpp"
+#include "rocking/text/json.hpp"
 
 /// Values of swept parameters in tables and sentences.
 namespace rocking {
@@ -22,6 +24,16 @@ struct QuantityName {
 
 /// The value of a swept parameter in a table: `0.35/0.3` for friction, the value for anything else.
 [[nodiscard]] std::string short_value(const Parameter& parameter);
+
+/// An experiment with these values, as text.
+[[nodiscard]] Json applied(Json experiment, const std::vector<Parameter>& parameters);
+
+/// `0.5`, `0.5 to 2`; in `digits` digits.
+[[nodiscard]] std::string range_in_words(const NumberRange& range, int digits);
+
+/// A number in six digits, a law in three: `0.5`, `0.4 to 0.6 (drawn)`, `0.5 (drawn, standard deviation 0.05)`,
+/// `0.4 to 0.6 (drawn, triangular)`.
+[[nodiscard]] std::string quantity_in_words(const Quantity& quantity);
 
 /// `friction 0.4/0.35, amplitude 6`; empty if nothing is swept.
 [[nodiscard]] std::string values_of(const std::vector<Parameter>& parameters);

@@ -16,6 +16,7 @@
 #include "analysis/run_figures.hpp"
 #include "rocking/figures/sweep_view.hpp"
 #include "rocking/input/read_experiment.hpp"
+#include "rocking/output/parameter_text.hpp"
 #include "rocking/output/report.hpp"
 #include "support/experiment_text.hpp"
 #include "support/json_schema.hpp"
@@ -213,14 +214,16 @@ TEST(TablesOfARun, HaveTheOtherForm) {
   EXPECT_THAT(mode_table_html(report), AllOf(HasSubstr("base amplitude [g]"), HasSubstr("1.102")));
 }
 
-TEST(AValue, IsThatOfTheConditionWhateverThePartThatIsSwept) {
+TEST(AnExperiment, HasTheValuesOfTheConditionWhateverThePartThatIsSwept) {
+  const auto width_and_height = [](const Report& report, std::size_t condition) {
+    const Json experiment = applied(report.input.experiment, report.conditions[condition].asked.parameters);
+    return std::array<double, 2>{experiment["block"]["width_m"], experiment["block"]["height_m"]};
+  };
   const Report whole = report_of(normalised, R"([{"parameter": "/block", "values":
       [{"width_m": 1, "height_m": 4}, {"width_m": 2, "height_m": 5}]}])");
-  EXPECT_EQ(value_at(whole, whole.conditions[1], "/block/height_m"), Json(5.0));
-  EXPECT_EQ(value_at(whole, whole.conditions[1], "/block").at("width_m"), Json(2.0));
+  EXPECT_EQ(width_and_height(whole, 1), (std::array{2.0, 5.0}));
   const Report part = report_of(normalised, widths);
-  EXPECT_EQ(value_at(part, part.conditions[2], "/block").at("width_m"), Json(2.0));
-  EXPECT_EQ(value_at(part, part.conditions[2], "/block/height_m"), Json(4.0));
+  EXPECT_EQ(width_and_height(part, 2), (std::array{2.0, 4.0}));
   EXPECT_EQ(mean_block(part.conditions[2].asked.scene).width, 2.0);
 }
 

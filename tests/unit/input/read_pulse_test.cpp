@@ -9,7 +9,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "rocking/input/quantities_in_text.hpp"
 #include "rocking/input/read_experiment.hpp"
 #include "rocking/text/json.hpp"
 #include "support/experiment_text.hpp"
@@ -98,13 +97,6 @@ TEST(PulseInFiles, MayHaveARandomAmplitude) {
   Json document = pulse_experiment();
   document["fluctuation"] = parse_json(R"({"amplitude": {"relative_sigma": 0.1}})");
   EXPECT_DOUBLE_EQ(pulse_experiment_of(document).conditions.at(0).scene.fluctuation.amplitude, 0.3);
-}
-
-TEST(PulseInFiles, IsSpokenOfInWords) {
-  EXPECT_EQ(excitation_in_words("pulse"), "moves in one pulse");
-  EXPECT_EQ(excitation_in_words("harmonic"), "shakes harmonically");
-  EXPECT_EQ(excitation_in_words("recorded"), "moves as recorded");
-  EXPECT_EQ(excitation_in_words("none"), "");
 }
 
 struct BadPulse {

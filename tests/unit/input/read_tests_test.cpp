@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 
 #include "rocking/base/error.hpp"
+#include "rocking/input/quantities_in_text.hpp"
 #include "rocking/input/read_experiment.hpp"
 
 namespace {

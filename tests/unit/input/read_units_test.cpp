@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "rocking/dynamics/impact.hpp"
+#include "rocking/input/quantities_in_text.hpp"
 #include "rocking/input/read_experiment.hpp"
 #include "rocking/scene/check_condition.hpp"
 #include "rocking/scene/restitution.hpp"

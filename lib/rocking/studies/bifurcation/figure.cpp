@@ -173,8 +173,7 @@ Figure figure_of(DrawnDiagram diagram, Axis x, const std::string& pointer, const
 std::string others_in_words(const std::vector<Parameter>& others) {
   std::string words;
   for (const Parameter& other : others) {
-    words +=
-        (words.empty() ? "" : ", ") + axis_of_parameter(other.pointer).quantity + ' ' + rocking::short_value(other);
+    words += (words.empty() ? "" : ", ") + axis_of_parameter(other.pointer).quantity + ' ' + short_value(other);
   }
   return words;
 }

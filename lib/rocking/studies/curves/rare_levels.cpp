@@ -6,7 +6,7 @@
 #include "rocking/api/refuse.hpp"
 #include "rocking/base/error.hpp"
 #include "rocking/base/number_text.hpp"
-#include "rocking/input/quantities_in_text.hpp"
+#include "rocking/output/parameter_text.hpp"
 #include "rocking/scene/hazard.hpp"
 #include "rocking/stats/repetitions.hpp"
 #include "rocking/studies/curves/annual_rate.hpp"
@@ -39,14 +39,6 @@ RareReport report_in(const std::string& text, const std::string& name) {
   } catch (const base::InputError& error) {
     throw located(error, text, name);
   }
-}
-
-/// An experiment with the swept values of a condition.
-Json applied(Json experiment, const std::vector<Parameter>& parameters) {
-  for (const Parameter& parameter : parameters) {
-    experiment[Json::json_pointer(parameter.pointer)] = json_of(parameter.value);
-  }
-  return experiment;
 }
 
 /// What decides on the probability of an event, but for the intensity.

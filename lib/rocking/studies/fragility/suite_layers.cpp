@@ -5,6 +5,7 @@
 
 #include "rocking/figures/palette.hpp"
 #include "rocking/figures/sweep_view.hpp"
+#include "rocking/output/parameter_text.hpp"
 #include "rocking/stats/probit.hpp"
 #include "rocking/text/number_text.hpp"
 
@@ -64,7 +65,7 @@ Table record_shares(const SuiteCurve& curve) {
   const std::vector<RecordCurve>& records = curve.records;
   for (std::size_t i = 0; i < records.size(); ++i) {
     table.columns.push_back(
-        {"record_" + std::to_string(i + 1), short_value("/excitation/file", records[i].name), true});
+        {"record_" + std::to_string(i + 1), short_value({"/excitation/file", records[i].name}), true});
     for (const FragilityLevel& level : records[i].curve.levels) {
       std::vector<Cell>& row = rows[level.intensity];
       row.resize(1 + records.size());

@@ -6,6 +6,7 @@
 
 #include "rocking/figures/palette.hpp"
 #include "rocking/figures/sweep_view.hpp"
+#include "rocking/output/parameter_text.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking::analysis {
@@ -83,7 +84,7 @@ Table record_medians(const std::vector<PeakTiltCurve>& records, std::optional<do
               .only_drawn = flat.has_value()};
   std::map<double, std::vector<Cell>> rows;
   for (std::size_t i = 0; i < records.size(); ++i) {
-    const std::string name = short_value("/excitation/file", records[i].record);
+    const std::string name = short_value({"/excitation/file", records[i].record});
     table.columns.push_back({"record_" + std::to_string(i + 1), name, true});
     for (const PeakTiltLevel& level : records[i].levels) {
       std::vector<Cell>& row = rows[level.intensity];

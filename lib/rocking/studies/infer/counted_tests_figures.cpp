@@ -78,7 +78,7 @@ Axis axis_of_candidates(const std::vector<ReportedCandidate>& candidates) {
   const std::vector<Parameter>& first = candidates.front().parameters;
   std::vector<std::string> names;
   for (const ReportedCandidate& candidate : candidates) {
-    names.push_back(first.size() == 1 ? rocking::short_value(candidate.parameters.front())
+    names.push_back(first.size() == 1 ? short_value(candidate.parameters.front())
                                       : values_in_words(candidate.parameters));
   }
   return with_names(

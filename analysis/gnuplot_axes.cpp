@@ -71,7 +71,7 @@ bool is_finite(const Cell& cell) {
 /// Whether a layer has a row that is drawn.
 bool shows_something(const Figure& figure, const Layer& layer) {
   const Table& table = figure.tables.at(layer.table);
-  return std::any_of(table.rows.begin(), table.rows.end(), [&layer](const std::vector<Cell>& row) {
+  return std::any_of(table.rows.begin(), table.rows.end(), [&layer](const Row& row) {
     return std::all_of(layer.columns.begin(), layer.columns.end(),
                        [&row](std::size_t column) { return is_finite(row.at(column)); });
   });

@@ -100,17 +100,16 @@ Table table_of_incidence(const Report& report, const SettlingResult& incidence, 
   const std::string level = report.level();
   Table table{.name = name,
               .columns = {{"period", "excitation periods since the start"},
-                          {"not_settled", "probability of not having settled by then"}},
-              .rows = {}};
+                          {"not_settled", "probability of not having settled by then"}}};
   for (const ResponseMode& mode : modes) {
     const std::string of = to_string(mode);
-    add_estimate(table, {of, "probability of having settled in " + of + " by then"},
-                 "lower end of its pointwise " + level + " interval", "upper end of it");
+    add_estimate(table,
+                 {of, "probability of having settled in " + of + " by then", "pointwise " + level + " interval"});
     table.columns.push_back({of + "_band_low", "lower edge of its simultaneous " + level + " band"});
     table.columns.push_back({of + "_band_high", "upper edge of it"});
   }
   for (const double place : places_of(incidence, span)) {
-    std::vector<Cell> row{place, 1.0 - point_at(incidence.times.any_mode, place).estimate};
+    Row row{place, 1.0 - point_at(incidence.times.any_mode, place).estimate};
     for (const ResponseMode& mode : modes) {
       const auto found = incidence.incidence.find(mode);
       if (found == incidence.incidence.end()) {
@@ -130,7 +129,7 @@ Table table_of_incidence(const Report& report, const SettlingResult& incidence, 
 /// lines.
 void add_band(const Table& whole, const std::string& name, const Style& style, Figure& figure) {
   Table table = drawn_part(whole, "band of " + name + "_low: ", {"period", name + "_low", name + "_high"});
-  std::vector<std::vector<Cell>> stepped;
+  std::vector<Row> stepped;
   for (const auto& row : table.rows) {
     if (!stepped.empty()) stepped.push_back({row[0], stepped.back()[1], stepped.back()[2]});
     stepped.push_back(row);
@@ -177,9 +176,8 @@ void add_panel(const Report& report, std::size_t condition, const std::vector<Re
   figure.tables.push_back(
       table_of_incidence(report, incidence, modes, name.empty() ? "the only condition" : name, span));
   Panel panel{.title = title_of(report, report.conditions[condition]),
-              .x = {.quantity = "time", .symbol = "", .unit = "excitation periods", .low = span.low},
-              .y = {.quantity = "probability", .symbol = "", .unit = "", .low = 0.0, .high = 1.0},
-              .layers = {}};
+              .x = {.quantity = "time", .unit = "excitation periods", .low = span.low},
+              .y = {.quantity = "probability", .low = 0.0, .high = 1.0}};
   panel.x.logarithmic = span.high > linear_ratio * span.low;
   panel.x.high = panel.x.logarithmic ? 1.2 * span.high : span.high + 0.04 * (span.high - span.low);
   figure.panels.push_back(std::move(panel));
@@ -210,10 +208,7 @@ std::optional<Figure> incidence_figure(const Report& report) {
   if (shown.empty()) return std::nullopt;
   const std::vector<ResponseMode> modes = drawn_modes(report);
   const Span span = span_of(report, shown);
-  Figure figure;
-  figure.name = "incidence";
-  figure.title = "Which response, and by when";
-  figure.subtitle = report.title();
+  Figure figure{.name = "incidence", .title = "Which response, and by when", .subtitle = report.title()};
   for (const std::size_t i : shown) add_panel(report, i, modes, span, figure);
   figure.caption =
       "Probability that a realisation has settled in a response mode by a time (cumulative incidence), with its " +

@@ -26,14 +26,11 @@ std::string table_name(const Slice& slice) { return slice.name.empty() ? "all co
 
 /// Parts common to all figures of a run.
 Figure figure_of(const Report& report, const SweepView& view, std::string name) {
-  Figure figure;
-  figure.name = std::move(name);
-  figure.subtitle = report.title();
+  Figure figure{.name = std::move(name), .subtitle = report.title()};
   for (const Slice& slice : view.slices) {
     figure.panels.push_back({.title = slice.name,
                              .x = slice.axis,
-                             .y = {.quantity = "probability", .symbol = "P", .unit = "", .low = 0.0, .high = 1.0},
-                             .layers = {}});
+                             .y = {.quantity = "probability", .symbol = "P", .low = 0.0, .high = 1.0}});
   }
   return figure;
 }
@@ -63,8 +60,7 @@ Table band_table(const Report& report, const SweepView& view, const Slice& slice
               .columns = {view.column,
                           {view.column.name + "_from", "start of its interval"},
                           {view.column.name + "_to", "end of its interval"},
-                          {"n", "realisations"}},
-              .rows = {}};
+                          {"n", "realisations"}}};
   for (const ResponseMode& mode : modes) {
     table.columns.push_back({to_string(mode) + "_from", "lower edge of the band of " + to_string(mode)});
     table.columns.push_back({to_string(mode) + "_to", "its upper edge; their difference is the estimated probability"});
@@ -75,7 +71,7 @@ Table band_table(const Report& report, const SweepView& view, const Slice& slice
   for (std::size_t i = 0; i < slice.conditions.size(); ++i) {
     const ReportedCondition& condition = report.conditions[slice.conditions[i]];
     const double n = number(condition.result.realisations);
-    std::vector<Cell> row{view.x[slice.conditions[i]], spans[i].low, spans[i].high, n};
+    Row row{view.x[slice.conditions[i]], spans[i].low, spans[i].high, n};
     std::uint64_t below = 0;
     for (const ResponseMode& mode : modes) {
       row.emplace_back(number(below) / n);
@@ -90,23 +86,19 @@ Table band_table(const Report& report, const SweepView& view, const Slice& slice
 }
 
 Table probability_table(const Report& report, const SweepView& view, const Slice& slice) {
-  const std::string level = report.level() + " simultaneous interval";
-  Table table{.name = table_name(slice), .columns = {view.column, {"n", "realisations"}}, .rows = {}};
+  Table table{.name = table_name(slice), .columns = {view.column, {"n", "realisations"}}};
   const auto modes = shown_modes(report);
   for (const ResponseMode& mode : modes) {
     const std::string name = to_string(mode);
     table.columns.push_back({name + "_count", "realisations that were " + name});
-    add_estimate(table, {name, "estimated probability of " + name}, "lower end of its " + level,
-                 "upper end of its " + level);
+    add_estimate(table, {name, "estimated probability of " + name, report.level() + " simultaneous interval"});
   }
   for (const std::size_t i : slice.conditions) {
     const ReportedCondition& condition = report.conditions[i];
-    std::vector<Cell> row{view.x[i], number(condition.result.realisations)};
+    Row row{view.x[i], number(condition.result.realisations)};
     for (const ResponseMode& mode : modes) {
       const AnyShare share = share_of(condition, mode);
-      for (const Cell& cell : {Cell(number(share.count)), Cell(share.estimate), low_of(share), high_of(share)}) {
-        row.push_back(cell);
-      }
+      row.insert(row.end(), {share.count, share.estimate, low_of(share), high_of(share)});
     }
     table.rows.push_back(std::move(row));
   }
@@ -123,8 +115,7 @@ void add_line(const ResponseMode& mode, std::size_t table, const std::string& x,
   const Table& whole = figure.tables[table];
   Style line = style_of(mode);
   if (is_unresolved) line.colour = "#707070";
-  layers.push_back(
-      {.kind = LayerKind::line, .table = table, .columns = places_of(whole, {x, name}), .style = line, .legend = name});
+  draw({.kind = LayerKind::line, .table = table, .style = line, .legend = name}, {x, name}, figure, table);
   layers.insert(layers.begin(), {.kind = LayerKind::ribbon,
                                  .table = figure.tables.size(),
                                  .columns = first_columns(LayerKind::ribbon),
@@ -137,7 +128,7 @@ void add_mode_bars(const Report& report, const SweepView& view, std::size_t slic
   const auto modes = shown_modes(report);
   const Table whole = figure.tables[slice];
   Panel& panel = figure.panels[slice];
-  if (report.swept.empty()) panel.x = {.quantity = "response mode", .symbol = "", .unit = ""};
+  if (report.swept.empty()) panel.x = {.quantity = "response mode"};
   for (std::size_t m = 0; m < modes.size(); ++m) {
     const std::string name = to_string(modes[m]);
     const CategoryBars bars{m, modes.size(), {name, name + "_low", name + "_high"}, style_of(modes[m]), name, slice};
@@ -154,9 +145,9 @@ constexpr double gap_below = 0.5 * (1.0 - strip);
 constexpr std::size_t most_strips = 200;
 
 Table strip_table(const std::vector<Table>& bands) {
-  Table strips{.name = "strips of all combinations", .columns = bands.front().columns, .rows = {}, .only_drawn = true};
+  Table strips{.name = "strips of all combinations", .columns = bands.front().columns, .only_drawn = true};
   for (std::size_t i = 0; i < bands.size(); ++i) {
-    for (std::vector<Cell> row : bands[i].rows) {
+    for (Row row : bands[i].rows) {
       for (std::size_t c = first_edge; c < row.size(); ++c) {
         row[c] = static_cast<double>(i) + gap_below + strip * std::get<double>(row[c]);
       }

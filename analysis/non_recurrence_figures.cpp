@@ -10,8 +10,6 @@
 namespace rocking::analysis {
 namespace {
 
-Cell cell_of(const std::optional<double>& value) { return value ? Cell(*value) : Cell(); }
-
 bool has_differences(const Report& report) {
   return std::any_of(report.conditions.begin(), report.conditions.end(),
                      [](const ReportedCondition& condition) { return condition.result.non_recurrence.has_value(); });
@@ -24,17 +22,16 @@ Table difference_table(const Report& report, const SweepView& view, const Slice&
   Table table{.name = name_of(slice),
               .columns = {view.column,
                           {"n", "realisations"},
-                          {"differ", "probability that two runs differ in response mode"},
+                          {"differ", "probability that two runs differ in response mode", level},
                           {"low", "lower end of its " + level},
                           {"high", "upper end of its " + level},
-                          {"entropy", "entropy of the response modes [nat]"}},
-              .rows = {}};
+                          {"entropy", "entropy of the response modes [nat]"}}};
   for (const std::size_t i : slice.conditions) {
     const ReportedCondition& condition = report.conditions[i];
     if (!condition.result.non_recurrence) continue;
     const NonRecurrence& found = *condition.result.non_recurrence;
-    table.rows.push_back({view.x[i], static_cast<double>(condition.result.realisations), found.differ,
-                          found.differ_interval.low, found.differ_interval.high, found.entropy});
+    table.rows.push_back({view.x[i], condition.result.realisations, found.differ, found.differ_interval.low,
+                          found.differ_interval.high, found.entropy});
   }
   return table;
 }
@@ -47,20 +44,16 @@ Table divergence_table(const Report& report, const SweepView& view, const Slice&
                           {"median", "median of the divergence time [periods]"},
                           {"lower", "lower quartile [periods]"},
                           {"upper", "upper quartile [periods]"},
-                          {"upper_drawn", "upper quartile as drawn, cut at the horizon [periods]"}},
-              .rows = {}};
+                          {"upper_drawn", "upper quartile as drawn, cut at the horizon [periods]"}}};
   const auto periods = report.periods();
-  const Cell end = periods ? Cell(static_cast<double>(*periods)) : Cell();
   for (const std::size_t i : slice.conditions) {
     if (!report.conditions[i].result.non_recurrence) continue;
     const DivergenceTimes& divergence = report.conditions[i].result.non_recurrence->friction;
     if (divergence.pairs == 0) continue;
-    const Cell drawn = !divergence.lower_quartile  ? Cell()
-                       : divergence.upper_quartile ? Cell(*divergence.upper_quartile)
-                                                   : end;
-    table.rows.push_back({view.x[i], static_cast<double>(divergence.pairs), static_cast<double>(divergence.diverged),
-                          cell_of(divergence.median), cell_of(divergence.lower_quartile),
-                          cell_of(divergence.upper_quartile), drawn});
+    const Cell end = divergence.lower_quartile && periods ? Cell(*periods) : Cell();
+    table.rows.push_back({view.x[i], divergence.pairs, divergence.diverged, divergence.median,
+                          divergence.lower_quartile, divergence.upper_quartile,
+                          divergence.upper_quartile ? Cell(*divergence.upper_quartile) : end});
   }
   return table;
 }
@@ -82,7 +75,7 @@ void add_curve(const SweepView& view, std::size_t number, const std::array<std::
 Figure empty_figure(const Report& report, const SweepView& view) {
   Figure figure;
   figure.subtitle = report.title();
-  Panel panel{.title = "", .x = view.axis, .y = {}, .layers = {}};
+  Panel panel{.x = view.axis, .y = {}};
   set_range(view, panel);
   figure.panels.push_back(std::move(panel));
   return figure;
@@ -136,8 +129,7 @@ Table table_of(const Pairs& pairs, const std::string& name, double horizon) {
               .columns = {{"period", "excitation periods since the start"},
                           {"share", "share of pairs that have diverged by then"},
                           {"diverged", "pairs that have diverged by then"},
-                          {"pairs", "number of pairs"}},
-              .rows = {}};
+                          {"pairs", "number of pairs"}}};
   const auto count = static_cast<double>(pairs.count);
   double diverged = 0.0;
   const auto add = [&](double period) { table.rows.push_back({period, diverged / count, diverged, count}); };
@@ -158,8 +150,7 @@ std::optional<Figure> non_recurrence(const Report& report) {
   Figure figure = empty_figure(report, view);
   figure.name = "non_recurrence";
   figure.title = "Probability that two equal runs have different responses";
-  figure.panels.front().y = {
-      .quantity = "probability that two runs differ", .symbol = "", .unit = "", .low = 0.0, .high = 1.0};
+  figure.panels.front().y = {.quantity = "probability that two runs differ", .low = 0.0, .high = 1.0};
   for (std::size_t i = 0; i < view.slices.size(); ++i) {
     figure.tables.push_back(difference_table(report, view, view.slices[i]));
     add_curve(view, i, {"differ", "low", "high"}, figure);
@@ -178,7 +169,7 @@ std::optional<Figure> divergence_quartiles(const Report& report) {
   figure.name = "divergence_quartiles";
   figure.title = "Divergence time of two equal runs";
   figure.panels.front().y = {
-      .quantity = "divergence time", .symbol = "", .unit = "excitation periods", .low = 1.0, .logarithmic = true};
+      .quantity = "divergence time", .unit = "excitation periods", .low = 1.0, .logarithmic = true};
   bool any = false;
   for (std::size_t i = 0; i < view.slices.size(); ++i) {
     figure.tables.push_back(divergence_table(report, view, view.slices[i]));
@@ -202,22 +193,19 @@ std::optional<Figure> divergence_quartiles(const Report& report) {
 std::optional<Figure> divergence_times(const Report& report, const Store& store) {
   const std::vector<Pairs> all = pairs_of(report, store);
   if (std::ranges::all_of(all, [](const Pairs& pairs) { return pairs.diverged.empty(); })) return std::nullopt;
-  Figure figure;
-  figure.name = "divergence_times";
-  figure.title = "Share of diverged pairs of equal runs against time";
-  figure.subtitle = report.title();
-  Panel panel{.title = "",
-              .x = {.quantity = "time", .symbol = "", .unit = "excitation periods", .low = 1.0, .logarithmic = true},
-              .y = {.quantity = "share of pairs that have diverged", .symbol = "", .unit = "", .low = 0.0, .high = 1.0},
-              .layers = {}};
+  Figure figure{.name = "divergence_times",
+                .title = "Share of diverged pairs of equal runs against time",
+                .subtitle = report.title()};
+  Panel panel{.x = {.quantity = "time", .unit = "excitation periods", .low = 1.0, .logarithmic = true},
+              .y = {.quantity = "share of pairs that have diverged", .low = 0.0, .high = 1.0}};
   const double end = std::max(last_period(report, all), 2.0);
   panel.x.high = end;
   figure.panels.push_back(std::move(panel));
   for (std::size_t i = 0; i < all.size(); ++i) {
     const std::string name = name_of_condition(report, report.conditions[all[i].condition]);
-    figure.tables.push_back(table_of(all[i], name.empty() ? "the only condition" : name, end));
-    draw({.kind = LayerKind::steps, .table = i, .style = style_of_curve(i), .legend = figure.tables.back().name}, {},
-         figure);
+    Table table = table_of(all[i], name.empty() ? "the only condition" : name, end);
+    const std::string legend = table.name;
+    draw(std::move(table), {.kind = LayerKind::steps, .style = style_of_curve(i), .legend = legend}, {}, figure);
   }
   figure.caption =
       "Share of pairs of runs, with independent random numbers, that have diverged (are more than 0.01 apart in (Θ, "

@@ -46,8 +46,6 @@ constexpr std::array drawn_quantities{
 
 constexpr std::array drawn_levels{0.5, 0.05, 0.95};
 
-Cell quantile_cell(const std::optional<double>& value) { return value ? Cell(*value) : Cell(); }
-
 stats::QuantileEstimate at_level(const std::vector<stats::QuantileEstimate>& levels, double level) {
   const auto found = std::ranges::find(levels, level, &stats::QuantileEstimate::level);
   return found == levels.end() ? stats::QuantileEstimate{} : *found;
@@ -59,28 +57,27 @@ std::string percent_of(double level) { return significant(100.0 * level, 4); }
 void add_columns(const Report& report, const std::string& unit, Table& table) {
   for (const double level : drawn_levels) {
     const std::string key = level == 0.5 ? "median" : "q" + percent_of(level);
-    add_estimate(table, {key, (level == 0.5 ? "median" : percent_of(level) + " % quantile") + unit},
-                 "lower end of its " + report.level() + " interval" + unit, "upper end of it" + unit);
+    const std::string meaning = (level == 0.5 ? "median" : percent_of(level) + " % quantile") + unit;
+    add_estimate(table, {key, meaning, report.level() + " interval"}, unit);
   }
 }
 
-void add_cells(const Quantiles& quantiles, std::vector<Cell>& row) {
+void add_cells(const Quantiles& quantiles, Row& row) {
   for (const double level : drawn_levels) {
     const stats::QuantileEstimate quantile = at_level(quantiles.levels, level);
-    for (const auto& value : {quantile.value, quantile.low, quantile.high}) row.push_back(quantile_cell(value));
+    row.insert(row.end(), {quantile.value, quantile.low, quantile.high});
   }
 }
 
 Table quantile_table(const Report& report, const SweepView& view, const Slice& slice, const Drawn& drawn) {
   const std::string unit = drawn.unit[0] == '\0' ? "" : std::string(" [") + drawn.unit + ']';
   Table table{.name = slice.name.empty() ? "all conditions" : slice.name,
-              .columns = {view.column, {"n", "realisations"}, {"beyond", "of these overturned"}},
-              .rows = {}};
+              .columns = {view.column, {"n", "realisations"}, {"beyond", "of these overturned"}}};
   add_columns(report, unit, table);
   for (const std::size_t i : slice.conditions) {
     const auto found = drawn.quantiles(report.conditions[i].result.peaks);
     if (!found) continue;
-    table.rows.push_back({view.x[i], static_cast<double>(found->realisations), static_cast<double>(found->beyond)});
+    table.rows.push_back({view.x[i], found->realisations, found->beyond});
     add_cells(*found, table.rows.back());
   }
   return table;
@@ -137,14 +134,8 @@ bool has_values(const Report& report, const Drawn& drawn) {
 
 Figure quantile_figure(const Report& report, const Drawn& drawn) {
   const SweepView view = view_of(report);
-  Figure figure;
-  figure.name = drawn.key;
-  figure.title = drawn.title;
-  figure.subtitle = report.title();
-  Panel panel{.title = "",
-              .x = view.axis,
-              .y = {.quantity = drawn.quantity, .symbol = drawn.symbol, .unit = drawn.unit},
-              .layers = {}};
+  Figure figure{.name = drawn.key, .title = drawn.title, .subtitle = report.title()};
+  Panel panel{.x = view.axis, .y = {.quantity = drawn.quantity, .symbol = drawn.symbol, .unit = drawn.unit}};
   set_range(view, panel);
   if (!drawn.is_signed) panel.y.low = 0.0;
   figure.panels.push_back(std::move(panel));
@@ -167,7 +158,7 @@ Figure quantile_figure(const Report& report, const Drawn& drawn) {
 
 Table quantiles_of_condition(const Report& report, const ReportedCondition& condition) {
   const bool is_lone = condition.result.realisations == 1;
-  Table table{.name = "", .columns = {{"quantity", "quantity"}}, .rows = {}};
+  Table table{.name = "", .columns = {{"quantity", "quantity"}}};
   if (is_lone) {
     table.columns.push_back({"value", "value"});
   } else {
@@ -178,14 +169,13 @@ Table quantiles_of_condition(const Report& report, const ReportedCondition& cond
   for (const Drawn& drawn : drawn_quantities) {
     const auto found = drawn.quantiles(condition.result.peaks);
     if (!found || found->levels.empty()) continue;
-    std::vector<Cell>& row = table.rows.emplace_back();
+    Row& row = table.rows.emplace_back();
     row.emplace_back(label_of({.quantity = drawn.quantity, .symbol = drawn.symbol, .unit = drawn.unit}));
     if (is_lone) {
-      row.push_back(quantile_cell(at_level(found->levels, 0.5).value));
+      row.emplace_back(at_level(found->levels, 0.5).value);
     } else {
       add_cells(*found, row);
-      row.emplace_back(static_cast<double>(found->realisations));
-      row.emplace_back(static_cast<double>(found->beyond));
+      row.insert(row.end(), {found->realisations, found->beyond});
     }
   }
   return table;

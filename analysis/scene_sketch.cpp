@@ -50,12 +50,12 @@ class Sketch {
   explicit Sketch(Figure& figure) : figure_(figure) {}
 
   void path(const std::string& name, const std::vector<Point>& points, LayerKind kind, const Style& style) {
-    Table table{.name = name, .columns = corners, .rows = {}};
+    Table table{.name = name, .columns = corners};
     for (const Point& point : points) table.rows.push_back({rounded_length(point.x), rounded_length(point.y)});
     add_drawn(std::move(table), {.kind = kind, .style = style}, figure_);
   }
   void arrow(const std::string& name, const Point& from, const Point& way) {
-    Table table{.name = name, .columns = corners, .rows = {}};
+    Table table{.name = name, .columns = corners};
     table.columns.push_back({"dx", "its length to the right [m]"});
     table.columns.push_back({"dy", "upwards [m]"});
     table.rows.push_back(
@@ -77,7 +77,7 @@ class Sketch {
 
  private:
   Figure& figure_;
-  Table words_{.name = "words", .columns = {corners[0], corners[1], {"text", "text at this point"}}, .rows = {}};
+  Table words_{.name = "words", .columns = {corners[0], corners[1], {"text", "text at this point"}}};
 };
 
 constexpr double right_angle = 1.5707963267948966;
@@ -216,11 +216,8 @@ Figure scene_sketch(const Report& report) {
   const double size = std::max(width, height);
   const double shape_angle = geometry.edges[0].shape_angle;
   const double tilt = std::min(0.14, 0.5 * shape_angle);
-  Figure figure;
-  figure.name = "scene";
-  figure.title = "The block, to scale, and the forces on it";
-  figure.subtitle = report.title();
-  figure.panels.push_back({.title = "", .x = {}, .y = {}, .layers = {}, .to_scale = true});
+  Figure figure{.name = "scene", .title = "The block, to scale, and the forces on it", .subtitle = report.title()};
+  figure.panels.push_back({.to_scale = true});
   Panel& panel = figure.panels.front();
   panel.x.low = outline.left() - 0.6 * size;
   panel.x.high = outline.right() + 0.5 * size;

@@ -150,7 +150,7 @@ std::size_t most_curves_of(const Figure& figure) {
 
 /// The table with the names of categories in place of their positions along the axis.
 Table with_names(Table table, const Axis& axis) {
-  for (std::vector<Cell>& row : table.rows) {
+  for (Row& row : table.rows) {
     const double* place = std::get_if<double>(&row.front());
     for (const Tick& tick : axis.ticks) {
       if (place != nullptr && *place == tick.place) {
@@ -167,14 +167,14 @@ Table upright(const Table& table) {
   constexpr std::size_t most_columns = 8;
   const std::size_t columns = table.columns.size();
   if (columns <= std::max(most_columns, table.rows.size() + 1) || !table.columns.back().is_verbatim) return table;
-  Table turned{.name = table.name, .columns = {{"name", "at each " + table.columns.front().meaning}}, .rows = {}};
+  Table turned{.name = table.name, .columns = {{"name", "at each " + table.columns.front().meaning}}};
   for (const auto& row : table.rows) {
     const double* number = std::get_if<double>(&row.front());
     const std::string place = number != nullptr ? significant(*number, 6) : "";
     turned.columns.push_back({.name = place, .meaning = place, .is_verbatim = true});
   }
   for (std::size_t c = 1; c < columns; ++c) {
-    std::vector<Cell>& row = turned.rows.emplace_back(std::vector<Cell>{table.columns[c].meaning});
+    Row& row = turned.rows.emplace_back(Row{table.columns[c].meaning});
     for (const auto& source : table.rows) row.push_back(source[c]);
   }
   return turned;

@@ -21,33 +21,20 @@ look::Cell look_of(const Cell& cell, bool is_place) {
   return {};
 }
 
-/// Whether the two columns after this one are the ends of its interval: `low` and `high`, or `mode_low` and `mode_high`.
-bool has_interval(const Table& table, std::size_t place) {
-  if (place + 2 >= table.columns.size()) return false;
-  const std::string& low = table.columns[place + 1].name;
-  const std::string& high = table.columns[place + 2].name;
-  return (low == "low" && high == "high") || (low.ends_with("_low") && high == low.substr(0, low.size() - 3) + "high");
-}
-
-/// The name of a column and, below it, that of its interval, whose lower end is the `lower end of its 95 % interval`.
-std::string head_html(const Table& table, std::size_t place) {
-  const Column& column = table.columns[place];
+/// The name of a column and, below it, that of its interval.
+std::string head_html(const Column& column) {
   const std::string name = column.is_verbatim ? escaped(column.meaning) : lowered(column.meaning);
-  if (!has_interval(table, place)) return name;
-  std::string interval = table.columns[place + 1].meaning;
-  if (const auto its = interval.find(" its "); its != std::string::npos) interval.erase(0, its + 5);
-  if (const auto unit = interval.find(" ["); unit != std::string::npos) interval.erase(unit);
-  return name + " <span class=\"interval\">[" + escaped(interval) + "]</span>";
+  return name + (column.interval.empty() ? "" : " <span class=\"interval\">[" + escaped(column.interval) + "]</span>");
 }
 
 /// A value with the ends of its interval.
 look::Cell look_of(const Cell& value, const Cell& low, const Cell& high) {
-  const auto end = [](const Cell& cell) {
-    const double* number = std::get_if<double>(&cell);
-    return number == nullptr ? std::nullopt : std::optional(*number);
+  const auto number = [](const Cell& cell) {
+    const double* found = std::get_if<double>(&cell);
+    return found == nullptr ? std::nullopt : std::optional(*found);
   };
-  look::Number shown{.value = end(value), .form = 3};
-  if (end(low) || end(high)) shown.interval = look::Ends(end(low), end(high));
+  look::Number shown{.value = number(value), .form = 3};
+  if (number(low) || number(high)) shown.interval = look::Ends(number(low), number(high));
   return shown;
 }
 
@@ -78,17 +65,16 @@ Table side_by_side(const std::vector<Table>& tables) {
 
 std::string data_table_html(const Table& table, const std::string& title) {
   look::Table shown;
+  shown.rows.resize(table.rows.size());
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
-    shown.columns.push_back({.title = "", .html = head_html(table, i)});
-    if (has_interval(table, i)) i += 2;
-  }
-  for (const std::vector<Cell>& cells : table.rows) {
-    look::Row& row = shown.rows.emplace_back();
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-      const bool with_interval = has_interval(table, i);
-      row.push_back(with_interval ? look_of(cells[i], cells[i + 1], cells[i + 2]) : look_of(cells[i], i == 0));
-      if (with_interval) i += 2;
+    const Column& column = table.columns[i];
+    shown.columns.push_back({.title = "", .html = head_html(column)});
+    for (std::size_t r = 0; r < table.rows.size(); ++r) {
+      const Row& cells = table.rows[r];
+      shown.rows[r].push_back(column.interval.empty() ? look_of(cells[i], i == 0)
+                                                      : look_of(cells[i], cells[i + 1], cells[i + 2]));
     }
+    if (!column.interval.empty()) i += 2;
   }
   return to_html(shown,
                  {.label = "Table: " + escaped(title) + (table.name.empty() ? "" : " (" + escaped(table.name) + ')'),

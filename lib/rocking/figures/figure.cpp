@@ -42,20 +42,21 @@ std::vector<std::size_t> places_of(const Table& table, const std::vector<std::st
   return places;
 }
 
-void draw(Layer layer, const std::vector<std::string>& columns, Figure& figure) {
-  if (!columns.empty()) layer.columns = places_of(figure.tables.at(layer.table), columns);
-  if (layer.columns.empty()) layer.columns = first_columns(layer.kind);
-  figure.panels.back().layers.push_back(std::move(layer));
+void draw(Layer layer, const std::vector<std::string>& columns, Figure& figure, std::optional<std::size_t> panel) {
+  layer.columns = columns.empty() ? first_columns(layer.kind) : places_of(figure.tables.at(layer.table), columns);
+  figure.panels.at(panel.value_or(figure.panels.size() - 1)).layers.push_back(std::move(layer));
+}
+
+void draw(Table table, Layer layer, const std::vector<std::string>& columns, Figure& figure) {
+  layer.table = figure.tables.size();
+  figure.tables.push_back(std::move(table));
+  draw(std::move(layer), columns, figure);
 }
 
 void add_layer(Table table, LayerKind kind, const Style& style, const std::string& legend, Figure& figure) {
   if (table.rows.empty()) return;
-  for (Panel& panel : figure.panels) {
-    panel.layers.push_back({.kind = kind,
-                            .table = figure.tables.size(),
-                            .columns = first_columns(kind),
-                            .style = style,
-                            .legend = legend});
+  for (std::size_t i = 0; i < figure.panels.size(); ++i) {
+    draw({.kind = kind, .table = figure.tables.size(), .style = style, .legend = legend}, {}, figure, i);
   }
   figure.tables.push_back(std::move(table));
 }
@@ -63,19 +64,17 @@ void add_layer(Table table, LayerKind kind, const Style& style, const std::strin
 void add_drawn(Table table, Layer layer, Figure& figure) {
   if (table.rows.empty()) return;
   table.only_drawn = true;
-  layer.table = figure.tables.size();
-  figure.tables.push_back(std::move(table));
-  draw(std::move(layer), {}, figure);
+  draw(std::move(table), std::move(layer), {}, figure);
 }
 
-void add_estimate(Table& table, const Column& estimate, const std::string& low, const std::string& high) {
+void add_estimate(Table& table, const Column& estimate, const std::string& unit) {
   table.columns.push_back(estimate);
-  table.columns.push_back({estimate.name + "_low", low});
-  table.columns.push_back({estimate.name + "_high", high});
+  table.columns.push_back({estimate.name + "_low", "lower end of its " + estimate.interval + unit});
+  table.columns.push_back({estimate.name + "_high", "upper end of it" + unit});
 }
 
 Table drawn_part(const Table& whole, const std::string& what, const std::vector<std::string>& columns) {
-  Table part{.name = what + whole.name, .columns = {}, .rows = {}, .grid = std::nullopt, .only_drawn = true};
+  Table part{.name = what + whole.name, .columns = {}, .only_drawn = true};
   part.rows.resize(whole.rows.size());
   for (const std::size_t place : places_of(whole, columns)) {
     part.columns.push_back(whole.columns[place]);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -12,12 +13,21 @@
 namespace rocking::analysis {
 
 /// Nothing, a number, or a text.
-using Cell = std::variant<std::monostate, double, std::string>;
+struct Cell : std::variant<std::monostate, double, std::string> {
+  using variant::variant;
+  Cell() = default;
+  Cell(std::integral auto number) : variant(static_cast<double>(number)) {}
+  Cell(const std::optional<double>& number) {
+    if (number) *this = *number;
+  }
+};
+using Row = std::vector<Cell>;
 
 struct Column {
-  std::string name;          ///< one word, as in the data file
-  std::string meaning;       ///< in words, with symbol and unit
-  bool is_verbatim = false;  ///< whether `meaning` is a name, in which `_` begins no subscript
+  std::string name;           ///< one word, as in the data file
+  std::string meaning;        ///< in words, with symbol and unit
+  std::string interval = {};  ///< what the next two columns are the ends of, `95 % interval`; empty: of nothing
+  bool is_verbatim = false;   ///< whether `meaning` is a name, in which `_` begins no subscript
 };
 
 /// Rows of equal length. A matrix has unnamed columns, which are points of a grid; `grid` gives their positions.
@@ -26,9 +36,9 @@ struct Table {
     double x = 0.0, dx = 1.0;  ///< centre of the first column; distance between columns
     double y = 0.0, dy = 1.0;  ///< the same for rows
   };
-  std::string name;  ///< which part of the figure it is, in words
-  std::vector<Column> columns;
-  std::vector<std::vector<Cell>> rows;
+  std::string name = {};  ///< which part of the figure it is, in words
+  std::vector<Column> columns = {};
+  std::vector<Row> rows = {};
   std::optional<Grid> grid = std::nullopt;
   bool only_drawn = false;  ///< its numbers stand elsewhere; not shown to readers
 };
@@ -39,9 +49,9 @@ struct Tick {
 };
 
 struct Axis {
-  std::string quantity;  ///< `base amplitude`
-  std::string symbol;    ///< `A_h`, where a `_` begins a subscript; may be empty
-  std::string unit;      ///< `periods`; empty: dimensionless
+  std::string quantity = {};                                      ///< `base amplitude`
+  std::string symbol = {};                                        ///< `A_h`, where a `_` begins a subscript
+  std::string unit = {};                                          ///< `periods`; empty: dimensionless
   std::optional<double> low = std::nullopt, high = std::nullopt;  ///< absent: given by the data
   std::vector<Tick> ticks = {};                                   ///< empty: round numbers
   bool logarithmic = false;
@@ -86,9 +96,9 @@ struct Layer {
 
 /// One pair of axes.
 struct Panel {
-  std::string title;
-  Axis x, y;
-  std::vector<Layer> layers;
+  std::string title = {};
+  Axis x = {}, y = {};
+  std::vector<Layer> layers = {};
   double height = 1.0;    ///< relative to the panels above and below
   bool to_scale = false;  ///< both axes have the same scale and are not drawn
   double strip = 0.0;     ///< height of the stacks of boxes, of which one stands above each whole number; 0: no stacks
@@ -98,13 +108,13 @@ struct Panel {
 enum class Arrangement : std::uint8_t { grid, stacked };
 
 struct Figure {
-  std::string name;         ///< stem of its files
-  std::string title;        ///< what the figure shows
-  std::string subtitle;     ///< the experiment's title, the condition
-  std::string caption;      ///< how to read it
-  std::string description;  ///< text for readers who cannot see the figure
-  std::vector<Table> tables;
-  std::vector<Panel> panels;
+  std::string name = {};         ///< stem of its files
+  std::string title = {};        ///< what the figure shows
+  std::string subtitle = {};     ///< the experiment's title, the condition
+  std::string caption = {};      ///< how to read it
+  std::string description = {};  ///< text for readers who cannot see the figure
+  std::vector<Table> tables = {};
+  std::vector<Panel> panels = {};
   Arrangement arrangement = Arrangement::grid;
 };
 
@@ -114,8 +124,13 @@ struct Figure {
 /// The places of the columns with these names.
 [[nodiscard]] std::vector<std::size_t> places_of(const Table& table, const std::vector<std::string>& names);
 
-/// Adds a layer of its table to the last panel. `columns`: their names, in the order of the kind; empty: the first ones.
-void draw(Layer layer, const std::vector<std::string>& columns, Figure& figure);
+/// Adds a layer of its table to the last panel, or to that at this place. `columns`: their names, in the order of the kind;
+/// empty: the first ones.
+void draw(Layer layer, const std::vector<std::string>& columns, Figure& figure,
+          std::optional<std::size_t> panel = std::nullopt);
+
+/// Adds a table and a layer of it to the last panel.
+void draw(Table table, Layer layer, const std::vector<std::string>& columns, Figure& figure);
 
 /// Adds a table of x and y, unless it has no rows, and a layer of it to each panel.
 void add_layer(Table table, LayerKind kind, const Style& style, const std::string& legend, Figure& figure);
@@ -124,8 +139,8 @@ void add_layer(Table table, LayerKind kind, const Style& style, const std::strin
 /// if the layer names none.
 void add_drawn(Table table, Layer layer, Figure& figure);
 
-/// Adds the column of an estimate, and NAME_low and NAME_high of its interval.
-void add_estimate(Table& table, const Column& estimate, const std::string& low, const std::string& high);
+/// Adds the column of an estimate, and NAME_low and NAME_high of its interval. `unit`: what ends their meanings.
+void add_estimate(Table& table, const Column& estimate, const std::string& unit = {});
 
 /// These columns alone, as a table that is only drawn; its name begins with `what`.
 [[nodiscard]] Table drawn_part(const Table& whole, const std::string& what, const std::vector<std::string>& columns);

@@ -16,7 +16,7 @@ std::size_t class_of(double number, std::span<const ShadeClass> classes) {
 }
 
 Table boxes_of(const ShadedMap& map, const Shading& shading, std::size_t wanted) {
-  Table table{.name = {}, .columns = shading.columns, .rows = {}};
+  Table table{.name = {}, .columns = shading.columns};
   for (std::size_t row = 0; row < map.numbers.size(); ++row) {
     const auto& numbers = map.numbers[row];
     for (std::size_t from = 0; from < numbers.size();) {

@@ -129,7 +129,7 @@ void tell_apart(std::vector<Slice>& slices) {
 
 SweepView view_without_sweep(const Report& report) {
   SweepView view;
-  view.axis = {.quantity = "the only condition", .symbol = "", .unit = "", .ticks = {{.place = 0.0, .text = " "}}};
+  view.axis = {.quantity = "the only condition", .ticks = {{.place = 0.0, .text = " "}}};
   view.column = {"condition", "number of the condition"};
   view.x.assign(report.conditions.size(), 0.0);
   view.slices.push_back({.name = "", .conditions = {0}, .axis = view.axis});
@@ -199,14 +199,9 @@ void add_bars(const Table& table, const CategoryBars& bars, Figure& figure) {
   const auto& [value, low, high] = bars.columns;
   Table drawn = drawn_part(table, "bars of " + value + ": ", {table.columns.front().name, value, low, high});
   for (auto& row : drawn.rows) row[0] = std::get<double>(row[0]) + bars.shift();
-  std::vector<Layer>& layers = figure.panels.at(bars.panel).layers;
-  for (const LayerKind kind : {LayerKind::error_bars, LayerKind::points}) {
-    layers.push_back({.kind = kind,
-                      .table = figure.tables.size(),
-                      .columns = first_columns(kind),
-                      .style = bars.style,
-                      .legend = kind == LayerKind::points ? bars.legend : ""});
-  }
+  const std::size_t place = figure.tables.size();
+  draw({.kind = LayerKind::error_bars, .table = place, .style = bars.style}, {}, figure, bars.panel);
+  draw({.kind = LayerKind::points, .table = place, .style = bars.style, .legend = bars.legend}, {}, figure, bars.panel);
   figure.tables.push_back(std::move(drawn));
 }
 

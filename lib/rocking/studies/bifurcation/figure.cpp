@@ -95,7 +95,7 @@ Table image_table(const DrawnDiagram& diagram, const Steps& steps, const std::st
   const double dy = (diagram.tilts.high - diagram.tilts.low) / static_cast<double>(tilt_levels);
   Table table{.name = name,
               .columns = {},
-              .rows = std::vector<std::vector<Cell>>(tilt_levels, std::vector<Cell>(width, 0.0)),
+              .rows = std::vector<Row>(tilt_levels, Row(width, 0.0)),
               .grid = Table::Grid{.x = diagram.values.low, .dx = dx, .y = diagram.tilts.low + 0.5 * dy, .dy = dy},
               .only_drawn = true};
   for (const ReportedStep* step : steps) {
@@ -121,8 +121,7 @@ void add_points(const DrawnDiagram& diagram, const Steps& steps, const Column& v
     if (mode.kind == section::ResponseKind::unresolved) style.colour = "#707070";
     style.size = table.rows.size() < few_points ? 0.6 : 0.3;
     style.width = 0.8;
-    figure.tables.push_back(std::move(table));
-    draw({LayerKind::points, figure.tables.size() - 1, {}, style, to_string(mode)}, {}, figure);
+    draw(std::move(table), {.kind = LayerKind::points, .style = style, .legend = to_string(mode)}, {}, figure);
   }
 }
 
@@ -134,10 +133,7 @@ void widen(Range& range) {
 }
 
 Figure figure_of(DrawnDiagram diagram, Axis x, const std::string& pointer, const std::string& others) {
-  Figure figure;
-  figure.title = "Coexisting responses";
-  figure.subtitle = others;
-  figure.arrangement = Arrangement::stacked;
+  Figure figure{.title = "Coexisting responses", .subtitle = others, .arrangement = Arrangement::stacked};
   const Column value{last_key(pointer), label_of(x)};
   if (!(diagram.tilts.low <= diagram.tilts.high)) diagram.tilts = {.low = 0.0, .high = 0.0};
   widen(diagram.tilts);
@@ -149,8 +145,7 @@ Figure figure_of(DrawnDiagram diagram, Axis x, const std::string& pointer, const
   x.high = diagram.values.high + margin;
   for (const auto& [branch, steps] : diagram.branches) {
     const std::string words(in_words(branch));
-    figure.panels.push_back(
-        {.title = words, .x = x, .y = {"tilt at the strobe", "Θ", ""}, .layers = {}, .height = 1.4});
+    figure.panels.push_back({.title = words, .x = x, .y = {"tilt at the strobe", "Θ", ""}, .height = 1.4});
     const double room = 0.03 * (diagram.tilts.high - diagram.tilts.low);
     figure.panels.back().y.low = diagram.tilts.low - room;
     figure.panels.back().y.high = diagram.tilts.high + room;

@@ -164,20 +164,16 @@ Table count_table(const stats::Histogram& histogram) {
                           {"to", "its right edge"},
                           {"zero", "bottom of the bar"},
                           {"count", "numbers in the bin"},
-                          {"expected", "expected number"}},
-              .rows = {}};
+                          {"expected", "expected number"}}};
   for (std::size_t i = 0; i < histogram.counts.size(); ++i) {
-    table.rows.push_back({histogram.edges[i], histogram.edges[i + 1], 0.0, static_cast<double>(histogram.counts[i]),
-                          histogram.expected[i]});
+    table.rows.push_back({histogram.edges[i], histogram.edges[i + 1], 0.0, histogram.counts[i], histogram.expected[i]});
   }
   return table;
 }
 
 /// The density of the distribution times n times the width of a bin.
 Table curve_table(const stats::NormalCheck& check) {
-  Table table{.name = "normal curve",
-              .columns = {{"x", "value"}, {"expected", "expected numbers in a bin around it"}},
-              .rows = {}};
+  Table table{.name = "normal curve", .columns = {{"x", "value"}, {"expected", "expected numbers in a bin around it"}}};
   const double low = check.histogram.edges.front();
   const double high = check.histogram.edges.back();
   const double width = (high - low) / static_cast<double>(check.histogram.counts.size());
@@ -211,10 +207,7 @@ Figure normal_histogram(const SamplerCheck& check) {
                  number_text(found.law.mean) + ", " + number_text(found.law.sigma) + "²)";
   figure.subtitle = origin_of(check).substr(2);
   figure.tables = {count_table(found.histogram), curve_table(found)};
-  figure.panels.push_back({.title = "",
-                           .x = {.quantity = "value", .symbol = "", .unit = ""},
-                           .y = {.quantity = "numbers in a bin", .symbol = "", .unit = "", .low = 0.0},
-                           .layers = {}});
+  figure.panels.push_back({.x = {.quantity = "value"}, .y = {.quantity = "numbers in a bin", .low = 0.0}});
   draw({.kind = LayerKind::boxes, .style = {.colour = "#9fc5e8"}, .legend = "random numbers"}, {}, figure);
   draw({.kind = LayerKind::line,
         .table = 1,

@@ -34,16 +34,14 @@ Table tolerance_table(const CostReport& report) {
       .columns = {{"tolerance", "tolerance of the steps"},
                   {"median_error", "median over the realisations of the largest error in the first periods"},
                   {"largest_error", "the largest of all realisations"},
-                  {"changed", "response modes that differ from those at the tightest tolerance [%]"},
+                  {"changed", "response modes that differ from those at the tightest tolerance [%]", "exact interval"},
                   {"changed_low", "lower end of its exact interval [%]; absent if all realisations were measured"},
                   {"changed_high", "upper end of its exact interval [%]"},
                   {"time", "processor time per period [us]"},
-                  {"name", "the tolerance, as text"}},
-      .rows = {}};
+                  {"name", "the tolerance, as text"}}};
   for (std::size_t i = 0; i < report.cost.curve.size(); ++i) {
     const auto& [tolerance, periods, steps, departure] = report.cost.curve[i];
-    std::vector<Cell> row{
-        tolerance, {}, {}, {}, {}, {}, micro * report.cost.seconds_per_period(i), three_digits(tolerance)};
+    Row row{tolerance, {}, {}, {}, {}, {}, micro * report.cost.seconds_per_period(i), three_digits(tolerance)};
     if (departure) {
       row[1] = positive(departure->median_error);
       row[2] = positive(departure->largest_error);
@@ -71,25 +69,21 @@ void add_title(Figure& figure, const CostReport& report) {
                     std::to_string(report.cost.sampled_conditions) + " conditions; times of one processor.";
 }
 
-Axis tolerance_axis() { return {.quantity = "tolerance", .symbol = "", .unit = "", .logarithmic = true}; }
+Axis tolerance_axis() { return {.quantity = "tolerance", .logarithmic = true}; }
 
 Figure cost_tolerance(const CostReport& report) {
-  Figure figure;
-  figure.name = "cost_tolerance";
-  figure.title = "Effect and cost of a tolerance";
-  figure.arrangement = Arrangement::stacked;
+  Figure figure{
+      .name = "cost_tolerance", .title = "Effect and cost of a tolerance", .arrangement = Arrangement::stacked};
   figure.tables = {tolerance_table(report)};
-  const auto add_panel = [&figure](Axis y) {
-    figure.panels.push_back({.title = "", .x = tolerance_axis(), .y = std::move(y), .layers = {}});
-  };
-  add_panel({.quantity = "error", .symbol = "", .unit = "", .logarithmic = true});
+  const auto add_panel = [&figure](Axis y) { figure.panels.push_back({.x = tolerance_axis(), .y = std::move(y)}); };
+  add_panel({.quantity = "error", .logarithmic = true});
   add_curve(0, "tolerance", "median_error", "median", figure);
   add_curve(1, "tolerance", "largest_error", "largest", figure);
-  add_panel({.quantity = "changed modes", .symbol = "", .unit = "%", .low = 0.0});
+  add_panel({.quantity = "changed modes", .unit = "%", .low = 0.0});
   add_curve(0, "tolerance", "changed", "", figure);
   draw({.kind = LayerKind::error_bars, .style = style_of_curve(0)},
        {"tolerance", "changed", "changed_low", "changed_high"}, figure);
-  add_panel({.quantity = "time per period", .symbol = "", .unit = "µs", .low = 0.0});
+  add_panel({.quantity = "time per period", .unit = "µs", .low = 0.0});
   add_curve(0, "tolerance", "time", "", figure);
   figure.caption = "Error: largest difference from the tightest tolerance in Θ, Θ′, V over the first " +
                    std::to_string(cost_error_periods) +
@@ -99,14 +93,11 @@ Figure cost_tolerance(const CostReport& report) {
 }
 
 Figure work_precision(const CostReport& report) {
-  Figure figure;
-  figure.name = "work_precision";
-  figure.title = "Cost of accuracy in time";
-  figure.tables = {tolerance_table(report)};
-  figure.panels = {{.title = "",
-                    .x = {.quantity = "error in the first periods", .symbol = "", .unit = "", .logarithmic = true},
-                    .y = {.quantity = "processor time per period", .symbol = "", .unit = "µs", .low = 0.0},
-                    .layers = {}}};
+  Figure figure{.name = "work_precision",
+                .title = "Cost of accuracy in time",
+                .tables = {tolerance_table(report)},
+                .panels = {{.x = {.quantity = "error in the first periods", .logarithmic = true},
+                            .y = {.quantity = "processor time per period", .unit = "µs", .low = 0.0}}}};
   add_curve(0, "median_error", "time", "median", figure);
   add_curve(1, "largest_error", "time", "largest", figure);
   figure.caption = "One point for each tolerance from " + cell_text(figure.tables[0].rows.front()[7]) + " to " +
@@ -124,25 +115,21 @@ Table realisations_table(const CostReport& report) {
                   {"time", "processor time at the experiment's tolerance [s]"},
                   {"mean", "half-width of a condition's widest simultaneous interval, mean over conditions [%]"},
                   {"widest", "the largest over all conditions [%]"},
-                  {"wilson", "the largest half-width of Wilson's intervals [%]"}},
-      .rows = {}};
+                  {"wilson", "the largest half-width of Wilson's intervals [%]"}}};
   for (std::size_t i = 0; i < report.cost.planned.size(); ++i) {
     const auto& [factor, widths, periods, seconds] = report.cost.planned[i];
-    table.rows.push_back({static_cast<double>(factor), static_cast<double>(periods), report.planned_seconds[i],
-                          hundred * widths.mean, hundred * widths.widest, hundred * widths.widest_wilson});
+    table.rows.push_back({factor, periods, report.planned_seconds[i], hundred * widths.mean, hundred * widths.widest,
+                          hundred * widths.widest_wilson});
   }
   return table;
 }
 
 Figure cost_realisations(const CostReport& report) {
-  Figure figure;
-  figure.name = "cost_realisations";
-  figure.title = "Cost of narrower intervals in time";
-  figure.tables = {realisations_table(report)};
-  figure.panels = {{.title = "",
-                    .x = {.quantity = "processor time of the run", .symbol = "", .unit = "s", .logarithmic = true},
-                    .y = {.quantity = "half-width", .symbol = "", .unit = "%", .logarithmic = true},
-                    .layers = {}}};
+  Figure figure{.name = "cost_realisations",
+                .title = "Cost of narrower intervals in time",
+                .tables = {realisations_table(report)},
+                .panels = {{.x = {.quantity = "processor time of the run", .unit = "s", .logarithmic = true},
+                            .y = {.quantity = "half-width", .unit = "%", .logarithmic = true}}}};
   add_curve(1, "time", "widest", "widest", figure);
   add_curve(2, "time", "wilson", "widest of Wilson's", figure);
   add_curve(0, "time", "mean", "mean", figure);

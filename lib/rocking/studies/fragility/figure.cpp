@@ -29,12 +29,7 @@ Panel panel_for(const Reported& reported) {
   const CurveSubject& subject = reported.curve.subject;
   return {.title = reported.run.title,
           .x = axis_of_parameter(subject.parameter, shakings_of(reported)),
-          .y = {.quantity = "probability of " + probability_of(subject.event),
-                .symbol = "P",
-                .unit = "",
-                .low = 0.0,
-                .high = 1.0},
-          .layers = {}};
+          .y = {.quantity = "probability of " + probability_of(subject.event), .symbol = "P", .low = 0.0, .high = 1.0}};
 }
 
 /// Which intensities count, where a law also gives a probability below.
@@ -213,11 +208,10 @@ class CurveDrawing {
 
 Figure fragility_figure(const FragilityReport& report) {
   const Content content = content_of(report);
-  Figure figure;
-  figure.name = "fragility";
-  figure.title = "Probability" + (content.subjects.size() == 1 ? " of " + *content.subjects.begin() : "") +
-                 " as a function of intensity";
-  figure.caption = caption_of(content);
+  Figure figure{.name = "fragility",
+                .title = "Probability" + (content.subjects.size() == 1 ? " of " + *content.subjects.begin() : "") +
+                         " as a function of intensity",
+                .caption = caption_of(content)};
   if (content.has_suite) figure.description = headline(report);
   CurveDrawing drawing(report, figure);
   for (const auto& curve : report.curves) {

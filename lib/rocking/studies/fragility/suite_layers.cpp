@@ -36,22 +36,17 @@ Table suite_table(const SuiteCurve& curve) {
                           {"records", "records"},
                           {"n", "realisations of all records"},
                           {"happened", "of these: " + event_in_words(curve.subject.event)},
-                          {"estimate", "mean over the records of their shares"}},
-              .rows = {}};
+                          {"estimate", "mean over the records of their shares"}}};
   const std::string source = curve.has_law() ? "fitted" : "isotonic";
-  table.columns.push_back({source, curve.has_law() ? "probability by the law of the suite"
-                                                   : "nearest to the means at all levels that does not decrease"});
-  table.columns.push_back({source + "_low", "lower end of its bootstrap interval"});
-  table.columns.push_back({source + "_high", "upper end of it"});
+  add_estimate(table, {source,
+                       curve.has_law() ? "probability by the law of the suite"
+                                       : "nearest to the means at all levels that does not decrease",
+                       "bootstrap interval"});
   for (const SuiteLevel& level : curve.levels) {
-    table.rows.push_back({level.intensity, static_cast<double>(level.records),
-                          static_cast<double>(level.overturned.trials), static_cast<double>(level.overturned.successes),
-                          level.estimate});
-    auto& row = table.rows.back();
     const auto band = curve.has_law() ? level.band : std::optional(level.isotonic_band);
-    row.push_back(curve.has_law() ? level.fitted.value() : level.isotonic);
-    row.push_back(band ? Cell(band->low) : Cell());
-    row.push_back(band ? Cell(band->high) : Cell());
+    table.rows.push_back({level.intensity, level.records, level.overturned.trials, level.overturned.successes,
+                          level.estimate, curve.has_law() ? level.fitted.value() : level.isotonic,
+                          band ? Cell(band->low) : Cell(), band ? Cell(band->high) : Cell()});
   }
   return table;
 }
@@ -59,15 +54,14 @@ Table suite_table(const SuiteCurve& curve) {
 /// Columns: intensity, the share of each record.
 Table record_shares(const SuiteCurve& curve) {
   Table table{.name = name_of(curve, "share of each record"),
-              .columns = {{"intensity", "intensity of the excitation"}},
-              .rows = {}};
-  std::map<double, std::vector<Cell>> rows;
+              .columns = {{"intensity", "intensity of the excitation"}}};
+  std::map<double, Row> rows;
   const std::vector<RecordCurve>& records = curve.records;
   for (std::size_t i = 0; i < records.size(); ++i) {
     table.columns.push_back(
-        {"record_" + std::to_string(i + 1), short_value({"/excitation/file", records[i].name}), true});
+        {"record_" + std::to_string(i + 1), short_value({"/excitation/file", records[i].name}), "", true});
     for (const FragilityLevel& level : records[i].curve.levels) {
-      std::vector<Cell>& row = rows[level.intensity];
+      Row& row = rows[level.intensity];
       row.resize(1 + records.size());
       row[0] = level.intensity;
       row[i + 1] = level.estimate;
@@ -86,12 +80,12 @@ stats::ProbitInterpolation edge_of(const std::vector<SuiteLevel>& levels, double
 
 /// Columns: intensity, probability, low, high; without a band the last two are empty.
 Table suite_law_table(const SuiteCurve& curve) {
-  Table table{.name = "law, " + name_of(curve, "all records"),
-              .columns = {{"intensity", "intensity of the excitation"},
-                          {"law", "probability by the law of the suite"},
-                          {"law_low", "lower edge of its bootstrap interval, interpolated between the levels"},
-                          {"law_high", "upper edge of it"}},
-              .rows = {}};
+  Table table{
+      .name = "law, " + name_of(curve, "all records"),
+      .columns = {{"intensity", "intensity of the excitation"},
+                  {"law", "probability by the law of the suite", "bootstrap interval, interpolated between the levels"},
+                  {"law_low", "lower edge of its bootstrap interval, interpolated between the levels"},
+                  {"law_high", "upper edge of it"}}};
   const std::vector<SuiteLevel>& levels = curve.levels;
   const stats::SuiteLaw law = curve.pooled->law();
   const double first = levels.front().intensity;
@@ -114,12 +108,8 @@ Table suite_law_table(const SuiteCurve& curve) {
 
 /// Columns: intensity, probability, low, high.
 Table rare_points(const std::vector<RareLevel>& levels, const std::string& legend) {
-  Table table{.name = legend,
-              .columns = {{"intensity", "intensity of the excitation"},
-                          {"rare", "small probability, by rocking rare"},
-                          {"rare_low", "lower end of its interval"},
-                          {"rare_high", "upper end of it"}},
-              .rows = {}};
+  Table table{.name = legend, .columns = {{"intensity", "intensity of the excitation"}}};
+  add_estimate(table, {"rare", "small probability, by rocking rare", "interval"});
   for (const RareLevel& level : levels) {
     table.rows.push_back({level.intensity, level.probability, level.interval.low, level.interval.high});
   }
@@ -136,12 +126,7 @@ void add_rare(const std::vector<RareLevel>& levels, std::size_t number, const st
   style.marker = diamond;
   style.size *= larger;
   const std::string name = (legend.empty() ? "" : legend + ", ") + "rare estimates";
-  figure.panels.back().layers.push_back({.kind = LayerKind::error_bars,
-                                         .table = figure.tables.size(),
-                                         .columns = {0, 1, 2, 3},
-                                         .style = style,
-                                         .legend = name});
-  figure.tables.push_back(rare_points(levels, name));
+  draw(rare_points(levels, name), {.kind = LayerKind::error_bars, .style = style, .legend = name}, {}, figure);
 }
 
 void add_suite(const SuiteCurve& curve, const PlaceInPanel& place, Figure& figure) {
@@ -151,40 +136,31 @@ void add_suite(const SuiteCurve& curve, const PlaceInPanel& place, Figure& figur
   thin.width = 0.5;
   thin.marker = 0;
   Style line = style_of_curve(number);
-  Style ribbon = line;
-  ribbon.hatch = 0;
-  ribbon.opacity = 0.2;
-  line.width = 3.0;
-  line.marker = 0;
   const std::size_t all = figure.tables.size();
   figure.tables.push_back(suite_table(curve));
   figure.tables.push_back(record_shares(curve));
-  std::vector<Layer>& layers = figure.panels.back().layers;
-  for (std::size_t i = 1; is_alone && i < figure.tables.back().columns.size(); ++i) {
-    layers.push_back({.kind = LayerKind::line,
-                      .table = all + 1,
-                      .columns = {0, i},
-                      .style = thin,
-                      .legend = i == 1 ? "share of a record" : ""});
+  for (std::size_t i = 1; is_alone && i <= curve.records.size(); ++i) {
+    draw({.kind = LayerKind::line, .table = all + 1, .style = thin, .legend = i == 1 ? "share of a record" : ""},
+         {"intensity", "record_" + std::to_string(i)}, figure);
   }
   const std::string name = name_of(curve, "all records");
   const bool has_line = curve.levels.size() > 1;
   if (has_line) {
     // The table of the levels has the isotonic shares, each with its interval.
     const std::size_t table = curve.has_law() ? figure.tables.size() : all;
-    const std::size_t first = curve.has_law() ? 1 : 5;
+    const std::string source = curve.has_law() ? "law" : "isotonic";
     if (curve.has_law()) figure.tables.push_back(suite_law_table(curve));
-    if (!std::holds_alternative<std::monostate>(figure.tables[table].rows.front()[first + 1])) {
-      layers.push_back(
-          {.kind = LayerKind::ribbon, .table = table, .columns = {0, first + 1, first + 2}, .style = ribbon});
+    const std::size_t low = places_of(figure.tables[table], {source + "_low"}).front();
+    if (!std::holds_alternative<std::monostate>(figure.tables[table].rows.front()[low])) {
+      draw({.kind = LayerKind::ribbon, .table = table, .style = ribbon_of(line)},
+           {"intensity", source + "_low", source + "_high"}, figure);
     }
-    layers.push_back({.kind = LayerKind::line, .table = table, .columns = {0, first}, .style = line, .legend = name});
+    line.width = 3.0;
+    line.marker = 0;
+    draw({.kind = LayerKind::line, .table = table, .style = line, .legend = name}, {"intensity", source}, figure);
   }
-  layers.push_back({.kind = LayerKind::points,
-                    .table = all,
-                    .columns = {0, 4},
-                    .style = style_of_curve(number),
-                    .legend = has_line ? "" : name});
+  draw({.kind = LayerKind::points, .table = all, .style = style_of_curve(number), .legend = has_line ? "" : name},
+       {"intensity", "estimate"}, figure);
   add_rare(curve.rare, number, name, figure);
 }
 

@@ -30,11 +30,11 @@ Axis axis_of(const std::string& measure) {
   static const std::array<Axis, surface_measure_names.size()> axes{
       {{.quantity = "peak ground acceleration", .symbol = "PGA", .unit = "g"},
        {.quantity = "peak ground velocity", .symbol = "PGV", .unit = "m/s"},
-       {.quantity = "spectral acceleration at 2π/p", .symbol = "", .unit = "g"},
+       {.quantity = "spectral acceleration at 2π/p", .unit = "g"},
        {.quantity = "spectral acceleration", .symbol = "Sa", .unit = "g"},
-       {.quantity = "average spectral acceleration", .symbol = "", .unit = "g"},
-       {.quantity = "absolute spectral acceleration", .symbol = "", .unit = "g"},
-       {.quantity = "PGV/PGA", .symbol = "", .unit = "s"}}};
+       {.quantity = "average spectral acceleration", .unit = "g"},
+       {.quantity = "absolute spectral acceleration", .unit = "g"},
+       {.quantity = "PGV/PGA", .unit = "s"}}};
   const auto* const place = std::ranges::find(surface_measure_names, measure);
   Axis axis = axes.at(static_cast<std::size_t>(place - surface_measure_names.begin()));
   axis.logarithmic = true;
@@ -69,7 +69,7 @@ ShadedMap map_of(const FragilitySurface& surface, Number&& number) {
 
 /// Where the probability is 1/2, within the map.
 Table line_of_medians(const FragilitySurface& surface, const std::string& name) {
-  Table table{.name = name + ", probability 0.5", .columns = {{"x", "x"}, {"y", "y"}}, .rows = {}};
+  Table table{.name = name + ", probability 0.5", .columns = {{"x", "x"}, {"y", "y"}}};
   const stats::SurfaceCoefficients c = surface.values();
   const double first = std::log(surface.map.front().y), last = std::log(surface.map.back().y);
   for (int i = 0; i <= points_of_a_law; ++i) {
@@ -84,12 +84,11 @@ Table line_of_medians(const FragilitySurface& surface, const std::string& name) 
 /// The tested points with the event in more than half of their realisations, or the other ones.
 Table tested_table(const FragilitySurface& surface, bool in_most, const std::string& name) {
   Table table{.name = name,
-              .columns = {{"x", "x"}, {"y", "y"}, {"n", "realisations"}, {"happened", "those with the event"}},
-              .rows = {}};
+              .columns = {{"x", "x"}, {"y", "y"}, {"n", "realisations"}, {"happened", "those with the event"}}};
   for (const TestedPoint& point : surface.tested) {
     const auto& [happened, trials] = std::pair(point.overturned.successes, point.overturned.trials);
     if ((2 * happened > trials) != in_most) continue;
-    table.rows.push_back({point.x, point.y, static_cast<double>(trials), static_cast<double>(happened)});
+    table.rows.push_back({point.x, point.y, trials, happened});
   }
   return table;
 }
@@ -99,8 +98,7 @@ void add_panels(const FragilitySurface& surface, const std::string& title, Figur
   const auto add_panel = [&](const std::string& words, const ShadedMap& map, const Shading& shading) {
     Panel& panel = figure.panels.emplace_back(Panel{.title = title + (title.empty() ? "" : ": ") + words,
                                                     .x = axis_of(surface.measures[0]),
-                                                    .y = axis_of(surface.measures[1]),
-                                                    .layers = {}});
+                                                    .y = axis_of(surface.measures[1])});
     panel.x.low = map.x_edges.front();
     panel.x.high = map.x_edges.back();
     panel.y.low = map.y_edges.front();
@@ -138,9 +136,7 @@ void add_panels(const FragilitySurface& surface, const std::string& title, Figur
 }  // namespace
 
 std::optional<Figure> surface_figure(const FragilityReport& report) {
-  Figure figure;
-  figure.name = "surface";
-  figure.title = "Probability over two measures of intensity";
+  Figure figure{.name = "surface", .title = "Probability over two measures of intensity"};
   for (const auto& [run, surface] : report.surfaces) {
     if (surface.outcome != stats::FragilityOutcome::fitted) continue;
     const std::string others = values_in_words(surface.subject.others);

@@ -14,6 +14,7 @@ namespace {
 
 /// Of the quantiles of a level.
 constexpr std::size_t median_place = 1;
+constexpr std::array<const char*, 3> quantile_names{"q16", "median", "q84"};
 constexpr std::size_t most_ticks = 6;
 
 void take_largest(const std::vector<PeakTiltLevel>& levels, double& largest) {
@@ -39,7 +40,7 @@ Axis tilt_axis(const IncrementalAnalysis& analysis) {
   for (const PeakTiltCurve& record : analysis.records) take_largest(record.levels, largest);
   if (!(largest > 0.0)) largest = 1.0;
   const double distance = tick_distance(largest);
-  Axis axis{.quantity = "peak tilt", .symbol = "|Θ|", .unit = ""};
+  Axis axis{.quantity = "peak tilt", .symbol = "|Θ|"};
   double place = 0.0;
   for (int i = 0; place < largest; ++i, place = i * distance) {
     axis.ticks.push_back({.place = place, .text = significant(place, 6)});
@@ -51,12 +52,6 @@ Axis tilt_axis(const IncrementalAnalysis& analysis) {
   return axis;
 }
 
-/// A number, or the flat line, or nothing.
-Cell tilt_cell(std::optional<double> tilt, std::optional<double> flat) {
-  if (tilt) return *tilt;
-  return flat ? Cell(*flat) : Cell();
-}
-
 /// Columns: intensity, realisations, how many overturned, the quantiles. `flat`: in place of overturned quantiles.
 Table quantile_table(const std::vector<PeakTiltLevel>& levels, std::optional<double> flat) {
   Table table{.name = "all records",
@@ -65,12 +60,11 @@ Table quantile_table(const std::vector<PeakTiltLevel>& levels, std::optional<dou
                           {"overturned", "of these overturned"},
                           {"q16", "16 % quantile of the peak tilt over psi"},
                           {"median", "median of the peak tilt over psi"},
-                          {"q84", "84 % quantile of the peak tilt over psi"}},
-              .rows = {}};
+                          {"q84", "84 % quantile of the peak tilt over psi"}}};
   table.only_drawn = flat.has_value();
   for (const PeakTiltLevel& level : levels) {
-    table.rows.push_back({level.intensity, static_cast<double>(level.trials), static_cast<double>(level.overturned)});
-    for (const auto& tilt : level.quantiles) table.rows.back().push_back(tilt_cell(tilt, flat));
+    table.rows.push_back({level.intensity, level.trials, level.overturned});
+    for (const auto& tilt : level.quantiles) table.rows.back().push_back(tilt ? tilt : flat);
   }
   return table;
 }
@@ -79,18 +73,17 @@ Table quantile_table(const std::vector<PeakTiltLevel>& levels, std::optional<dou
 Table record_medians(const std::vector<PeakTiltCurve>& records, std::optional<double> flat) {
   Table table{.name = "median of each record",
               .columns = {{"intensity", "intensity of the excitation"}},
-              .rows = {},
-              .grid = std::nullopt,
               .only_drawn = flat.has_value()};
-  std::map<double, std::vector<Cell>> rows;
+  std::map<double, Row> rows;
   for (std::size_t i = 0; i < records.size(); ++i) {
     const std::string name = short_value({"/excitation/file", records[i].record});
-    table.columns.push_back({"record_" + std::to_string(i + 1), name, true});
+    table.columns.push_back({"record_" + std::to_string(i + 1), name, "", true});
     for (const PeakTiltLevel& level : records[i].levels) {
-      std::vector<Cell>& row = rows[level.intensity];
+      Row& row = rows[level.intensity];
       row.resize(1 + records.size());
       row[0] = level.intensity;
-      row[i + 1] = tilt_cell(level.quantiles[median_place], flat);
+      const auto& tilt = level.quantiles[median_place];
+      row[i + 1] = tilt ? tilt : flat;
     }
   }
   for (auto& [intensity, row] : rows) table.rows.push_back(std::move(row));
@@ -102,11 +95,8 @@ void add_records(const std::vector<PeakTiltCurve>& records, double flat, Figure&
   const std::size_t table = figure.tables.size();
   figure.tables.push_back(record_medians(records, flat));
   for (std::size_t i = 1; i <= records.size(); ++i) {
-    figure.panels.back().layers.push_back({.kind = LayerKind::line,
-                                           .table = table,
-                                           .columns = {0, i},
-                                           .style = thin,
-                                           .legend = i == 1 ? "median of a record" : ""});
+    draw({.kind = LayerKind::line, .table = table, .style = thin, .legend = i == 1 ? "median of a record" : ""},
+         {"intensity", "record_" + std::to_string(i)}, figure);
   }
   figure.tables.push_back(record_medians(records, std::nullopt));
 }
@@ -114,17 +104,14 @@ void add_records(const std::vector<PeakTiltCurve>& records, double flat, Figure&
 void add_quantiles(const std::vector<PeakTiltLevel>& levels, double flat, Figure& figure) {
   const std::size_t table = figure.tables.size();
   figure.tables.push_back(quantile_table(levels, flat));
-  constexpr std::array<const char*, 3> names{"16 % and 84 % of all", "median of all", ""};
+  constexpr std::array<const char*, 3> legends{"16 % and 84 % of all", "median of all", ""};
   for (std::size_t quantile = 0; quantile < peak_tilt_shares.size(); ++quantile) {
     Style bold = style_of_curve(0);
     bold.width = quantile == median_place ? 3.0 : 2.0;
     bold.dash = quantile == median_place ? 1 : 2;
     bold.size = 0.0;
-    figure.panels.back().layers.push_back({.kind = LayerKind::line,
-                                           .table = table,
-                                           .columns = {0, 3 + quantile},
-                                           .style = bold,
-                                           .legend = names[quantile]});
+    draw({.kind = LayerKind::line, .table = table, .style = bold, .legend = legends[quantile]},
+         {"intensity", quantile_names[quantile]}, figure);
   }
   figure.tables.push_back(quantile_table(levels, std::nullopt));
 }
@@ -132,18 +119,15 @@ void add_quantiles(const std::vector<PeakTiltLevel>& levels, double flat, Figure
 /// The flat line, over all levels. It is drawn first, below the others.
 void add_flat_line(const std::vector<PeakTiltLevel>& levels, double flat, Figure& figure) {
   if (levels.empty()) return;
-  figure.panels.back().layers.push_back({.kind = LayerKind::line,
-                                         .table = figure.tables.size(),
-                                         .columns = {0, 1},
-                                         .style = {.colour = "#000000", .dash = 3, .width = 1.0, .size = 0.0},
-                                         .legend = "overturned"});
   Table table{.name = "overturned",
               .columns = {{"intensity", "intensity of the excitation"}, {"drawn", "where the overturned are drawn"}},
-              .rows = {},
-              .grid = std::nullopt,
               .only_drawn = true};
   for (const PeakTiltLevel& level : levels) table.rows.push_back({level.intensity, flat});
-  figure.tables.push_back(std::move(table));
+  draw(std::move(table),
+       {.kind = LayerKind::line,
+        .style = {.colour = "#000000", .dash = 3, .width = 1.0, .size = 0.0},
+        .legend = "overturned"},
+       {}, figure);
 }
 
 void add_analysis(const ReportedAnalysis& reported, Figure& figure) {
@@ -152,8 +136,7 @@ void add_analysis(const ReportedAnalysis& reported, Figure& figure) {
   const std::string title = reported.run.title + (others.empty() ? "" : ", ") + others;
   Axis tilt = tilt_axis(analysis);
   const double flat = tilt.ticks.back().place;
-  figure.panels.push_back(
-      {.title = title, .x = axis_of_parameter(analysis.parameter), .y = std::move(tilt), .layers = {}});
+  figure.panels.push_back({.title = title, .x = axis_of_parameter(analysis.parameter), .y = std::move(tilt)});
   add_flat_line(analysis.all, flat, figure);
   add_records(analysis.records, flat, figure);
   add_quantiles(analysis.all, flat, figure);
@@ -165,9 +148,7 @@ void add_analysis(const ReportedAnalysis& reported, Figure& figure) {
 
 std::optional<Figure> incremental_figure(const std::vector<ReportedAnalysis>& analyses) {
   if (analyses.empty()) return std::nullopt;
-  Figure figure;
-  figure.name = "incremental";
-  figure.title = "Incremental dynamic analysis";
+  Figure figure{.name = "incremental", .title = "Incremental dynamic analysis"};
   figure.caption =
       "Largest abs(theta)/psi of a realisation. Thin lines: median of each record. Thick lines: median (solid), 16 % "
       "and "

@@ -20,7 +20,7 @@ Axis with_names(Axis axis, const std::vector<std::string>& names) {
   return axis;
 }
 
-Axis axis_of_categories(const std::string& quantity) { return {.quantity = quantity, .symbol = "", .unit = ""}; }
+Axis axis_of_categories(const std::string& quantity) { return {.quantity = quantity}; }
 
 /// A row for each group: its place, the number of tests, those that showed it, their share with its interval, and the
 /// predicted share.
@@ -30,16 +30,15 @@ Table counts_table(const InferReport& report, const ReportedTests& tests) {
               .columns = {{"group", "group of response modes"},
                           {"tests", "tests"},
                           {"count", "of these with this group"},
-                          {"share", "their share"},
+                          {"share", "their share", "exact " + level},
                           {"low", "lower end of its exact " + level},
                           {"high", "upper end of its exact " + level},
-                          {"predicted", "share at the estimate"}},
-              .rows = {}};
+                          {"predicted", "share at the estimate"}}};
   const std::uint64_t all = std::accumulate(tests.counts.begin(), tests.counts.end(), std::uint64_t{0});
   for (std::size_t g = 0; g < tests.counts.size(); ++g) {
     const auto count = static_cast<double>(tests.counts[g]);
-    table.rows.push_back({static_cast<double>(g), static_cast<double>(all), count, count / static_cast<double>(all),
-                          tests.intervals[g].low, tests.intervals[g].high, tests.predicted[g]});
+    table.rows.push_back({g, all, count, count / static_cast<double>(all), tests.intervals[g].low,
+                          tests.intervals[g].high, tests.predicted[g]});
   }
   return table;
 }
@@ -49,8 +48,7 @@ Table predicted_table(const ReportedTests& tests) {
   constexpr double half_width = 0.35;
   Table table{
       .name = "predicted, " + values_in_words(tests.parameters),
-      .columns = {{"from", "group, from"}, {"to", "group, to"}, {"zero", "0"}, {"predicted", "predicted share"}},
-      .rows = {}};
+      .columns = {{"from", "group, from"}, {"to", "group, to"}, {"zero", "0"}, {"predicted", "predicted share"}}};
   for (std::size_t g = 0; g < tests.predicted.size(); ++g) {
     const auto place = static_cast<double>(g);
     table.rows.push_back({place - half_width, place + half_width, 0.0, tests.predicted[g]});
@@ -62,8 +60,7 @@ void add_condition(const InferReport& report, const ReportedTests& tests, Figure
   Table counts = counts_table(report, tests);
   figure.panels.push_back({.title = counts.name,
                            .x = with_names(axis_of_categories("group of response modes"), report.groups),
-                           .y = {.quantity = "share of the tests", .symbol = "", .unit = "", .low = 0.0, .high = 1.0},
-                           .layers = {}});
+                           .y = {.quantity = "share of the tests", .low = 0.0, .high = 1.0}});
   add_drawn(predicted_table(tests),
             {.kind = LayerKind::boxes, .style = {.colour = "#c6dbef"}, .legend = "predicted by the estimate"}, figure);
   figure.tables.push_back(std::move(counts));
@@ -87,14 +84,14 @@ Axis axis_of_candidates(const std::vector<ReportedCandidate>& candidates) {
 
 /// A row for each candidate: its place, then the expected sizes over the present ones.
 Table candidates_table(const InferReport& report) {
-  Table table{.name = "", .columns = {{"candidate", "candidate condition"}, {"region", "joint region"}}, .rows = {}};
+  Table table{.name = "", .columns = {{"candidate", "candidate condition"}, {"region", "joint region"}}};
   for (std::size_t k = 0; k < report.unknowns.size(); ++k) {
     table.columns.push_back(
         {"deviation_" + std::to_string(k + 1), axis_of_parameter(report.unknowns[k].parameter).quantity});
   }
   for (std::size_t i = 0; i < report.candidates.size(); ++i) {
     const ReportedCandidate& candidate = report.candidates[i];
-    std::vector<Cell>& row = table.rows.emplace_back(std::vector<Cell>{static_cast<double>(i), *candidate.region});
+    Row& row = table.rows.emplace_back(Row{i, *candidate.region});
     for (const double deviation : candidate.deviations) row.emplace_back(deviation);
   }
   return table;
@@ -108,7 +105,7 @@ void add_markers(const Table& table, std::size_t column, Figure& figure) {
                            .columns = {},
                            .style = style_of_curve(column - 1),
                            .legend = legend};
-  Table drawn{.name = "drawn: " + legend, .columns = {table.columns[0], table.columns[column]}, .rows = {}};
+  Table drawn{.name = "drawn: " + legend, .columns = {table.columns[0], table.columns[column]}};
   for (const auto& row : table.rows) drawn.rows.push_back({std::get<double>(row[0]) + place.shift(), row[column]});
   add_drawn(std::move(drawn), {.kind = LayerKind::points, .style = place.style, .legend = place.legend}, figure);
 }
@@ -116,10 +113,8 @@ void add_markers(const Table& table, std::size_t column, Figure& figure) {
 }  // namespace
 
 Figure fit_figure(const InferReport& report) {
-  Figure figure;
-  figure.name = "infer_fit";
-  figure.title = "Does the estimate explain the counted tests?";
-  figure.subtitle = report.input.title();
+  Figure figure{
+      .name = "infer_fit", .title = "Does the estimate explain the counted tests?", .subtitle = report.input.title()};
   for (std::size_t i = 0; i < std::min(report.tests.size(), most_slices); ++i) {
     add_condition(report, report.tests[i], figure);
   }
@@ -133,10 +128,7 @@ Figure fit_figure(const InferReport& report) {
 
 std::optional<Figure> candidates_figure(const InferReport& report) {
   if (report.candidates.empty()) return std::nullopt;
-  Figure figure;
-  figure.name = "infer_candidates";
-  figure.title = "Which test next?";
-  figure.subtitle = report.input.title();
+  Figure figure{.name = "infer_candidates", .title = "Which test next?", .subtitle = report.input.title()};
   const Table table = candidates_table(report);
   figure.tables.push_back(table);
   double largest = 1.0;
@@ -144,14 +136,9 @@ std::optional<Figure> candidates_figure(const InferReport& report) {
     for (std::size_t c = 1; c < row.size(); ++c) largest = std::max(largest, std::get<double>(row[c]));
   }
   constexpr double room = 0.05;
-  figure.panels.push_back({.title = "",
-                           .x = axis_of_candidates(report.candidates),
-                           .y = {.quantity = "expected size over the present one",
-                                 .symbol = "",
-                                 .unit = "",
-                                 .low = 0.0,
-                                 .high = largest + room},
-                           .layers = {}});
+  figure.panels.push_back(
+      {.x = axis_of_candidates(report.candidates),
+       .y = {.quantity = "expected size over the present one", .low = 0.0, .high = largest + room}});
   for (std::size_t c = 1; c < table.columns.size(); ++c) add_markers(table, c, figure);
   const auto best = std::ranges::min_element(report.candidates, {}, [](const auto& each) { return *each.region; });
   figure.description = "Tests at " + values_in_words(best->parameters) +

@@ -39,8 +39,7 @@ Axis axis_of(const ReportedUnknown& unknown) {
 /// With the estimate, which may lie between the points.
 Table profile_table(const ReportedUnknown& unknown, const Column& value) {
   Table table{.name = "profile likelihood of " + value.meaning,
-              .columns = {value, {"likelihood_ratio", "largest likelihood with this value over the largest one"}},
-              .rows = {}};
+              .columns = {value, {"likelihood_ratio", "largest likelihood with this value over the largest one"}}};
   const auto rest =
       std::ranges::find_if(unknown.profile, [&](const auto& point) { return point.at >= *unknown.estimate; });
   for (auto point = unknown.profile.begin(); point != rest; ++point) {
@@ -57,14 +56,13 @@ Table profile_table(const ReportedUnknown& unknown, const Column& value) {
 Table estimate_table(const InferReport& report, const ReportedUnknown& unknown, const Column& value) {
   const std::string level = level_of(report);
   Table table{.name = value.meaning,
-              .columns = {{"estimate", "most likely value"},
+              .columns = {{"estimate", "most likely value", level + " interval"},
                           {"low", "lower end of its " + level + " interval"},
                           {"high", "upper end of its " + level + " interval"}},
               .rows = {{*unknown.estimate, unknown.interval->low, unknown.interval->high}}};
   if (!unknown.posterior) return table;
   const UnknownPosterior& posterior = *unknown.posterior;
-  add_estimate(table, {"posterior_mean", "mean with the priors"}, "lower end of its " + level + " posterior interval",
-               "upper end of it");
+  add_estimate(table, {"posterior_mean", "mean with the priors", level + " posterior interval"});
   table.rows.front().insert(table.rows.front().end(),
                             {posterior.mean, posterior.interval.low, posterior.interval.high});
   return table;
@@ -73,15 +71,9 @@ Table estimate_table(const InferReport& report, const ReportedUnknown& unknown, 
 void add_profile(const InferReport& report, const ReportedUnknown& unknown, Figure& figure) {
   const Axis axis = axis_of(unknown);
   const Column value{last_key(unknown.parameter), label_of(axis)};
-  figure.panels.push_back({.title = "",
-                           .x = axis,
-                           .y = {.quantity = "likelihood ratio", .symbol = "", .unit = "", .low = 0.0, .high = 1.05},
-                           .layers = {}});
-  figure.tables.push_back(estimate_table(report, unknown, value));
-  draw({.kind = LayerKind::spans,
-        .table = figure.tables.size() - 1,
-        .style = {.colour = "#c6dbef"},
-        .legend = level_of(report) + " interval"},
+  figure.panels.push_back({.x = axis, .y = {.quantity = "likelihood ratio", .low = 0.0, .high = 1.05}});
+  draw(estimate_table(report, unknown, value),
+       {.kind = LayerKind::spans, .style = {.colour = "#c6dbef"}, .legend = level_of(report) + " interval"},
        {"low", "high"}, figure);
   add_drawn(profile_table(unknown, value),
             {.kind = LayerKind::line,
@@ -131,7 +123,7 @@ ShadedMap map_of(const InferReport& report, std::size_t x, std::size_t y) {
 void add_pair(const InferReport& report, std::size_t x, std::size_t y, Figure& figure) {
   const Axis across = axis_of(report.unknowns[x]);
   const Axis up = axis_of(report.unknowns[y]);
-  figure.panels.push_back({.title = "", .x = across, .y = up, .layers = {}});
+  figure.panels.push_back({.x = across, .y = up});
   const std::string name = across.quantity + " and " + up.quantity;
   add_shades(map_of(report, x, y),
              {.quantity = "likelihood ratio",
@@ -152,10 +144,8 @@ void add_pair(const InferReport& report, std::size_t x, std::size_t y, Figure& f
 /// The likelihood over the largest one against each unknown, with the intervals and the estimate; a panel for each
 /// unknown. Needs an answer.
 static Figure profile_figure(const InferReport& report) {
-  Figure figure;
-  figure.name = "infer_profile";
-  figure.title = "Which values explain the counted tests?";
-  figure.subtitle = report.input.title();
+  Figure figure{
+      .name = "infer_profile", .title = "Which values explain the counted tests?", .subtitle = report.input.title()};
   for (const ReportedUnknown& unknown : report.unknowns) {
     add_profile(report, unknown, figure);
     if (explains_counts(report)) figure.subtitle += (figure.subtitle.empty() ? "" : "; ") + answer_in_words(unknown);
@@ -175,10 +165,9 @@ static Figure profile_figure(const InferReport& report) {
 /// The joint region of two or three unknowns as a map of the likelihood over the largest one, with the estimate; a
 /// panel for each pair. Needs an answer.
 static Figure region_figure(const InferReport& report) {
-  Figure figure;
-  figure.name = "infer_region";
-  figure.title = "Which values together explain the counted tests?";
-  figure.subtitle = report.input.title();
+  Figure figure{.name = "infer_region",
+                .title = "Which values together explain the counted tests?",
+                .subtitle = report.input.title()};
   for (std::size_t x = 0; x < report.unknowns.size(); ++x) {
     for (std::size_t y = x + 1; y < report.unknowns.size(); ++y) add_pair(report, x, y, figure);
   }

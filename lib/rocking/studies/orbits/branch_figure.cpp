@@ -49,8 +49,7 @@ ResponseMode mode_of(const Orbit& orbit) { return section::periodic(orbit.cycles
 Table line_table(const FoundBranches& found, const std::string& name,
                  const std::function<bool(const Orbit&)>& belongs) {
   Table table{.name = name,
-              .columns = {value_column(found.pointer), {"tilt", "Θ at the strobe"}, {"branch", "its place"}},
-              .rows = {}};
+              .columns = {value_column(found.pointer), {"tilt", "Θ at the strobe"}, {"branch", "its place"}}};
   double place = 0.0;
   for (const OrbitBranch& branch : found.study.branches) {
     for (std::size_t k = 0; k < static_cast<std::size_t>(branch.period); ++k) {
@@ -97,12 +96,11 @@ Table bifurcation_table(const FoundBranches& found, BifurcationKind kind) {
               .columns = {value_column(found.pointer),
                           {"tilt", "Θ at the strobe"},
                           {"error", "error of the parameter"},
-                          {"branch", "its place"}},
-              .rows = {}};
+                          {"branch", "its place"}}};
   for (const Bifurcation& one : found.study.bifurcations) {
     if (one.kind != kind || !one.orbit) continue;
     for (const SectionState& state : one.orbit->points) {
-      table.rows.push_back({one.value, state.point.tilt, one.error, static_cast<double>(one.branch)});
+      table.rows.push_back({one.value, state.point.tilt, one.error, one.branch});
     }
   }
   return table;
@@ -111,7 +109,7 @@ Table bifurcation_table(const FoundBranches& found, BifurcationKind kind) {
 /// Orbits on which the runs ended.
 Table run_table(const OrbitStudy& study) {
   const std::string& pointer = study.branches->pointer;
-  Table table{.name = "ends of runs", .columns = {value_column(pointer), {"tilt", "Θ at the strobe"}}, .rows = {}};
+  Table table{.name = "ends of runs", .columns = {value_column(pointer), {"tilt", "Θ at the strobe"}}};
   for (const OrbitsOfCondition& condition : study.conditions) {
     const std::optional<double> value = swept_number(condition, pointer);
     if (!condition.run_on || !value) continue;
@@ -192,16 +190,11 @@ void set_tilt_range(const FoundBranches& found, const Table& ends, Axis& axis) {
 
 Figure branch_figure(const OrbitsReport& report) {
   const FoundBranches& found = *report.study.branches;
-  Figure figure;
-  figure.name = "branches";
-  figure.title = "Periodic orbits";
-  figure.subtitle = report.input.title();
-  figure.arrangement = Arrangement::stacked;
-  figure.panels.push_back({.title = "",
-                           .x = axis_of_parameter(found.pointer),
-                           .y = {"tilt at the strobe", "Θ", ""},
-                           .layers = {},
-                           .height = 1.6});
+  Figure figure{.name = "branches",
+                .title = "Periodic orbits",
+                .subtitle = report.input.title(),
+                .arrangement = Arrangement::stacked};
+  figure.panels.push_back({.x = axis_of_parameter(found.pointer), .y = {"tilt at the strobe", "Θ", ""}, .height = 1.6});
   figure.panels.back().x.low = found.range.low;
   figure.panels.back().x.high = found.range.high;
   const Table ends = run_table(report.study);

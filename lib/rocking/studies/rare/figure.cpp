@@ -61,7 +61,7 @@ void add_committor(const rare::CommittorMap& map, const std::string& name, Figur
 
 /// Those within the map.
 Table strobe_points(const ReportedRare& condition, const rare::CommittorMap& map, const std::string& name) {
-  Table table{.name = name + ", strobe points of paths", .columns = {{"tilt", "Θ"}, {"tilt_rate", "Θ′"}}, .rows = {}};
+  Table table{.name = name + ", strobe points of paths", .columns = {{"tilt", "Θ"}, {"tilt_rate", "Θ′"}}};
   for (const rare::Path& path : condition.estimate.paths) {
     for (const rare::StrobeState& state : path.strobe) {
       if (std::abs(state.tilt) > map.tilt || std::abs(state.tilt_rate) > map.tilt_rate) continue;
@@ -72,18 +72,14 @@ Table strobe_points(const ReportedRare& condition, const rare::CommittorMap& map
 }
 
 Figure committor_figure(const RareReport& report, const std::vector<const ReportedRare*>& conditions) {
-  Figure figure;
-  figure.name = "rare_committor";
-  figure.title = "From where is the event likely?";
-  figure.subtitle = report.input.title();
+  Figure figure{.name = "rare_committor", .title = "From where is the event likely?", .subtitle = report.input.title()};
   for (const ReportedRare* condition : conditions) {
     const rare::CommittorMap& map = *condition->estimate.committor;
     const std::string title = title_of(*condition);
     figure.panels.push_back(
         {.title = title,
-         .x = {.quantity = "tilt at the strobe", .symbol = "Θ", .unit = "", .low = -map.tilt, .high = map.tilt},
-         .y = {.quantity = "tilt rate", .symbol = "Θ′", .unit = "", .low = -map.tilt_rate, .high = map.tilt_rate},
-         .layers = {}});
+         .x = {.quantity = "tilt at the strobe", .symbol = "Θ", .low = -map.tilt, .high = map.tilt},
+         .y = {.quantity = "tilt rate", .symbol = "Θ′", .low = -map.tilt_rate, .high = map.tilt_rate}});
     add_committor(map, title, figure);
     add_drawn(strobe_points(*condition, map, title),
               {.kind = LayerKind::points,
@@ -100,8 +96,7 @@ Figure committor_figure(const RareReport& report, const std::vector<const Report
 /// Until it falls.
 Table tilt_table(const rare::Path& path, const std::string& name) {
   constexpr double falling = 1.5;
-  Table table{
-      .name = name, .columns = {{"time", "time since the start [excitation periods]"}, {"tilt", "Θ"}}, .rows = {}};
+  Table table{.name = name, .columns = {{"time", "time since the start [excitation periods]"}, {"tilt", "Θ"}}};
   double sample = 0.0;
   for (const std::vector<double>& period : path.tilts) {
     for (const double tilt : period) {
@@ -114,17 +109,15 @@ Table tilt_table(const rare::Path& path, const std::string& name) {
 }
 
 Figure path_figure(const RareReport& report, const std::vector<const ReportedRare*>& conditions) {
-  Figure figure;
-  figure.name = "rare_paths";
-  figure.title = "Paths to the event";
-  figure.subtitle = report.input.title();
-  figure.arrangement = Arrangement::stacked;
+  Figure figure{.name = "rare_paths",
+                .title = "Paths to the event",
+                .subtitle = report.input.title(),
+                .arrangement = Arrangement::stacked};
   double end = 0.0;
   for (const ReportedRare* condition : conditions) {
     figure.panels.push_back({.title = title_of(*condition),
-                             .x = {.quantity = "time", .symbol = "", .unit = "excitation periods", .low = 0.0},
-                             .y = {.quantity = "tilt", .symbol = "Θ", .unit = "", .low = -1.6, .high = 1.6},
-                             .layers = {}});
+                             .x = {.quantity = "time", .unit = "excitation periods", .low = 0.0},
+                             .y = {.quantity = "tilt", .symbol = "Θ", .low = -1.6, .high = 1.6}});
     std::size_t number = 0;
     for (const rare::Path& path : condition->estimate.paths) {
       Style style = style_of_curve(number++);

@@ -65,8 +65,7 @@ Table band_table(const std::vector<DrawnThreshold>& conditions, const Column& x)
                           {"low", "smallest value of the band"},
                           {"high", "largest value of the band"},
                           {"x_low", "left end of the area"},
-                          {"x_high", "right end of the area"}},
-              .rows = {}};
+                          {"x_high", "right end of the area"}}};
   const std::vector<SpanAround> spans = spans_of(conditions);
   for (std::size_t i = 0; i < conditions.size(); ++i) {
     for (const auto& [low, high] : conditions[i].found->bands) {
@@ -78,7 +77,7 @@ Table band_table(const std::vector<DrawnThreshold>& conditions, const Column& x)
 
 /// Without a value where nothing happens, or the range begins within a band.
 Table threshold_line(const std::vector<DrawnThreshold>& conditions, const Column& x) {
-  Table table{.name = "threshold", .columns = {x, {"threshold", "smallest value with the event"}}, .rows = {}};
+  Table table{.name = "threshold", .columns = {x, {"threshold", "smallest value with the event"}}};
   for (const DrawnThreshold& condition : conditions) {
     const bool is_known = !condition.found->bands.empty() && !condition.found->begins_inside();
     table.rows.push_back({condition.x, is_known ? Cell(condition.found->bands.front()[0]) : Cell()});
@@ -91,21 +90,19 @@ void add_panel(const ThresholdPanel& panel, const ThresholdQuestion& question, c
   y.low = question.from;
   y.high = question.to;
   const std::vector<SpanAround> spans = spans_of(panel.conditions);
-  figure.panels.push_back({.title = values_in_words(panel.others), .x = x, .y = std::move(y), .layers = {}});
+  figure.panels.push_back({.title = values_in_words(panel.others), .x = x, .y = std::move(y)});
   figure.panels.back().x.low = spans.front().low;
   figure.panels.back().x.high = spans.back().high;
   const Column column{"x", label_of(x)};
   const std::string event = what_happens(question);
   Table bands = band_table(panel.conditions, column);
   if (!bands.rows.empty()) {
-    figure.tables.push_back(std::move(bands));
-    Style area = style_of(section::ResponseMode{.kind = section::ResponseKind::overturned});
-    area.opacity = 0.6;
-    area.hatch = 0;
-    draw({LayerKind::boxes, figure.tables.size() - 1, {}, area, event}, {"x_low", "x_high", "low", "high"}, figure);
+    const Style area = ribbon_of(style_of(section::ResponseMode{.kind = section::ResponseKind::overturned}), 0.6);
+    draw(std::move(bands), {.kind = LayerKind::boxes, .style = area, .legend = event},
+         {"x_low", "x_high", "low", "high"}, figure);
   }
-  figure.tables.push_back(threshold_line(panel.conditions, column));
-  draw({LayerKind::line, figure.tables.size() - 1, {}, {.colour = "#000000", .size = 0.0}, "threshold"}, {}, figure);
+  draw(threshold_line(panel.conditions, column),
+       {.kind = LayerKind::line, .style = {.colour = "#000000", .size = 0.0}, .legend = "threshold"}, {}, figure);
 }
 
 }  // namespace

@@ -22,8 +22,6 @@ double number(std::uint64_t count) { return static_cast<double>(count); }
 Cell low_of(const AnyShare& share) { return share.interval ? Cell(share.interval->low) : Cell(); }
 Cell high_of(const AnyShare& share) { return share.interval ? Cell(share.interval->high) : Cell(); }
 
-std::string table_name(const Slice& slice) { return slice.name.empty() ? "all conditions" : slice.name; }
-
 /// Parts common to all figures of a run.
 Figure figure_of(const Report& report, const SweepView& view, std::string name) {
   Figure figure{.name = std::move(name), .subtitle = report.title()};
@@ -56,7 +54,7 @@ constexpr std::size_t first_edge = 4;
 // Columns: x, x_low, x_high, n, then from and to of each mode, then of the others.
 Table band_table(const Report& report, const SweepView& view, const Slice& slice) {
   const auto modes = shown_modes(report);
-  Table table{.name = table_name(slice),
+  Table table{.name = slice.words(),
               .columns = {view.column,
                           {view.column.name + "_from", "start of its interval"},
                           {view.column.name + "_to", "end of its interval"},
@@ -86,7 +84,7 @@ Table band_table(const Report& report, const SweepView& view, const Slice& slice
 }
 
 Table probability_table(const Report& report, const SweepView& view, const Slice& slice) {
-  Table table{.name = table_name(slice), .columns = {view.column, {"n", "realisations"}}};
+  Table table{.name = slice.words(), .columns = {view.column, {"n", "realisations"}}};
   const auto modes = shown_modes(report);
   for (const ResponseMode& mode : modes) {
     const std::string name = to_string(mode);
@@ -210,15 +208,12 @@ void add_bands(const Report& report, std::size_t table, Panel& panel) {
 std::vector<ResponseMode> shown_modes(const Report& report) { return modes_to_show(report.occurring(), most_shown); }
 
 std::string realisations_in_words(const Report& report) {
-  std::uint64_t least = report.conditions.front().result.realisations;
-  std::uint64_t most = least;
+  NumberRange range;
   for (const ReportedCondition& condition : report.conditions) {
-    least = std::min(least, condition.result.realisations);
-    most = std::max(most, condition.result.realisations);
+    range.add(static_cast<double>(condition.result.realisations));
   }
-  const std::string range =
-      least == most ? std::to_string(most) : std::to_string(least) + " to " + std::to_string(most);
-  return range + (most == 1 ? " realisation" : " realisations") + (report.conditions.size() > 1 ? " each" : "");
+  return range_in_words(range, 17) + (range.largest == 1.0 ? " realisation" : " realisations") +
+         (report.conditions.size() > 1 ? " each" : "");
 }
 
 Figure mode_bands(const Report& report) {

@@ -15,11 +15,9 @@ bool has_differences(const Report& report) {
                      [](const ReportedCondition& condition) { return condition.result.non_recurrence.has_value(); });
 }
 
-std::string name_of(const Slice& slice) { return slice.name.empty() ? "all conditions" : slice.name; }
-
 Table difference_table(const Report& report, const SweepView& view, const Slice& slice) {
   const std::string level = report.level() + " interval";
-  Table table{.name = name_of(slice),
+  Table table{.name = slice.words(),
               .columns = {view.column,
                           {"n", "realisations"},
                           {"differ", "probability that two runs differ in response mode", level},
@@ -37,7 +35,7 @@ Table difference_table(const Report& report, const SweepView& view, const Slice&
 }
 
 Table divergence_table(const Report& report, const SweepView& view, const Slice& slice) {
-  Table table{.name = name_of(slice),
+  Table table{.name = slice.words(),
               .columns = {view.column,
                           {"pairs", "pairs of runs"},
                           {"diverged", "of these diverged before the horizon"},
@@ -60,7 +58,7 @@ Table divergence_table(const Report& report, const SweepView& view, const Slice&
 
 /// Adds a ribbon and its curve, or bars of categories, for the table that was added last.
 void add_curve(const SweepView& view, std::size_t number, const std::array<std::string, 3>& columns, Figure& figure) {
-  const std::string name = name_of(view.slices[number]);
+  const std::string name = view.slices[number].words();
   const Style style = style_of_curve(number);
   if (!view.is_line) {
     const Table whole = figure.tables.back();

@@ -8,6 +8,7 @@
 #include "analysis/figure_scripts.hpp"
 #include "rocking/figures/palette.hpp"
 #include "rocking/figures/sweep_view.hpp"
+#include "rocking/output/mode_table.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking::analysis {
@@ -46,11 +47,6 @@ constexpr std::array drawn_quantities{
 
 constexpr std::array drawn_levels{0.5, 0.05, 0.95};
 
-stats::QuantileEstimate at_level(const std::vector<stats::QuantileEstimate>& levels, double level) {
-  const auto found = std::ranges::find(levels, level, &stats::QuantileEstimate::level);
-  return found == levels.end() ? stats::QuantileEstimate{} : *found;
-}
-
 std::string percent_of(double level) { return significant(100.0 * level, 4); }
 
 /// Of each quantile its value and the ends of its interval.
@@ -64,14 +60,14 @@ void add_columns(const Report& report, const std::string& unit, Table& table) {
 
 void add_cells(const Quantiles& quantiles, Row& row) {
   for (const double level : drawn_levels) {
-    const stats::QuantileEstimate quantile = at_level(quantiles.levels, level);
+    const stats::QuantileEstimate quantile = quantile_at(quantiles.levels, level);
     row.insert(row.end(), {quantile.value, quantile.low, quantile.high});
   }
 }
 
 Table quantile_table(const Report& report, const SweepView& view, const Slice& slice, const Drawn& drawn) {
   const std::string unit = drawn.unit[0] == '\0' ? "" : std::string(" [") + drawn.unit + ']';
-  Table table{.name = slice.name.empty() ? "all conditions" : slice.name,
+  Table table{.name = slice.words(),
               .columns = {view.column, {"n", "realisations"}, {"beyond", "of these overturned"}}};
   add_columns(report, unit, table);
   for (const std::size_t i : slice.conditions) {
@@ -172,7 +168,7 @@ Table quantiles_of_condition(const Report& report, const ReportedCondition& cond
     Row& row = table.rows.emplace_back();
     row.emplace_back(label_of({.quantity = drawn.quantity, .symbol = drawn.symbol, .unit = drawn.unit}));
     if (is_lone) {
-      row.emplace_back(at_level(found->levels, 0.5).value);
+      row.emplace_back(quantile_at(found->levels, 0.5).value);
     } else {
       add_cells(*found, row);
       row.insert(row.end(), {found->realisations, found->beyond});

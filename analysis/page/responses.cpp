@@ -12,24 +12,13 @@
 #include "analysis/page/sections.hpp"
 #include "analysis/run_figures.hpp"
 #include "rocking/output/overview.hpp"
+#include "rocking/output/parameter_text.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking::analysis {
 namespace {
 
 using section::ResponseMode;
-
-/// The most frequent mode of a condition; of equally frequent ones the first.
-ResponseMode most_likely(const ReportedCondition& condition) {
-  ResponseMode mode;
-  std::uint64_t highest = 0;
-  for (const auto& [each, probability] : condition.result.modes) {
-    if (probability.counts.successes <= highest) continue;
-    highest = probability.counts.successes;
-    mode = each;
-  }
-  return mode;
-}
 
 /// `rocks once in three periods (1,3)`.
 std::string mode_in_words(const ResponseMode& mode) {
@@ -39,17 +28,13 @@ std::string mode_in_words(const ResponseMode& mode) {
 
 /// `; largest slip 0.5 to 1.6 m`: the medians of the conditions in which blocks slid without rocking. Empty for another mode.
 std::string slip_in_words(const Report& report, const ResponseMode& mode) {
-  std::vector<double> medians;
+  NumberRange medians;
   for (const ReportedCondition& condition : report.conditions) {
     const auto& slip = condition.result.peaks.slip;
     if (mode.kind != section::ResponseKind::slide || !slip || share_of(condition, mode).count == 0) continue;
-    const auto median = std::ranges::find(slip->metres, 0.5, &stats::QuantileEstimate::level);
-    if (median != slip->metres.end() && median->value) medians.push_back(*median->value);
+    if (const auto median = quantile_at(slip->metres, 0.5).value) medians.add(*median);
   }
-  if (medians.empty()) return "";
-  const std::string least = significant(std::ranges::min(medians), 2);
-  const std::string most = significant(std::ranges::max(medians), 2);
-  return "; largest slip " + (least == most ? most : least + " to " + most) + " m";
+  return medians.least <= medians.largest ? "; largest slip " + range_in_words(medians, 2) + " m" : "";
 }
 
 /// `98.5 % [94.4, 99.8]`, or `95.5 to 100.0 %` for several conditions; empty if nothing is random.
@@ -82,10 +67,10 @@ std::string legend_of_modes(const Report& report) {
 }
 
 std::string responses_along(const Along& along) {
-  const auto ranges = along.ranges(most_likely);
+  const auto ranges = along.ranges(most_frequent_in);
   std::vector<std::string> parts;
   for (const Range& range : ranges) {
-    const ResponseMode mode = most_likely(along.at(range.first));
+    const ResponseMode mode = most_frequent_in(along.at(range.first));
     parts.push_back(
         fmt::format("{}: {}{}", along.name(range), mode_in_words(mode), probability_along(along, range, mode)));
     if (parts.size() == most_stretches && ranges.size() > most_stretches) {

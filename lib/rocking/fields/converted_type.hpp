@@ -42,4 +42,10 @@ class NamedType final : public NamesType<Enumeration> {
   NamedType() : NamesType<Enumeration>(names) {}
 };
 
+/// The base of a TypeOf<T> whose type has no members: `struct TypeOf<Rating> : OnlyType<NamedType<Rating, rating_names>> {};`.
+template <class Type>
+struct OnlyType {
+  static const ValueType& get() { return the_only<Type>(); }
+};
+
 }  // namespace rocking

@@ -18,6 +18,8 @@ struct Slice {
   std::string name;                     ///< values of the other parameters; empty if there are none
   std::vector<std::size_t> conditions;  ///< indices in the report, by increasing `x`
   Axis axis = {};                       ///< of the shown parameter, with the other form of the shaking in this slice
+
+  [[nodiscard]] std::string words() const { return name.empty() ? "all conditions" : name; }
 };
 
 /// Largest number of slices in figures (the first ones), but for strips; tables have all conditions.

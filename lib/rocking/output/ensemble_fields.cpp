@@ -12,13 +12,9 @@
 namespace rocking {
 
 template <>
-struct TypeOf<StoppedBecause> {
-  static const ValueType& get() { return the_only<NamedType<StoppedBecause, stop_cause_names>>(); }
-};
+struct TypeOf<StoppedBecause> : OnlyType<NamedType<StoppedBecause, stop_cause_names>> {};
 template <>
-struct TypeOf<NumericalError> {
-  static const ValueType& get() { return the_only<NamedType<NumericalError, numerical_error_names>>(); }
-};
+struct TypeOf<NumericalError> : OnlyType<NamedType<NumericalError, numerical_error_names>> {};
 
 namespace {
 

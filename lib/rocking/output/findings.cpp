@@ -191,9 +191,7 @@ std::vector<Finding> findings_of(const Report& report) {
 }
 
 template <>
-struct TypeOf<Rating> {
-  static const ValueType& get() { return the_only<NamedType<Rating, rating_names>>(); }
-};
+struct TypeOf<Rating> : OnlyType<NamedType<Rating, rating_names>> {};
 
 const StructType& fields_of(const Finding*) {
   static const StructType fields{

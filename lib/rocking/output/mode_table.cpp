@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "rocking/look/text_table.hpp"
+#include "rocking/output/overview.hpp"
 #include "rocking/output/parameter_text.hpp"
 #include "rocking/output/shaking_text.hpp"
 #include "rocking/text/number_text.hpp"
@@ -195,14 +196,17 @@ look::Cell share_cell(const AnyShare& share, std::uint64_t realisations) {
 
 look::Cell bound_cell(double share) { return look::Number{.value = share, .form = look::percentage(), .bound = '<'}; }
 
+stats::QuantileEstimate quantile_at(const std::vector<stats::QuantileEstimate>& levels, double level) {
+  const auto found = std::ranges::find(levels, level, &stats::QuantileEstimate::level);
+  return found == levels.end() ? stats::QuantileEstimate{} : *found;
+}
+
 std::string peak_cell(const std::vector<stats::QuantileEstimate>& quantiles) {
-  std::string text;
-  for (const double level : {0.5, 0.95}) {
-    const auto found = std::ranges::find(quantiles, level, &stats::QuantileEstimate::level);
-    const bool is_there = found != quantiles.end() && found->value;
-    text += (text.empty() ? "" : " ") + (is_there ? significant(*found->value, 2) : "-");
-  }
-  return text;
+  const auto in_words = [&quantiles](double level) {
+    const auto value = quantile_at(quantiles, level).value;
+    return value ? significant(*value, 2) : "-";
+  };
+  return in_words(0.5) + ' ' + in_words(0.95);
 }
 
 std::vector<ResponseMode> modes_to_show(const ModeTally& tally, std::size_t most) {
@@ -240,38 +244,34 @@ ConditionColumns mode_columns(const Report& report, std::size_t most) {
 }
 
 std::string overturning_line(const Report& report) {
-  const ReportedCondition* where = nullptr;
-  AnyShare most;
-  std::size_t overturning = 0;
-  std::size_t equal = 0;  // conditions with the largest share
-  std::uint64_t realisations = 0;
-  std::uint64_t without_answer = 0;
-  double bound = 0.0;
-  for (const ReportedCondition& condition : report.conditions) {
-    realisations += condition.result.realisations;
-    without_answer += condition.result.without_answer();
-    const AnyShare found = share_of(condition, ResponseMode{.kind = section::ResponseKind::overturned});
-    if (found.interval) bound = std::max(bound, found.interval->high);
-    if (found.count > 0) ++overturning;
-    if (where != nullptr && found.estimate == most.estimate) ++equal;
-    if (found.estimate > most.estimate) {
-      most = found;
-      where = &condition;
-      equal = 1;
+  const auto share = [](const ReportedCondition& each) {
+    return share_of(each, ResponseMode{.kind = section::ResponseKind::overturned});
+  };
+  const ReportedCondition& where =
+      *std::ranges::max_element(report.conditions, {}, [&share](const auto& each) { return share(each).estimate; });
+  const AnyShare most = share(where);
+  if (most.count == 0) {
+    std::uint64_t without_answer = 0;
+    double bound = 0.0;
+    for (const ReportedCondition& each : report.conditions) {
+      without_answer += each.result.without_answer();
+      if (const auto& interval = share(each).interval) bound = std::max(bound, interval->high);
     }
-  }
-  if (where == nullptr) {
-    return "overturning: none in " + counted(realisations, "realisation") +
+    return "overturning: none in " + counted(realisations_of(report), "realisation") +
            (without_answer > 0 ? ", of which " + std::to_string(without_answer) + " ended without an answer" : "") +
            (bound > 0.0 ? "; at most " + per_cent(bound) + " % in each condition" : "") + '\n';
   }
+  const auto overturning =
+      std::ranges::count_if(report.conditions, [&share](const auto& each) { return share(each).count > 0; });
+  const auto equal =
+      std::ranges::count_if(report.conditions, [&](const auto& each) { return share(each).estimate == most.estimate; });
   const std::string among =
       "in " + std::to_string(overturning) + " of " + counted(report.conditions.size(), "condition") + "; ";
-  if (!most.interval) return "overturning: " + among + "first at " + name_of(*where) + '\n';
+  if (!most.interval) return "overturning: " + among + "first at " + name_of(where) + '\n';
   const std::string place = equal == 1 ? "at " : "in " + std::to_string(equal) + " of them, first at ";
-  return "overturning: " + among + "most likely " + place + name_of(*where) + ": " + per_cent(most.estimate) + ' ' +
+  return "overturning: " + among + "most likely " + place + name_of(where) + ": " + per_cent(most.estimate) + ' ' +
          per_cent(*most.interval) + " %, " + std::to_string(most.count) + " of " +
-         std::to_string(where->result.realisations) + '\n';
+         std::to_string(where.result.realisations) + '\n';
 }
 
 std::string mode_table(const Report& report, const TableLook& look) {

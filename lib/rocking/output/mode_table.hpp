@@ -36,6 +36,9 @@ inline constexpr std::string_view peak_slip_legend = "peak slip: likewise of the
 /// `< 2.8`, of a share.
 [[nodiscard]] look::Cell bound_cell(double share);
 
+/// That of this level; without numbers if there is none.
+[[nodiscard]] stats::QuantileEstimate quantile_at(const std::vector<stats::QuantileEstimate>& levels, double level);
+
 /// Median and 95 % quantile of a peak in two digits, `0.41 0.53`. `-`: the realisations that ended before their
 /// horizon, mostly by overturning, are too many for a value.
 [[nodiscard]] std::string peak_cell(const std::vector<stats::QuantileEstimate>& quantiles);

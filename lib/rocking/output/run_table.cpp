@@ -93,11 +93,10 @@ std::string settling_of(const Report& report, const TableLook& look, std::ptrdif
 
 constexpr int digits = 3;
 
-look::Cell quantile_at(const Exponents& found, double level, bool with_interval) {
-  const auto quantile = std::ranges::find(found.quantiles.levels, level, &stats::QuantileEstimate::level);
-  if (quantile == found.quantiles.levels.end() || !quantile->value) return {};
-  if (!with_interval) return look::number(quantile->value, digits);
-  return look::Number{.value = quantile->value, .form = digits, .interval = look::Ends(quantile->low, quantile->high)};
+look::Cell quantile_cell(const Exponents& found, double level) {
+  const auto [at, value, low, high] = quantile_at(found.quantiles.levels, level);
+  if (!value) return {};
+  return look::Number{.value = value, .form = digits, .interval = look::Ends(low, high)};
 }
 
 /// Overturning to the left and to the right in the conditions where it occurs; empty without any, and where no block has
@@ -131,9 +130,9 @@ std::string exponent_table(const Report& report) {
     columns.push_back({{.title = title}, [cell_of](const auto& each) { return cell_of(*each.result.exponents); }});
   };
   add("exponents", [](const Exponents& found) { return look::whole(found.quantiles.realisations); });
-  add("median", [](const Exponents& found) { return quantile_at(found, 0.5, true); });
-  add("5 %", [](const Exponents& found) { return quantile_at(found, 0.05, false); });
-  add("95 %", [](const Exponents& found) { return quantile_at(found, 0.95, false); });
+  add("median", [](const Exponents& found) { return quantile_cell(found, 0.5); });
+  add("5 %", [](const Exponents& found) { return without_interval(quantile_cell(found, 0.05)); });
+  add("95 %", [](const Exponents& found) { return without_interval(quantile_cell(found, 0.95)); });
   add("mean", [](const Exponents& found) { return look::number(found.mean, digits); });
   add("its error", [](const Exponents& found) { return look::number(found.standard_error, digits); });
   add("error of one", [](const Exponents& found) { return look::number(found.error_of_one, digits); });

@@ -60,10 +60,7 @@ static const StructType& fields_of(const WrittenTimeToShare*) {
 }
 
 template <>
-struct TypeOf<stats::TimeToShare> {
-  static const ValueType& get() {
-    return the_only<ConvertedType<stats::TimeToShare, WrittenTimeToShare, written, convert>>();
-  }
+struct TypeOf<stats::TimeToShare> : OnlyType<ConvertedType<stats::TimeToShare, WrittenTimeToShare, written, convert>> {
 };
 
 static const StructType& fields_of(const Leaving*) {

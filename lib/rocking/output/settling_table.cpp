@@ -48,11 +48,6 @@ look::Cell share_cell_of(std::uint64_t count, const ReportedCondition& condition
   return count > 0 ? part_cell(count, all) : bound_cell(bound_of_none(all, condition.asked.confidence));
 }
 
-stats::QuantileEstimate quantile_of(const std::vector<stats::QuantileEstimate>& quartiles, double level) {
-  const auto found = std::ranges::find(quartiles, level, &stats::QuantileEstimate::level);
-  return found == quartiles.end() ? stats::QuantileEstimate{} : *found;
-}
-
 constexpr int all_digits = 12;  // of periods, which are whole
 
 look::Number number_of(const stats::QuantileEstimate& found) {
@@ -86,7 +81,7 @@ struct Watched {
 
 const SettlingResult& settling_of(const ReportedCondition& condition) { return *condition.result.settling; }
 stats::QuantileEstimate median_of(const ReportedCondition& each) {
-  return quantile_of(settling_of(each).times.quartiles, 0.5);
+  return quantile_at(settling_of(each).times.quartiles, 0.5);
 }
 
 look::Cell differ_at_horizon(const ReportedCondition& each) {
@@ -104,7 +99,7 @@ const ConditionColumns& exact_columns() {
   };
   const auto quartile = [](double level) {
     return [level](const ReportedCondition& each) {
-      return number_of(quantile_of(settling_of(each).times.quartiles, level));
+      return number_of(quantile_at(settling_of(each).times.quartiles, level));
     };
   };
   static const ConditionColumns columns{
@@ -152,7 +147,7 @@ ConditionColumns columns_in_words(const Report& report) {
           {column("half diverged by", Media::page), [](const ReportedCondition& each) -> look::Cell {
              const auto& quartiles = settling_of(each).times.divergence_quartiles;
              if (quartiles.empty()) return {};
-             return period_cell(quantile_of(quartiles, 0.5), fixed_horizon(each));
+             return period_cell(quantile_at(quartiles, 0.5), fixed_horizon(each));
            }}};
 }
 

@@ -22,114 +22,103 @@ constexpr const char* words_on_time = "tau = p t, or t [s]";
 
 const ValueType& contact_type() { return the_only<NamedType<ContactState, dynamics::contact_names>>(); }
 
-const StructType& state_fields(TrajectoryUnits units) {
+template <TrajectoryUnits units>
+constexpr bool is_si = units == TrajectoryUnits::si;
+template <TrajectoryUnits units>
+constexpr const char* time_key = is_si<units> ? "time_s" : "tau";
+
+template <TrajectoryUnits units>
+const StructType& fields_in(const ReportedState*) {
   using State = ReportedState;
-  constexpr const char* words_on_slip = "X over R, or in [m]";
-  constexpr const char* words_on_slip_rate = "V over R p, or in [m/s]";
-  static const StructType normalised{
-      "State",
-      field<&State::tilt>("tilt", words_on_tilt),
-      field<&State::tilt_rate>("tilt_rate", words_on_tilt_rate),
-      field<&State::slip>("slip", words_on_slip),
-      field<&State::slip_rate>("slip_rate", words_on_slip_rate),
+  static const StructType fields{
+      is_si<units> ? "StateSi" : "State",
+      field<&State::tilt>(is_si<units> ? "tilt_rad" : "tilt", words_on_tilt),
+      field<&State::tilt_rate>(is_si<units> ? "tilt_rate_rad_s" : "tilt_rate", words_on_tilt_rate),
+      field<&State::slip>(is_si<units> ? "slip_m" : "slip", "X over R, or in [m]"),
+      field<&State::slip_rate>(is_si<units> ? "slip_rate_m_s" : "slip_rate", "V over R p, or in [m/s]"),
   };
-  static const StructType si{
-      "StateSi",
-      field<&State::tilt>("tilt_rad", words_on_tilt),
-      field<&State::tilt_rate>("tilt_rate_rad_s", words_on_tilt_rate),
-      field<&State::slip>("slip_m", words_on_slip),
-      field<&State::slip_rate>("slip_rate_m_s", words_on_slip_rate),
-  };
-  return units == TrajectoryUnits::si ? si : normalised;
+  return fields;
 }
 
 /// The fields of a state stand among those of what has it.
-template <auto member>
-Field state_in(TrajectoryUnits units) {
-  return inlined<member>(state_fields(units));
+template <TrajectoryUnits units, auto member>
+Field state_in() {
+  return inlined<member>(fields_in<units>(static_cast<const ReportedState*>(nullptr)));
 }
 
-const char* time_key(TrajectoryUnits units) { return units == TrajectoryUnits::si ? "time_s" : "tau"; }
-
-const StructType& fields_in(TrajectoryUnits units, const ReportedStrobe*) {
+template <TrajectoryUnits units>
+const StructType& fields_in(const ReportedStrobe*) {
   using Strobe = ReportedStrobe;
-  static const Field period = field<&Strobe::period>("period", "excitation periods, from 1", Rule{.least = 1.0});
-  static const Field contact = field<&Strobe::contact>("contact", "contact state", contact_type());
-  static const StructType normalised{"Strobe", period, state_in<&Strobe::state>(TrajectoryUnits::normalised), contact};
-  static const StructType si{"StrobeSi", period, field<&Strobe::time>("time_s", "t [s]"),
-                             state_in<&Strobe::state>(TrajectoryUnits::si), contact};
-  return units == TrajectoryUnits::si ? si : normalised;
+  const Field period = field<&Strobe::period>("period", "excitation periods, from 1", Rule{.least = 1.0});
+  const Field contact = field<&Strobe::contact>("contact", "contact state", contact_type());
+  if constexpr (is_si<units>) {
+    static const StructType fields{"StrobeSi", period, field<&Strobe::time>("time_s", "t [s]"),
+                                   state_in<units, &Strobe::state>(), contact};
+    return fields;
+  } else {
+    static const StructType fields{"Strobe", period, state_in<units, &Strobe::state>(), contact};
+    return fields;
+  }
 }
 
-const StructType& fields_in(TrajectoryUnits units, const ReportedEvent*) {
+template <TrajectoryUnits units>
+const StructType& fields_in(const ReportedEvent*) {
   using Event = ReportedEvent;
-  const auto made = [](TrajectoryUnits in) {
-    return StructType{
-        in == TrajectoryUnits::si ? "EventSi" : "Event",
-        field<&Event::time>(time_key(in), words_on_time),
-        field<&Event::kind>("kind", "what happens", the_only<NamedType<EventKind, dynamics::event_names>>()),
-        state_in<&Event::state>(in),
-    };
+  static const StructType fields{
+      is_si<units> ? "EventSi" : "Event",
+      field<&Event::time>(time_key<units>, words_on_time),
+      field<&Event::kind>("kind", "what happens", the_only<NamedType<EventKind, dynamics::event_names>>()),
+      state_in<units, &Event::state>(),
   };
-  static const StructType normalised = made(TrajectoryUnits::normalised);
-  static const StructType si = made(TrajectoryUnits::si);
-  return units == TrajectoryUnits::si ? si : normalised;
+  return fields;
 }
 
-const StructType& fields_in(TrajectoryUnits units, const ReportedSample*) {
+template <TrajectoryUnits units>
+const StructType& fields_in(const ReportedSample*) {
   using Sample = ReportedSample;
-  const auto made = [](TrajectoryUnits in) {
-    return StructType{
-        in == TrajectoryUnits::si ? "SampleSi" : "Sample",
-        field<&Sample::time>(time_key(in), words_on_time),
-        state_in<&Sample::state>(in),
-        field<&Sample::contact>("contact", "contact state", contact_type()),
-    };
+  static const StructType fields{
+      is_si<units> ? "SampleSi" : "Sample",
+      field<&Sample::time>(time_key<units>, words_on_time),
+      state_in<units, &Sample::state>(),
+      field<&Sample::contact>("contact", "contact state", contact_type()),
   };
-  static const StructType normalised = made(TrajectoryUnits::normalised);
-  static const StructType si = made(TrajectoryUnits::si);
-  return units == TrajectoryUnits::si ? si : normalised;
+  return fields;
 }
 
-const StructType& fields_in(TrajectoryUnits units, const PeakValues*) {
-  const auto made = [](bool si) {
-    return StructType{
-        si ? "PeaksSi" : "Peaks",
-        field<&PeakValues::tilt>(si ? "tilt_rad" : "tilt", words_on_tilt, rule::not_negative),
-        field<&PeakValues::tilt_rate>(si ? "tilt_rate_rad_s" : "tilt_rate", words_on_tilt_rate, rule::not_negative),
-        field<&PeakValues::slip>("slip", "X over R", rule::not_negative),
-        field<&PeakValues::slip_m>("slip_m", "X [m]", rule::not_negative),
-        field<&PeakValues::final_slip>("final_slip", "X at the end over R, > 0 to the right"),
-        field<&PeakValues::final_slip_m>("final_slip_m", "the same [m]"),
-    };
+template <TrajectoryUnits units>
+const StructType& fields_in(const PeakValues*) {
+  using Peaks = PeakValues;
+  static const StructType fields{
+      is_si<units> ? "PeaksSi" : "Peaks",
+      field<&Peaks::tilt>(is_si<units> ? "tilt_rad" : "tilt", words_on_tilt, rule::not_negative),
+      field<&Peaks::tilt_rate>(is_si<units> ? "tilt_rate_rad_s" : "tilt_rate", words_on_tilt_rate, rule::not_negative),
+      field<&Peaks::slip>("slip", "X over R", rule::not_negative),
+      field<&Peaks::slip_m>("slip_m", "X [m]", rule::not_negative),
+      field<&Peaks::final_slip>("final_slip", "X at the end over R, > 0 to the right"),
+      field<&Peaks::final_slip_m>("final_slip_m", "the same [m]"),
   };
-  static const StructType normalised = made(false);
-  static const StructType si = made(true);
-  return units == TrajectoryUnits::si ? si : normalised;
+  return fields;
 }
 
-const StructType& fields_in(TrajectoryUnits units, const TrajectoryValidity*) {
+template <TrajectoryUnits units>
+const StructType& fields_in(const TrajectoryValidity*) {
   using Found = TrajectoryValidity;
-  const auto made = [](bool si) {
-    return StructType{
-        si ? "TrajectoryValiditySi" : "TrajectoryValidity",
-        field<&Found::losses_of_contact>("losses_of_contact", "downward crossings of N = 0"),
-        field<&Found::first_loss_of_contact>(si ? "first_loss_of_contact_s" : "first_loss_of_contact",
-                                             "time of the first one, tau or [s]; null: there is none",
-                                             rule::not_negative),
-        field<&Found::losses_before_fall>("losses_before_fall", "losses of contact but for those of the final fall"),
-        field<&Found::contradictions>("contradictions",
-                                      "instants at which neither sticking nor slipping agrees with the equations"),
-    };
+  static const StructType fields{
+      is_si<units> ? "TrajectoryValiditySi" : "TrajectoryValidity",
+      field<&Found::losses_of_contact>("losses_of_contact", "downward crossings of N = 0"),
+      field<&Found::first_loss_of_contact>(is_si<units> ? "first_loss_of_contact_s" : "first_loss_of_contact",
+                                           "time of the first one, tau or [s]; null: there is none",
+                                           rule::not_negative),
+      field<&Found::losses_before_fall>("losses_before_fall", "losses of contact but for those of the final fall"),
+      field<&Found::contradictions>("contradictions",
+                                    "instants at which neither sticking nor slipping agrees with the equations"),
   };
-  static const StructType normalised = made(false);
-  static const StructType si = made(true);
-  return units == TrajectoryUnits::si ? si : normalised;
+  return fields;
 }
 
 template <class Item, TrajectoryUnits units>
 const ValueType& item_in() {
-  return fields_in(units, static_cast<const Item*>(nullptr));
+  return fields_in<units>(static_cast<const Item*>(nullptr));
 }
 
 template <class Part, TrajectoryUnits units>
@@ -267,9 +256,7 @@ const StructType& block_fields() {
 }
 
 template <>
-struct TypeOf<TrajectoryUnits> {
-  static const ValueType& get() { return the_only<NamedType<TrajectoryUnits, trajectory_unit_names>>(); }
-};
+struct TypeOf<TrajectoryUnits> : OnlyType<NamedType<TrajectoryUnits, trajectory_unit_names>> {};
 
 namespace {
 

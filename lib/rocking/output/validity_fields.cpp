@@ -53,15 +53,7 @@ class ClampsType final : public ValueType {
 }  // namespace
 
 template <>
-struct TypeOf<Cases> {
-  static const ValueType& get() { return the_only<CasesType>(); }
-};
-const ValueType& TypeOf<section::Backing>::get() {
-  return the_only<NamedType<section::Backing, section::backing_names>>();
-}
-const ValueType& TypeOf<section::Reason>::get() {
-  return the_only<NamedType<section::Reason, section::reason_names>>();
-}
+struct TypeOf<Cases> : OnlyType<CasesType> {};
 
 const ValueType& TypeOf<Clamps>::get() { return the_only<ClampsType>(); }
 

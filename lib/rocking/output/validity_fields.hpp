@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "rocking/ensemble/result.hpp"
-#include "rocking/fields/struct_type.hpp"
+#include "rocking/fields/converted_type.hpp"
 
 namespace rocking {
 
@@ -36,14 +36,9 @@ void for_each_case(SomeValidity& validity, const Visit& visit) {
 
 /// Its name.
 template <>
-struct TypeOf<section::Backing> {
-  static const ValueType& get();
-};
-
+struct TypeOf<section::Backing> : OnlyType<NamedType<section::Backing, section::backing_names>> {};
 template <>
-struct TypeOf<section::Reason> {
-  static const ValueType& get();
-};
+struct TypeOf<section::Reason> : OnlyType<NamedType<section::Reason, section::reason_names>> {};
 
 /// By kind; a kind that is not in every report, only where it is not 0.
 template <>

@@ -30,11 +30,8 @@ using StartType = ConvertedType<bool, std::string, start_as_written, set_start>;
 }  // namespace
 
 template <>
-struct TypeOf<section::StrobePoint> {
-  static const ValueType& get() {
-    return the_only<ConvertedType<section::StrobePoint, WrittenPoint, point_as_written, set_point>>();
-  }
-};
+struct TypeOf<section::StrobePoint>
+    : OnlyType<ConvertedType<section::StrobePoint, WrittenPoint, point_as_written, set_point>> {};
 
 static const StructType& fields_of(const ReportedStep*) {
   using Reported = ReportedStep;

@@ -84,10 +84,6 @@ const ValueType& open_interval_type() {
   return the_only<ConvertedType<stats::Interval, OpenEnds, written_ends, set_ends>>();
 }
 
-const ValueType& TypeOf<stats::FragilityOutcome>::get() {
-  return the_only<NamedType<stats::FragilityOutcome, stats::fragility_outcome_names>>();
-}
-
 const ValueType& TypeOf<ResponseEvent>::get() { return the_only<EventType>(); }
 
 const StructType& fields_of(const CurveRun*) {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "rocking/fields/struct_type.hpp"
+#include "rocking/fields/converted_type.hpp"
 #include "rocking/look/table.hpp"
 #include "rocking/look/text_table.hpp"
 #include "rocking/output/response_event_text.hpp"
@@ -36,9 +36,7 @@ inline constexpr std::string_view unresolved_sentence =
 [[nodiscard]] const StructType& fields_of(const RateComparison*);
 
 template <>
-struct TypeOf<RateSource> {
-  static const ValueType& get();
-};
+struct TypeOf<RateSource> : OnlyType<NamedType<RateSource, rate_source_names>> {};
 
 template <>
 struct TypeOf<ResponseEvent> {
@@ -46,8 +44,7 @@ struct TypeOf<ResponseEvent> {
 };
 
 template <>
-struct TypeOf<stats::FragilityOutcome> {
-  static const ValueType& get();
+struct TypeOf<stats::FragilityOutcome> : OnlyType<NamedType<stats::FragilityOutcome, stats::fragility_outcome_names>> {
 };
 
 template <>

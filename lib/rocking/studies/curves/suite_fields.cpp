@@ -121,12 +121,8 @@ const StructType& fields_of(const SuiteCurve*) {
   return fields;
 }
 
-const ValueType& TypeOf<RateSource>::get() { return the_only<NamedType<RateSource, rate_source_names>>(); }
-
 template <>
-struct TypeOf<RareUse> {
-  static const ValueType& get() { return the_only<NamedType<RareUse, rare_use_names>>(); }
-};
+struct TypeOf<RareUse> : OnlyType<NamedType<RareUse, rare_use_names>> {};
 
 static const StructType& fields_of(const RateInRange*) {
   static const StructType fields{

@@ -76,9 +76,7 @@ class CurveType final : public ValueType {
 }  // namespace
 
 template <>
-struct TypeOf<std::variant<ReportedCurve, ReportedSuite>> {
-  static const ValueType& get() { return the_only<CurveType>(); }
-};
+struct TypeOf<std::variant<ReportedCurve, ReportedSuite>> : OnlyType<CurveType> {};
 
 const StructType& fields_of(const FragilityReport*) {
   static const StructType fields{

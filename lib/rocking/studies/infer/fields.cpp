@@ -7,9 +7,7 @@
 namespace rocking {
 
 template <>
-struct TypeOf<ReachedBound> {
-  static const ValueType& get() { return the_only<NamedType<ReachedBound, reached_bound_names>>(); }
-};
+struct TypeOf<ReachedBound> : OnlyType<NamedType<ReachedBound, reached_bound_names>> {};
 
 namespace {
 

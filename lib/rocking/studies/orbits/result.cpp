@@ -85,25 +85,15 @@ void set_ends(const Ends& read, const ReadingPlace& place, ParameterRange& range
 }  // namespace
 
 template <>
-struct TypeOf<ContactState> {
-  static const ValueType& get() { return the_only<NamedType<ContactState, contacts_of_an_orbit>>(); }
-};
+struct TypeOf<ContactState> : OnlyType<NamedType<ContactState, contacts_of_an_orbit>> {};
 template <>
-struct TypeOf<BifurcationKind> {
-  static const ValueType& get() { return the_only<NamedType<BifurcationKind, bifurcation_kind_names>>(); }
-};
+struct TypeOf<BifurcationKind> : OnlyType<NamedType<BifurcationKind, bifurcation_kind_names>> {};
 template <>
-struct TypeOf<BranchEnd> {
-  static const ValueType& get() { return the_only<NamedType<BranchEnd, branch_end_names>>(); }
-};
+struct TypeOf<BranchEnd> : OnlyType<NamedType<BranchEnd, branch_end_names>> {};
 template <>
-struct TypeOf<std::complex<double>> {
-  static const ValueType& get() { return the_only<ComplexType>(); }
-};
+struct TypeOf<std::complex<double>> : OnlyType<ComplexType> {};
 template <>
-struct TypeOf<ParameterRange> {
-  static const ValueType& get() { return the_only<ConvertedType<ParameterRange, Ends, ends_of, set_ends>>(); }
-};
+struct TypeOf<ParameterRange> : OnlyType<ConvertedType<ParameterRange, Ends, ends_of, set_ends>> {};
 
 static const StructType& state_fields() {
   using Point = section::StrobePoint;

@@ -27,11 +27,7 @@ std::string event_words(const RareQuestion& question) {
 }
 
 std::string title_of(const ReportedRare& condition) {
-  std::string title;
-  for (const Parameter& parameter : condition.parameters) {
-    title += (title.empty() ? "" : ", ") + parameter.pointer.substr(parameter.pointer.rfind('/') + 1) + ' ' +
-             short_value(parameter);
-  }
+  std::string title = values_of(condition.parameters);
   const auto probability = condition.estimate.probability;
   if (probability) title += (title.empty() ? "" : ": ") + ("probability " + significant(*probability, 3));
   return title;

@@ -43,9 +43,7 @@ class RepetitionType final : public ValueType {
 }  // namespace
 
 template <>
-struct TypeOf<rare::Repetition> {
-  static const ValueType& get() { return the_only<RepetitionType>(); }
-};
+struct TypeOf<rare::Repetition> : OnlyType<RepetitionType> {};
 
 namespace {
 

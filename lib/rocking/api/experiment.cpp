@@ -21,11 +21,7 @@ Experiment parse_experiment(std::string_view text, const std::filesystem::path& 
 
 Experiment experiment_of(std::vector<Condition> conditions, const Declaration& declaration) {
   if (conditions.empty()) {
-    throw base::InputError({.place = "",
-                            .value = "",
-                            .reason = "the experiment has no condition",
-                            .remedy = "give at least one",
-                            .where = {}});
+    throw base::InputError({"", "", "the experiment has no condition", "give at least one"});
   }
   Experiment experiment{
       .title = declaration.title, .seed = declaration.seed, .conditions = std::move(conditions), .canonical_text = {}};

@@ -14,8 +14,7 @@ namespace rocking {
 
 /// Refuses an argument of a call, which is not at a place of a file.
 [[noreturn]] inline void refuse(std::string_view name, const std::string& value, std::string reason) {
-  throw base::InputError(
-      {.place = std::string(name), .value = value, .reason = std::move(reason), .remedy = {}, .where = {}});
+  throw base::InputError({std::string(name), value, std::move(reason), ""});
 }
 
 /// Refuses an argument that is not a whole number from `least` to `largest`.

@@ -103,13 +103,11 @@ void RunFolder::expect_own_report(const Identity& identity) const {
   const auto claims = claims_in(report_path());
   if (!claims || claims->sha256 == base::to_hex(base::sha256(identity.experiment))) return;
   const std::vector<std::string> differences = experiment_differences(claims->experiment, identity.experiment);
-  throw base::InputError({.place = report_path().string(),
-                          .value = "",
-                          .reason = "is of another run than " + store_path().string() +
-                                    (differences.empty() ? "" : ": in its experiment " + differences.front()),
-                          .remedy = "move the one that does not belong there to another folder; `rocking resume " +
-                                    files_.folder.string() + "` writes the report of the realisations",
-                          .where = {}});
+  throw base::InputError({report_path().string(), "",
+                          "is of another run than " + store_path().string() +
+                              (differences.empty() ? "" : ": in its experiment " + differences.front()),
+                          "move the one that does not belong there to another folder; `rocking resume " +
+                              files_.folder.string() + "` writes the report of the realisations"});
 }
 
 Repair RunFolder::mend_store(Store damaged, const Experiment& experiment) const {

@@ -87,13 +87,10 @@ ContractViolation::ContractViolation(const char* condition, const char* file, in
 FolderError::FolderError(Kind kind, const std::string& place, const std::string& reason, const std::string& remedy)
     : std::system_error(code_of(kind)),
       kind_(kind),
-      problem_{.place = place, .value = "", .reason = reason, .remedy = remedy, .where = {}},
+      problem_{place, "", reason, remedy},
       text_((place.empty() ? "" : place + ": ") + reason + (remedy.empty() ? "" : "; " + remedy)) {}
 
 FolderError::FolderError(const std::system_error& cause)
-    : std::system_error(cause.code()),
-      kind_(Kind::missing),
-      problem_{.place = "", .value = "", .reason = cause.what(), .remedy = {}, .where = {}},
-      text_(cause.what()) {}
+    : std::system_error(cause.code()), kind_(Kind::missing), problem_{"", "", cause.what(), ""}, text_(cause.what()) {}
 
 }  // namespace rocking::base

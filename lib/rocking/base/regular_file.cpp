@@ -10,10 +10,8 @@ void expect_regular_file(const std::filesystem::path& path) {
   std::error_code unknown;
   const auto status = std::filesystem::status(path, unknown);
   if (unknown || status.type() == std::filesystem::file_type::not_found || is_regular_file(status)) return;
-  throw InputError({.place = path.string(),
-                    .value = "",
-                    .reason = is_directory(status) ? "is a folder" : "is a pipe or a device",
-                    .remedy = "give a regular file"});
+  throw InputError(
+      {path.string(), "", is_directory(status) ? "is a folder" : "is a pipe or a device", "give a regular file"});
 }
 
 }  // namespace rocking::base

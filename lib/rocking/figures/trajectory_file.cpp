@@ -55,10 +55,8 @@ void add_history(const TrajectoryReport& report, TrajectoryFile& file) {
   const TrajectoryScales scales = report.scales();
   const auto samples = static_cast<std::size_t>(report.samples_per_period.value());
   if (report.history.size() <= samples) {
-    throw base::InputError(base::Problem{.place = "/history",
-                                         .value = "",
-                                         .reason = "is shorter than one period",
-                                         .remedy = "run `rocking trajectory` over at least one period"});
+    throw base::InputError(base::Problem{"/history", "", "is shorter than one period",
+                                         "run `rocking trajectory` over at least one period"});
   }
   const double period = report.history[samples].time;  // 2 pi/Omega_h, or that over p
   for (const ReportedSample& sample : report.history) {

@@ -186,11 +186,8 @@ ResponseEvent in_units_of_balance(const ResponseEvent& event, const std::vector<
 
 void check_friction(const ResponseEvent& event, const Condition& condition) {
   if (!event.is_of_slip() || condition.scene.friction) return;
-  throw base::InputError({.place = "event",
-                          .value = event_text(event),
-                          .reason = "cannot happen but by overturning: the block has no friction",
-                          .remedy = "add `friction` to the experiment, or ask for overturning or a tilt",
-                          .where = {}});
+  throw base::InputError({"event", event_text(event), "cannot happen but by overturning: the block has no friction",
+                          "add `friction` to the experiment, or ask for overturning or a tilt"});
 }
 
 std::variant<ResponseEvent, NoEvent> read_event(std::string_view text) {

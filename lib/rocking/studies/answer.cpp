@@ -158,11 +158,7 @@ StudyAnswer answer(std::string_view study, std::string_view question, const Stud
   } catch (const base::InputError& error) {
     throw with_names(error, asked.question->fields(), keyword_of);
   } catch (const UnfitQuestion& error) {
-    throw base::InputError({.place = error.place().empty() ? std::string(study) : error.place(),
-                            .value = "",
-                            .reason = error.what(),
-                            .remedy = "",
-                            .where = {}});
+    throw base::InputError({error.place().empty() ? std::string(study) : error.place(), "", error.what(), ""});
   }
 }
 

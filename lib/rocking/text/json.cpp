@@ -68,15 +68,14 @@ class DocumentBuilder final : public nlohmann::json_sax<Json> {
     frame.key = name;
     frame.is_rerun = !frame.keys.insert(name).second;
     if (frame.is_rerun && repeated_++ < most_repeated) {
-      problems_.push_back(
-          {.place = pointer(), .value = "", .reason = "this key occurs twice", .remedy = "keep one of them"});
+      problems_.push_back({pointer(), "", "this key occurs twice", "keep one of them"});
     }
     return true;
   }
 
   bool parse_error(std::size_t position, const std::string&, const Json::exception& error) override {
     const std::string_view word = word_at(text_, position == 0 ? 0 : position - 1);
-    base::Problem problem{.place = place_of(text_, position), .value = std::string(word), .reason = {}, .remedy = {}};
+    base::Problem problem{place_of(text_, position), std::string(word), "", ""};
     const bool is_no_number = begins_with_word(word, "nan") || begins_with_word(word, "inf");
     const std::string key = pointer();
     if ((is_no_number || error.id == 406) && !key.empty()) problem.place = key + " (" + problem.place + ")";
@@ -168,10 +167,8 @@ class DocumentBuilder final : public nlohmann::json_sax<Json> {
 
   bool open(Json container) {
     if (open_.size() >= deepest) {
-      throw base::InputError({.place = pointer(),
-                              .value = "",
-                              .reason = "nested more deeply than any format of rocking",
-                              .remedy = "see `rocking schema experiment`"});
+      throw base::InputError(
+          {pointer(), "", "nested more deeply than any format of rocking", "see `rocking schema experiment`"});
     }
     open_.push_back({attach(std::move(container)), {}});
     return true;
@@ -206,10 +203,8 @@ class DocumentBuilder final : public nlohmann::json_sax<Json> {
 Json parse_json(std::string_view text, std::vector<base::Problem>& problems) {
   // The parser would treat it as the end of the text.
   if (const std::size_t position = text.find('\0'); position != std::string_view::npos) {
-    throw base::InputError({.place = place_of(text, position + 1),
-                            .value = "",
-                            .reason = "a NUL byte, which JSON does not allow",
-                            .remedy = "remove it; the file may be damaged, or not be text in UTF-8"});
+    throw base::InputError({place_of(text, position + 1), "", "a NUL byte, which JSON does not allow",
+                            "remove it; the file may be damaged, or not be text in UTF-8"});
   }
   DocumentBuilder builder(text, problems);
   Json::sax_parse(text.begin(), text.end(), &builder);

@@ -75,10 +75,8 @@ stats::NormalCheck check_file(const SamplerQuestion& question) {
   const auto found =
       question.mean ? stats::check_normal({numbers, {}, {}}, law_of(question)) : stats::check_own_law(numbers);
   if (!found) {
-    throw base::InputError({.place = *question.file,
-                            .value = "",
-                            .reason = "has numbers that are all equal, or too nearly so",
-                            .remedy = "give numbers that scatter"});
+    throw base::InputError(
+        {*question.file, "", "has numbers that are all equal, or too nearly so", "give numbers that scatter"});
   }
   return *found;
 }

@@ -114,10 +114,8 @@ std::vector<Stripe> filled(const Experiment& experiment, const Store& store) {
     --missing;
   });
   if (missing > 0) {
-    throw base::InputError({.place = "realisations.sqlite",
-                            .value = "",
-                            .reason = "lacks " + std::to_string(missing) + " realisations",
-                            .remedy = "`rocking resume` finishes the run"});
+    throw base::InputError({"realisations.sqlite", "", "lacks " + std::to_string(missing) + " realisations",
+                            "`rocking resume` finishes the run"});
   }
   return stripes;
 }

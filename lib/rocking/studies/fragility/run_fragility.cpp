@@ -36,12 +36,9 @@ void check_friction(const std::vector<ResponseEvent>& events, const Experiment& 
   if (of_slip == events.end()) return;
   for (const Condition& condition : experiment.conditions) {
     if (condition.scene.friction) continue;
-    throw base::InputError(
-        {.place = "events",
-         .value = event_text(*of_slip),
-         .reason = "cannot happen but by overturning: the block has no friction, so that it does not slide",
-         .remedy = "add `friction` to the experiment, or ask for overturning or a tilt",
-         .where = {}});
+    throw base::InputError({"events", event_text(*of_slip),
+                            "cannot happen but by overturning: the block has no friction, so that it does not slide",
+                            "add `friction` to the experiment, or ask for overturning or a tilt"});
   }
 }
 

@@ -186,11 +186,8 @@ True)",
       .label = "orbits",
       .needs_folder = true,
       .document = orbits_document(),
-      .without_figures = {.place = "/branches",
-                          .value = "",
-                          .reason = "are missing: a figure shows the branches of orbits",
-                          .remedy = "sweep one number of the motion, and omit --no-branches",
-                          .where = {}},
+      .without_figures = {"/branches", "", "are missing: a figure shows the branches of orbits",
+                          "sweep one number of the motion, and omit --no-branches"},
   });
   return study;
 }

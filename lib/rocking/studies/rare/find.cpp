@@ -60,13 +60,10 @@ void check_slip(const Experiment& experiment, const ResponseEvent& event) {
   for (const Condition& condition : experiment.conditions) {
     check_friction(event, condition);
     if (rare::method_of(condition.scene) != RareMethod::importance_sampling) {
-      throw base::InputError(
-          {.place = "event",
-           .value = event_text(event),
-           .reason = "is estimated only where all numbers are drawn once: the slip up to a strobe point is "
-                     "not part of what steers a particle run",
-           .remedy = "use `rocking run` and `rocking fragility`, or leave out `fluctuation`",
-           .where = {}});
+      throw base::InputError({"event", event_text(event),
+                              "is estimated only where all numbers are drawn once: the slip up to a strobe point is "
+                              "not part of what steers a particle run",
+                              "use `rocking run` and `rocking fragility`, or leave out `fluctuation`"});
     }
   }
 }

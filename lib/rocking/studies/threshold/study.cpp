@@ -100,11 +100,9 @@ const Study& threshold_study() {
       .progress = "motions",
       .file = "threshold.json",
       .document = threshold_document(),
-      .without_figures = {.place = "/conditions",
-                          .value = "",
-                          .reason = "have no other number with several values, over which a figure shows the bands",
-                          .remedy = "sweep another number, such as the frequency",
-                          .where = {}},
+      .without_figures = {"/conditions", "",
+                          "have no other number with several values, over which a figure shows the bands",
+                          "sweep another number, such as the frequency"},
   });
   return study;
 }

@@ -126,10 +126,9 @@ std::string picture_of(const Figure& figure, const std::string& format, Drawing&
     drawing = write_figure(figure, folder.path(), {format}, stop, look);
     return drawing.is_drawn() ? read_file(folder.path() / (figure.name + '.' + format)) : std::string();
   } catch (const std::system_error& error) {
-    drawing = {.end = DrawingEnd::broken_off,
-               .reason = std::string(error.what()) +
-                         "; set TMPDIR to a writable folder, and check that the disk "
-                         "is not full"};
+    drawing = {
+        .end = DrawingEnd::broken_off,
+        .reason = std::string(error.what()) + "; set TMPDIR to a writable folder, and check that the disk is not full"};
     return {};
   }
 }

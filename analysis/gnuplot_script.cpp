@@ -52,8 +52,7 @@ std::string terminals(const Figure& figure, const Layout& layout, const FigureLo
          "\n  }\n  if (format eq 'png') {\n    set terminal pngcairo enhanced size " +
          size_of(layout, look.png_pixels) + font(look.font_size) + " fontscale " + enlarged + " linewidth " + enlarged +
          " pointscale " + enlarged +
-         " background '#ffffff'"
-         "\n  }\n  if (format eq 'pdf') {\n    set terminal pdfcairo enhanced size " +
+         " background '#ffffff'\n  }\n  if (format eq 'pdf') {\n    set terminal pdfcairo enhanced size " +
          size_of(layout, look.pdf_inches) + font(look.font_size) + pdf_scales +
          " background '#ffffff'\n  }\n  set output " + stem + ".'.'.format.ending\n";
 }

@@ -179,8 +179,7 @@ std::optional<Figure> divergence_quartiles(const Report& report) {
   if (!any) return std::nullopt;
   figure.caption =
       "Periods until two runs of one condition, with independent random numbers, are more than 0.01 apart in (Θ, Θ′): "
-      "median "
-      "(markers) and quartiles over pairs (" +
+      "median (markers) and quartiles over pairs (" +
       std::string(view.is_line ? "ribbon" : "bars") + ", cut at the horizon). Where no marker or no " +
       (view.is_line ? "ribbon is" : "bars are") +
       " shown, more than half, or three quarters, of the pairs had not diverged by the horizon." +
@@ -207,8 +206,7 @@ std::optional<Figure> divergence_times(const Report& report, const Store& store)
   }
   figure.caption =
       "Share of pairs of runs, with independent random numbers, that have diverged (are more than 0.01 apart in (Θ, "
-      "Θ′) at a strobe "
-      "instant), against time.";
+      "Θ′) at a strobe instant), against time.";
   if (report.conditions.size() > most_curves)
     figure.caption += " Shown are the seven conditions in which two runs differ most often in response mode.";
   return figure;

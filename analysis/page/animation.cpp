@@ -111,11 +111,10 @@ std::string animations_html(const std::vector<Animation>& motions) {
   return fmt::format(
       "<div class=\"motions\" data-motions=\"motions\"></div>\n<script type=\"application/json\" "
       "id=\"data-motions\">{}</script>\n<div class=\"stills\">\n{}</div>\n<p class=\"small\">The block is drawn "
-      "relative "
-      "to the floor; the arrow below the floor is the acceleration of the floor. The motion of the floor is not "
-      "drawn. Shaded: sliding (blue), rocking and sliding (yellow), at rest (grey). Tilt, slip and block have one "
-      "scale unless a larger factor is chosen; the factor stands in the drawing. "
-      "{}The drawing takes {} samples, {} kB of this page. The numbers:</p>\n<ul class=\"small\">\n{}</ul>\n",
+      "relative to the floor; the arrow below the floor is the acceleration of the floor. The motion of the floor is "
+      "not drawn. Shaded: sliding (blue), rocking and sliding (yellow), at rest (grey). Tilt, slip and block have one "
+      "scale unless a larger factor is chosen; the factor stands in the drawing. {}The drawing takes {} samples, {} kB "
+      "of this page. The numbers:</p>\n<ul class=\"small\">\n{}</ul>\n",
       data, stills, of_block, samples, (data.size() + 999) / 1000, commands);
 }
 

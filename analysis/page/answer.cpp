@@ -87,8 +87,7 @@ std::string recurrence_in_brief(const Report& report) {
   if (report.has_suite()) return repeatability(report);
   if (repeatability_of(report).compared == 0 || !report.is_periodic()) return "";
   return "<p>Two runs under the same shaking have diverged when tilt and tilt rate, compared once a period, differ by "
-         "more "
-         "than 0.01. With</p>\n<ul>\n" +
+         "more than 0.01. With</p>\n<ul>\n" +
          divergences(report, "independent random numbers", &NonRecurrence::friction) +
          divergences(report, "common random numbers and another tolerance", &NonRecurrence::arithmetic) + "</ul>\n";
 }

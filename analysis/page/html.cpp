@@ -22,23 +22,15 @@ std::string base64(std::string_view bytes) {
 
 constexpr std::string_view dygraphs_licence =
     "Copyright (c) 2006, 2009, 2011, 2012, 2013, 2017 Dan Vanderkam and other contributors. Permission is hereby "
-    "granted, free "
-    "of charge, to any person obtaining a copy of this software and associated documentation files (the \"Software\"), "
-    "to deal "
-    "in the Software without restriction, including without limitation the rights to use, copy, modify, merge, "
-    "publish, "
-    "distribute, sublicense, and/or sell copies of the Software, and to permit persons to whom the Software is "
-    "furnished to do "
-    "so, subject to the following conditions: The above copyright notice and this permission notice shall be included "
-    "in all "
-    "copies or substantial portions of the Software. THE SOFTWARE IS PROVIDED \"AS IS\", WITHOUT WARRANTY OF ANY KIND, "
-    "EXPRESS "
-    "OR IMPLIED, INCLUDING BUT NOT LIMITED TO THE WARRANTIES OF MERCHANTABILITY, FITNESS FOR A PARTICULAR PURPOSE AND "
-    "NONINFRINGEMENT. IN NO EVENT SHALL THE AUTHORS OR COPYRIGHT HOLDERS BE LIABLE FOR ANY CLAIM, DAMAGES OR OTHER "
-    "LIABILITY, "
-    "WHETHER IN AN ACTION OF CONTRACT, TORT OR OTHERWISE, ARISING FROM, OUT OF OR IN CONNECTION WITH THE SOFTWARE OR "
-    "THE USE OR "
-    "OTHER DEALINGS IN THE SOFTWARE.";
+    "granted, free of charge, to any person obtaining a copy of this software and associated documentation files (the "
+    "\"Software\"), to deal in the Software without restriction, including without limitation the rights to use, copy, "
+    "modify, merge, publish, distribute, sublicense, and/or sell copies of the Software, and to permit persons to whom "
+    "the Software is furnished to do so, subject to the following conditions: The above copyright notice and this "
+    "permission notice shall be included in all copies or substantial portions of the Software. THE SOFTWARE IS "
+    "PROVIDED \"AS IS\", WITHOUT WARRANTY OF ANY KIND, EXPRESS OR IMPLIED, INCLUDING BUT NOT LIMITED TO THE WARRANTIES "
+    "OF MERCHANTABILITY, FITNESS FOR A PARTICULAR PURPOSE AND NONINFRINGEMENT. IN NO EVENT SHALL THE AUTHORS OR "
+    "COPYRIGHT HOLDERS BE LIABLE FOR ANY CLAIM, DAMAGES OR OTHER LIABILITY, WHETHER IN AN ACTION OF CONTRACT, TORT OR "
+    "OTHERWISE, ARISING FROM, OUT OF OR IN CONNECTION WITH THE SOFTWARE OR THE USE OR OTHER DEALINGS IN THE SOFTWARE.";
 
 std::string library_of(const Frame& frame) { return frame.has_charts ? dygraphs_script() : std::string(); }
 
@@ -49,9 +41,8 @@ std::string head(const Frame& frame) {
   const std::string scripts = library.empty() ? policy_hash(script) : policy_hash(library) + ' ' + policy_hash(script);
   return fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta "
-      "http-equiv=\"Content-Security-Policy\" "
-      "content=\"default-src 'none'; style-src {}; script-src {}; img-src data:; base-uri 'none'; form-action "
-      "'none'\">\n"
+      "http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src {}; script-src {}; img-src "
+      "data:; base-uri 'none'; form-action 'none'\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{}</title>\n<link rel=\"icon\" "
       "href=\"data:,\">\n<style>{}</style>\n</head>\n",
       policy_hash(style), scripts, escaped(frame.title), style);

@@ -82,8 +82,8 @@ class ObjectDrawing {
     std::string parts;
     for (const auto& [left, right, bottom, top] : block_.rectangles) {
       parts += fmt::format(
-          "<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" fill=\"#dddddd\" "
-          "stroke=\"#000\" stroke-width=\".35\"{}/>\n",
+          "<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" fill=\"#dddddd\" stroke=\"#000\" "
+          "stroke-width=\".35\"{}/>\n",
           x(left), y(top), x(right) - x(left), y(bottom) - y(top),
           block_.is_given ? "" : " stroke-dasharray=\"1.5 .7\"");
     }

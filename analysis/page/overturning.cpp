@@ -160,11 +160,11 @@ std::string overturning_in_brief(const Report& report) {
   for (const ReportedCondition& condition : report.conditions) open += condition.result.without_answer();
   const std::string notes =
       sides_in_brief(report) +
-      (open == 0 ? ""
-                 : fmt::format("<p class=\"warning\">Of {} whether they overturn is not known: they ended without an "
-                               "answer, by a budget of steps or by Painlev&eacute;&#39;s paradox. The intervals cover "
-                               "both.</p>\n",
-                               counted(open, "realisation")));
+      (open == 0
+           ? ""
+           : fmt::format("<p class=\"warning\">Of {} whether they overturn is not known: they ended without an answer, "
+                         "by a budget of steps or by Painlev&eacute;&#39;s paradox. The intervals cover both.</p>\n",
+                         counted(open, "realisation")));
   const SweepView view = view_of(report);
   if (has_few_slices(view)) return by_slice(report, view, overturning_along) + notes;
   return "<p>" + overturning_anywhere(report) + ".</p>\n" + notes;

@@ -313,11 +313,12 @@ std::string question_in_full(const Report& report) {
   if (has_unlike_edges(report)) {
     const auto angle = [&report](std::size_t side) { return of_edge(report, 4, side, &Edge::shape_angle); };
     const auto uplift = [&report](std::size_t side) { return of_edge(report, 4, side, &Edge::tangent); };
-    rows = row("shape angles",
-               fmt::format("&psi; = {} rad at the left edge, {} rad at the right edge; &Theta; is the tilt over that "
-                           "of its side",
-                           angle(0), angle(1))) +
-           row("uplift", fmt::format("base above {} g to the right, or {} g to the left", uplift(0), uplift(1)));
+    rows =
+        row("shape angles",
+            fmt::format(
+                "&psi; = {} rad at the left edge, {} rad at the right edge; &Theta; is the tilt over that of its side",
+                angle(0), angle(1))) +
+        row("uplift", fmt::format("base above {} g to the right, or {} g to the left", uplift(0), uplift(1)));
   }
   rows += row("half diagonal", fmt::format("<i>R</i> = {} m", of_block(report, 4, &Geometry::half_diagonal)));
   rows += row("frequency parameter",
@@ -328,11 +329,10 @@ std::string question_in_full(const Report& report) {
     if (!key.empty()) rows += row(name + " of the base", both_forms_html(report, key));
   }
   rows += setting_rows(report, "", report.input.experiment);
-  return further_question(report) +
-         fmt::format(
-             "<dl class=\"settings\">\n{}</dl>\n<details><summary>The experiment file, with every default written "
-             "out</summary>\n<pre tabindex=\"0\">{}</pre></details>\n",
-             rows, escaped(report.input.experiment.dump(2)));
+  return further_question(report) + fmt::format(
+                                        "<dl class=\"settings\">\n{}</dl>\n<details><summary>The experiment file, with "
+                                        "every default written out</summary>\n<pre tabindex=\"0\">{}</pre></details>\n",
+                                        rows, escaped(report.input.experiment.dump(2)));
 }
 
 }  // namespace rocking::analysis

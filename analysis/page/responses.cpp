@@ -59,10 +59,9 @@ std::string legend_of_modes(const Report& report) {
   const auto occurring = report.occurring();
   const bool has_periodic = std::ranges::any_of(
       occurring, [](const auto& entry) { return entry.first.kind == section::ResponseKind::periodic; });
-  return std::string(has_periodic
-                         ? "(<i>m</i>,<i>n</i>): the block rocks <i>m</i> times, to the left and to the right, in "
-                           "<i>n</i> periods of the shaking, and repeats this. "
-                         : "") +
+  return std::string(has_periodic ? "(<i>m</i>,<i>n</i>): the block rocks <i>m</i> times, to the left and to the "
+                                    "right, in <i>n</i> periods of the shaking, and repeats this. "
+                                  : "") +
          "Drawings: tilt against time (thick line) above the acceleration of the floor (thin line); schematic.";
 }
 
@@ -127,9 +126,8 @@ std::string shares_in_brief(const Report& report) {
                                                100.0 * share.interval->low, 100.0 * share.interval->high);
     entries += fmt::format(
         "<li><span>{}</span><span><b>{}</b> {}</span><svg class=\"share\" viewBox=\"0 0 100 10\" "
-        "preserveAspectRatio=\"none\" "
-        "role=\"img\" aria-label=\"{}\"><rect class=\"whole\" width=\"100\" height=\"10\"/><rect "
-        "width=\"{:.2f}\" height=\"10\"/>{}</svg><span>{}{}</span></li>\n",
+        "preserveAspectRatio=\"none\" role=\"img\" aria-label=\"{}\"><rect class=\"whole\" width=\"100\" "
+        "height=\"10\"/><rect width=\"{:.2f}\" height=\"10\"/>{}</svg><span>{}{}</span></li>\n",
         mode_drawing(mode), escaped(to_string(mode)), meaning_of(mode) + slip_in_words(report, mode), value,
         100.0 * share.estimate, ends, value, count_at(condition, mode));
   }

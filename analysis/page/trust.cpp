@@ -45,20 +45,17 @@ std::string trust_in_full(const std::vector<Finding>& findings) {
   }
   return "<p>Possible causes of a wrong result, and what was found:</p>\n<ul class=\"checks all\">\n" + entries +
          "</ul>\n<p><code>rocking trajectory</code> with this folder and the numbers of a condition and a realisation "
-         "prints "
-         "this realisation in full.</p>\n";
+         "prints this realisation in full.</p>\n";
 }
 
 std::string provenance(const Report& report) {
   const SystemFacts& system = report.system;
   return fmt::format(
       "<p>The same experiment file gives the same numbers on every machine: <code>rocking verify</code> runs it again "
-      "and "
-      "compares the bits.</p>\n<dl class=\"settings\">\n<dt>seed</dt><dd>{}</dd>\n<dt>digest of the "
-      "input</dt><dd><code>{}</code></dd>\n<dt>digest of the realisations</dt><dd><code>{}</code></dd>\n<dt>program"
-      "</dt><dd>rocking {} {}</dd>\n<dt>built with</dt><dd>{} "
-      "{}</dd>\n<dt>machine</dt><dd>{}</dd>\n<dt>begun</dt><dd>{}"
-      "</dd>\n<dt>time</dt><dd>{} s on {}</dd>\n</dl>\n",
+      "and compares the bits.</p>\n<dl class=\"settings\">\n<dt>seed</dt><dd>{}</dd>\n<dt>digest of the "
+      "input</dt><dd><code>{}</code></dd>\n<dt>digest of the "
+      "realisations</dt><dd><code>{}</code></dd>\n<dt>program</dt><dd>rocking {} {}</dd>\n<dt>built with</dt><dd>{} "
+      "{}</dd>\n<dt>machine</dt><dd>{}</dd>\n<dt>begun</dt><dd>{}</dd>\n<dt>time</dt><dd>{} s on {}</dd>\n</dl>\n",
       escaped(report.input.experiment.at("seed").get<std::string>()), escaped(report.input.sha256),
       base::to_hex(report.digest), escaped(system.build.version), escaped(system.build.revision),
       escaped(system.build.compiler), escaped(system.build.flags), escaped(system.machine), escaped(system.start),

@@ -128,14 +128,12 @@ ExitCode show_plan(const Experiment& experiment, const std::optional<Shard>& sha
 
 CLI::Option* add_status(CLI::App& command, std::string& folder) {
   const std::vector<CLI::Option*> others = command.get_options();
-  CLI::Option* status =
-      command
-          .add_option(
-              "--status", folder,
-              "Print how many realisations of the run in DIR are finished, missing and failed, also while it is in "
-              "progress, and its remaining time; only reads")
-          ->transform(run_folder())
-          ->type_name("DIR");
+  CLI::Option* status = command
+                            .add_option("--status", folder,
+                                        "Print how many realisations of the run in DIR are finished, missing and "
+                                        "failed, also while it is in progress, and its remaining time; only reads")
+                            ->transform(run_folder())
+                            ->type_name("DIR");
   for (CLI::Option* other : others) status->excludes(other);
   return status;
 }

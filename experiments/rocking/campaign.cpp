@@ -184,10 +184,9 @@ ExitCode write_results(FolderRun& run, ExperimentResult result, const SystemFact
       folder.install_replacement();
     });
   } catch (const base::Stopped&) {
-    print_notice(
-        fmt::format("interrupted; all realisations are done and kept. `rocking resume {}` writes the report and "
-                    "its page",
-                    shell_word(folder.name())));
+    print_notice(fmt::format(
+        "interrupted; all realisations are done and kept. `rocking resume {}` writes the report and its page",
+        shell_word(folder.name())));
     return ExitCode::interrupted;
   }
   if (how.loudness.json) {
@@ -225,8 +224,8 @@ ExitCode run_to_end(FolderRun run, const ExecutionOptions& execution) {
   SystemFacts system = system_facts(execution.threads * execution.pool.processes);
   if (run.store.journalling() == Journalling::rollback) {
     print_notice(
-        fmt::format("{}: this file system has no shared memory for SQLite's log; a slower journal is "
-                    "used, and commands that read the run may have to wait for a moment",
+        fmt::format("{}: this file system has no shared memory for SQLite's log; a slower journal is used, and "
+                    "commands that read the run may have to wait for a moment",
                     run.folder.name()));
   }
   const TimeSlice slice = work(run, execution);

@@ -133,10 +133,9 @@ void add_style(CLI::App& command, StyleRequest& request) {
       ->check(CLI::IsMember({"single", "double"}))
       ->type_name("COLUMN");
   command
-      .add_option(
-          "--pictures", request.pictures,
-          "In what each figure is written beside its numbers (tsv), separated by commas; gp is gnuplot's script. "
-          "Default: svg, or pdf for a journal")
+      .add_option("--pictures", request.pictures,
+                  "In what each figure is written beside its numbers (tsv), separated by commas; gp is gnuplot's "
+                  "script. Default: svg, or pdf for a journal")
       ->delimiter(',')
       ->check(one_of(analysis::figure_formats()))
       ->type_name("LIST");

@@ -29,8 +29,7 @@ void HazardFile::add_to(CLI::App& command, const std::string& effect) {
   CLI::Option* file = command
                           .add_option("--hazard", file_,
                                       "Hazard curve (CSV: intensity, annual_rate or poe; its header names measure and "
-                                      "kind; or of OpenQuake or the "
-                                      "USGS): " +
+                                      "kind; or of OpenQuake or the USGS): " +
                                           effect)
                           ->type_name("FILE");
   command

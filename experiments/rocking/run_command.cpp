@@ -46,8 +46,7 @@ void add_run(CLI::App& app, Action& action, const ProcessPool& pool) {
   command->footer(
       "Example: rocking run experiments/headline/headline.json -o out\n"
       "simulates every realisation of every condition, stores them in out/realisations.sqlite, writes out/report.json "
-      "and out/report.html, and prints a table of the responses. `rocking run --status out` prints "
-      "how far it is");
+      "and out/report.html, and prints a table of the responses. `rocking run --status out` prints how far it is");
   CLI::Option* experiment = add_experiment(*command, request->file)->required(false);
   const auto folder =
       command

@@ -33,14 +33,12 @@ void add_verify(CLI::App& app, Action& action) {
       "checks that out/report.json follows from out/realisations.sqlite, and that about a hundred of its realisations "
       "give the same bits when they are run again. Without --sample all of them are run. Without the store, the report "
       "is compared with a new run. An out/rare.json is checked, too: by its pilot runs and some of its repetitions; an "
-      "out/infer.json by some points of "
-      "its design.");
+      "out/infer.json by some points of its design.");
   command->add_option("DIR", request->folder, "Folder of the run")->required()->transform(run_folder());
   command
-      ->add_option(
-          "--sample", request->sample,
-          "Run about N realisations again, N repetitions of rare.json and N points of infer.json, evenly spaced; "
-          "default: all realisations, 4 repetitions of each condition, 8 points")
+      ->add_option("--sample", request->sample,
+                   "Run about N realisations again, N repetitions of rare.json and N points of infer.json, evenly "
+                   "spaced; default: all realisations, 4 repetitions of each condition, 8 points")
       ->check(whole_number(1, largest_sample))
       ->type_name("N");
   add_threads(*command, request->execution);

@@ -196,11 +196,12 @@ analysis::ShownAnimations animations_of(const Experiment& experiment, const Stor
   }
   if (shown.motions.empty()) return no_animations("a realisation is too long, or this program does not give its bits");
   const std::string what = "computed again from the seed.";
-  shown.explanation = divided ? fmt::format(
-                                    "Here the realisations differ most: {}. One realisation of each response mode "
-                                    "that occurs there, {}",
-                                    analysis::condition_name(report, *least), what)
-                              : "One realisation of each response mode, " + what;
+  shown.explanation =
+      divided
+          ? fmt::format(
+                "Here the realisations differ most: {}. One realisation of each response mode that occurs there, {}",
+                analysis::condition_name(report, *least), what)
+          : "One realisation of each response mode, " + what;
   return shown;
 }
 

@@ -157,8 +157,8 @@ void RunFolder::tidy_up(const Tell& tell) const {
   replacement().finish_installing();
   if (!forget_what_did_not_begin()) return;
   tell(name() +
-       ": a new run or an extension (`run --overwrite`, `resume`) ended before its first "
-       "realisation was stored, and is lost; repeat its command if it is still wanted");
+       ": a new run or an extension (`run --overwrite`, `resume`) ended before its first realisation was stored, and "
+       "is lost; repeat its command if it is still wanted");
 }
 
 // True if that is a loss. A mended store is made again by the next command that needs it.

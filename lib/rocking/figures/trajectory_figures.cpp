@@ -150,9 +150,7 @@ Figure time_history(const TrajectoryFile& file, const Window& window) {
   mark_impacts(file, window, figure);
   figure.caption =
       "Tilt Θ = θ/ψ, over ψ of its side, and slip X (over the half diagonal R) of one realisation. Shaded: any state "
-      "other than rocking "
-      "without slip; "
-      "white: rocking without slip. Impacts are marked at Θ = 0." +
+      "other than rocking without slip; white: rocking without slip. Impacts are marked at Θ = 0." +
       words_on_ended({file}, window);
   return figure;
 }
@@ -193,9 +191,7 @@ Figure phase_portrait(const std::vector<TrajectoryFile>& files, const Window& wi
   }
   figure.caption =
       "Path (Θ, Θ′) of each realisation, where Θ = θ/ψ with ψ of its side, interrupted at impacts, where Θ′ jumps; "
-      "points: once an "
-      "excitation "
-      "period." +
+      "points: once an excitation period." +
       words_on_ended(files, window);
   return figure;
 }

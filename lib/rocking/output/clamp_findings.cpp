@@ -60,8 +60,7 @@ constexpr std::array<ClampedNumber, clamp_kinds.size()> meanings{{
      "reduce the sigma of its fluctuation or increase /friction/kinetic", "kinetic friction", law_of_kinetic},
     {&Clamps::kinetic_at_static, "kinetic friction above the static friction in force",
      "add \"correlation\": 1 to /fluctuation/friction, so that both move together, reduce the sigma of the friction, "
-     "or "
-     "increase the difference between /friction/static and /friction/kinetic",
+     "or increase the difference between /friction/static and /friction/kinetic",
      "kinetic friction", law_of_kinetic},
     {&Clamps::static_at_zero, "static friction below 0",
      "reduce the sigma of its fluctuation or increase /friction/static", "static friction", law_of_static},

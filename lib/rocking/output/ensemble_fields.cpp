@@ -76,9 +76,9 @@ static const StructType& fields_of(const Quantiles*) {
       field<&Quantiles::realisations>("realisations", "on which the quantiles are based"),
       field<&Quantiles::beyond>("beyond",
                                 "of these, the ones that ended before their horizon; they count as above every value"),
-      field<&Quantiles::levels>("quantiles",
-                                "[level, value, low, high]: a quantile with its interval; null: it lies beyond, or the "
-                                "interval is open"),
+      field<&Quantiles::levels>(
+          "quantiles",
+          "[level, value, low, high]: a quantile with its interval; null: it lies beyond, or the interval is open"),
   };
   return fields;
 }
@@ -100,9 +100,9 @@ static const StructType& fields_of(const PeakQuantiles*) {
       field<&Peaks::tilt>("peak_tilt", "largest abs(Theta) of a realisation: tilt over psi of its side (model.md, 11)"),
       field<&Peaks::tilt_rate>("peak_tilt_rate", "largest abs(Theta')"),
       field<&Peaks::slip>("peak_slip", "largest abs(X), over R and in metres; null without friction"),
-      field<&Peaks::final_slip>("final_slip",
-                                "X at the horizon, > 0 to the right, of the realisations that reached it; null without "
-                                "friction"),
+      field<&Peaks::final_slip>(
+          "final_slip",
+          "X at the horizon, > 0 to the right, of the realisations that reached it; null without friction"),
   };
   return fields;
 }
@@ -114,11 +114,10 @@ static const StructType& fields_of(const Exponents*) {
       field<&Exponents::standard_error>("standard_error",
                                         "of the mean, from the scatter of realisations [1/period]; null with one",
                                         rule::not_negative),
-      field<&Exponents::error_of_one>(
-          "error_of_one",
-          "root mean square of the standard errors of the single exponents, each from eight "
-          "batches of periods [1/period]",
-          rule::not_negative),
+      field<&Exponents::error_of_one>("error_of_one",
+                                      "root mean square of the standard errors of the single exponents, each from "
+                                      "eight batches of periods [1/period]",
+                                      rule::not_negative),
       inlined<&Exponents::quantiles>(),
   };
   return fields;
@@ -141,11 +140,11 @@ const StructType& fields_of(const ConditionResult*) {
                             "response mode to realisations; (1,1), (1,3), chaotic and overturned are always present",
                             mode_counts_type()),
       field<&Result::modes>("probabilities", "response mode to its probability", mode_probabilities_type()),
-      field<&Result::overturned_left>("overturned_left",
-                                      "of the mode overturned: to the left (theta > 0), with the intervals of a mode; "
-                                      "`simultaneous` holds at once with the other side and all other modes. Absent in "
-                                      "reports of earlier versions",
-                                      {}, WithoutValue::omitted),
+      field<&Result::overturned_left>(
+          "overturned_left",
+          "of the mode overturned: to the left (theta > 0), with the intervals of a mode; `simultaneous` holds at once "
+          "with the other side and all other modes. Absent in reports of earlier versions",
+          {}, WithoutValue::omitted),
       field<&Result::overturned_right>("overturned_right", "to the right", {}, WithoutValue::omitted),
       field<&Result::non_recurrence>("non_recurrence",
                                      "different responses under equal conditions; null with fewer than two "
@@ -153,11 +152,10 @@ const StructType& fields_of(const ConditionResult*) {
       field<&Result::settling>("incidence", "which response, and by when: only with `until_classified`", {},
                                WithoutValue::omitted),
       inlined<&Result::peaks>(),
-      field<&Result::exponents>(
-          "lyapunov_exponent",
-          "largest one per excitation period, of the realisations whose classification needed it; "
-          "absent where none did (methods-classification.md)",
-          {}, WithoutValue::omitted),
+      field<&Result::exponents>("lyapunov_exponent",
+                                "largest one per excitation period, of the realisations whose classification needed "
+                                "it; absent where none did (methods-classification.md)",
+                                {}, WithoutValue::omitted),
       of_owner<Result>("validity", "realisations that left the model or whose classification is uncertain",
                        validity_fields()),
       field<&Result::stopped_because>("stopped_because",

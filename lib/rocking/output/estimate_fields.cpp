@@ -33,10 +33,9 @@ static const StructType& fields_of(const Estimate*) {
       inlined<&Estimate::alone>(fields_of_methods()),
       field<&Estimate::simultaneous>("simultaneous", "exact; the intervals of all possible modes hold at once",
                                      rule::share),
-      field<&Estimate::anytime>("anytime",
-                                "with `until`: holds for all modes at once, whenever the run stops; the one "
-                                "to quote then",
-                                rule::share, WithoutValue::omitted),
+      field<&Estimate::anytime>(
+          "anytime", "with `until`: holds for all modes at once, whenever the run stops; the one to quote then",
+          rule::share, WithoutValue::omitted),
   };
   return fields;
 }

@@ -18,14 +18,13 @@ static const StructType& fields_of(const ReportedCondition*) {
       "Condition",
       field<&Reported::asked, &Condition::parameters>("parameters",
                                                       "JSON pointer to value, for each entry of the sweep"),
-      field<&Reported::shaking>("shaking",
-                                "amplitude and frequency of the base in every unit, for the mean block; absent under a "
-                                "ground motion",
-                                rule::none, WithoutValue::omitted),
+      field<&Reported::shaking>(
+          "shaking",
+          "amplitude and frequency of the base in every unit, for the mean block; absent under a ground motion",
+          rule::none, WithoutValue::omitted),
       field<&Reported::scale>(
           "scale",
-          "factor on the accelerations of the ground motion, of a random one the mean; absent under "
-          "other excitations",
+          "factor on the accelerations of the ground motion, of a random one the mean; absent under other excitations",
           rule::not_negative, WithoutValue::omitted),
       field<&Reported::floor>("floor", "of a building, on which the block stands; absent on the ground", rule::none,
                               WithoutValue::omitted),

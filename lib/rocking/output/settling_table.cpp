@@ -273,13 +273,13 @@ std::string limit_remedy(const ReportedCondition& condition, const std::string& 
                             (limit ? " after " + std::to_string(*limit) + " periods" : "");
   if (found.is_observed) {
     return start +
-           ", because their observation ended early; a longer horizon does not help (see the realisations that "
-           "the model could not continue)";
+           ", because their observation ended early; a longer horizon does not help (see the realisations that the "
+           "model could not continue)";
   }
   if (!found.time) {
     return start +
-           "; none settled in the last half of the observation, so that it cannot be told which horizon would do. "
-           "They may never settle";
+           "; none settled in the last half of the observation, so that it cannot be told which horizon would do. They "
+           "may never settle";
   }
   return start + ". If they go on settling as in the last half of the observation (" +
          counted(found.events, "response") + "), 1 % are left after about " + std::to_string(rounded_up(*found.time)) +

@@ -133,8 +133,7 @@ bool look_at_impacts(const Scene& scene, Suspicions& found) {
     const std::string impact =
         "An impact leaves " + significant(ratio, 3) + " of the tilt rate" +
         (ratio < 0.0
-             ? ". Below 0 the block does not go on over its other edge: it swings back over the one on which it "
-               "came"
+             ? ". Below 0 the block does not go on over its other edge: it swings back over the one on which it came"
              : "");
     found.add(is_squat ? "/block" : "/restitution", (is_squat ? shape : "") + impact,
               is_squat ? "if width and height are swapped, exchange them" : "");

@@ -210,11 +210,10 @@ const StructType& mass_fields() {
   using Mass = dynamics::MassLayout;
   static const StructType fields{
       "MassLayout",
-      of_owner<Mass>(
-          "edges_m",
-          "distances of the left and the right edge from the centre of mass [m]; only of a block that the file "
-          "gives with more than width and height, as the next ones",
-          the_only<EdgesType>(), rule::positive),
+      of_owner<Mass>("edges_m",
+                     "distances of the left and the right edge from the centre of mass [m]; only of a block that the "
+                     "file gives with more than width and height, as the next ones",
+                     the_only<EdgesType>(), rule::positive),
       field<&Mass::centre_height>("centre_height_m", "of the centre of mass above the base [m]", rule::positive),
       field<&Mass::radius_of_gyration>("radius_of_gyration_m", "sqrt(I/m) about the centre of mass [m]",
                                        rule::positive),

@@ -97,8 +97,7 @@ static const StructType& fields_of(const Validity*) {
       field<&V::in_transient>("in_transient", "not settled at the end of the sampled periods"),
       field<&V::settled_late>("settled_late", "classified by the last part of their sampled periods"),
       field<&V::least_held>("least_held",
-                            "smallest share of its sampled periods that supports a mode; 1 where none "
-                            "settled late",
+                            "smallest share of its sampled periods that supports a mode; 1 where none settled late",
                             Rule{.above = 0.0, .most = 1.0}),
       field<&V::past_balance>("past_balance", "reached abs(Theta) = 1"),
       field<&V::contradictions>("contradictions",

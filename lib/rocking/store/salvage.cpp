@@ -101,8 +101,8 @@ Repair mend_store(const fs::path& path, const fs::path& kept_in, Store damaged, 
     repair.realisations = salvage(experiment, damaged, store);
     if (repair.realisations == 0 && has_rows(damaged)) {
       throw sqlite::UnusableFile(path.string() +
-                                 ": is damaged: none of its realisations belongs to its experiment, which may be "
-                                 "that of another store; run the experiment again, with --overwrite");
+                                 ": is damaged: none of its realisations belongs to its experiment, which may be that "
+                                 "of another store; run the experiment again, with --overwrite");
     }
     store.close_up();
   }

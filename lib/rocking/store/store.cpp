@@ -246,9 +246,9 @@ void Store::for_each_key(const std::function<void(const RealisationKey&)>& use) 
 
 std::map<section::ResponseMode, std::uint64_t> Store::mode_counts(std::uint64_t condition,
                                                                   std::uint64_t realisations) const {
-  Statement statement = database_.prepare("SELECT " + row_columns() +
-                                          " FROM realisations WHERE condition = ? AND realisation < ? "
-                                          "ORDER BY condition, realisation");
+  Statement statement =
+      database_.prepare("SELECT " + row_columns() +
+                        " FROM realisations WHERE condition = ? AND realisation < ? ORDER BY condition, realisation");
   statement.bind(0, static_cast<std::int64_t>(condition));
   statement.bind(1, static_cast<std::int64_t>(realisations));
   std::map<section::ResponseMode, std::uint64_t> counts;

@@ -40,8 +40,8 @@ std::string checksum_of(const Written& written) {
 
 [[noreturn]] void fail(const Database& database) {
   throw sqlite::UnusableFile(database.path() +
-                             ": is damaged: the experiment to which it belongs cannot be read, so nothing in it "
-                             "can be used; run the experiment again, with --overwrite");
+                             ": is damaged: the experiment to which it belongs cannot be read, so nothing in it can be "
+                             "used; run the experiment again, with --overwrite");
 }
 
 // Absent for the whole experiment. Numbers that no shard can have are damage, whatever the checksum is.
@@ -73,8 +73,8 @@ Written read_row_of_identity(const Database& database) {
 
 std::string identity_table() {
   return "CREATE TABLE identity (experiment TEXT NOT NULL, experiment_sha256 TEXT NOT NULL, code TEXT NOT NULL, "
-         "results INTEGER NOT NULL, draws TEXT NOT NULL, files TEXT NOT NULL, part INTEGER, parts INTEGER, "
-         "checksum TEXT NOT NULL) STRICT";
+         "results INTEGER NOT NULL, draws TEXT NOT NULL, files TEXT NOT NULL, part INTEGER, parts INTEGER, checksum "
+         "TEXT NOT NULL) STRICT";
 }
 
 void write_identity(Database& database, const Identity& identity) {
@@ -83,8 +83,8 @@ void write_identity(Database& database, const Identity& identity) {
                         .draws = std::string(random::draws_format),
                         .checksum = {}};
   Statement insert = database.prepare(
-      "INSERT INTO identity (experiment, experiment_sha256, code, results, draws, files, part, parts, checksum) "
-      "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)");
+      "INSERT INTO identity (experiment, experiment_sha256, code, results, draws, files, part, parts, checksum) VALUES "
+      "(?, ?, ?, ?, ?, ?, ?, ?, ?)");
   insert.bind(0, identity.experiment);
   insert.bind(1, written.experiment_sha256);
   insert.bind(2, identity.code);

@@ -16,8 +16,8 @@ constexpr std::int64_t application_id = 0x726f636b;  // "rock": identifies the d
 // A trigger could change rows unnoticed; a view or a virtual table could replace a table.
 void expect_two_tables(const Database& database) {
   Statement foreign = database.prepare(
-      "SELECT type, name FROM sqlite_master "
-      "WHERE NOT (type = 'table' AND rootpage > 0 AND name IN ('identity', 'realisations'))");
+      "SELECT type, name FROM sqlite_master WHERE NOT (type = 'table' AND rootpage > 0 AND name IN ('identity', "
+      "'realisations'))");
   if (foreign.step()) {
     throw UnusableFile(database.path() + ": is damaged, or was changed by another program: it holds the " +
                        foreign.text(0) + " \"" + foreign.text(1) + "\", which is not part of a store; remove it");

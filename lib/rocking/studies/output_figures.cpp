@@ -28,15 +28,15 @@ Json parsed_output(std::string_view text) {
   if (!problems.empty()) throw base::InputError(std::move(problems));
   if (!output.is_object() || !output.contains("format") || !output["format"].is_string()) {
     throw base::InputError({"/format", "", "is missing: this is not a file that rocking wrote",
-                            "give the output of `rocking trajectory`, `bifurcation`, `cost --json`, "
-                            "`fragility --json` or `check-normal --json`"});
+                            "give the output of `rocking trajectory`, `bifurcation`, `cost --json`, `fragility --json` "
+                            "or `check-normal --json`"});
   }
   const auto format = output["format"].get<std::string>();
   if (format == trajectory_document().format() || drawn_study(format) != nullptr) return output;
-  throw base::InputError({"/format", '"' + format + '"', "has no figure in this command",
-                          "give a trajectory, a bifurcation, orbits with branches, thresholds, a cost, a "
-                          "fragility, a motion, rare events, inferred unknowns or a check-normal; "
-                          "`rocking report DIR` draws a run"});
+  throw base::InputError(
+      {"/format", '"' + format + '"', "has no figure in this command",
+       "give a trajectory, a bifurcation, orbits with branches, thresholds, a cost, a fragility, a motion, rare "
+       "events, inferred unknowns or a check-normal; `rocking report DIR` draws a run"});
 }
 
 template <class Use>

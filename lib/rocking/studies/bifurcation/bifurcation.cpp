@@ -57,9 +57,9 @@ std::optional<double> diagram_value(const Condition& condition) {
 
 void check_diagrams(const Experiment& experiment) {
   if (experiment.sweep_sizes.empty()) {
-    throw base::InputError({"/sweep", "", "is missing: a diagram needs a swept parameter",
-                            "add one, as [{\"parameter\": \"/excitation/amplitude\", \"from\": 3, \"to\": 5, "
-                            "\"step\": 0.1}]"});
+    throw base::InputError(
+        {"/sweep", "", "is missing: a diagram needs a swept parameter",
+         "add one, as [{\"parameter\": \"/excitation/amplitude\", \"from\": 3, \"to\": 5, \"step\": 0.1}]"});
   }
   for (const Condition& condition : experiment.conditions) {
     if (!diagram_value(condition)) {

@@ -155,13 +155,10 @@ Figure figure_of(DrawnDiagram diagram, Axis x, const std::string& pointer, const
       add_points(diagram, steps, value, figure);
     }
   }
-  figure.caption =
-      as_image
-          ? "Density of strobe points on a logarithmic scale: darker means more points; the lightest grey is a single "
-            "point."
-          : "Strobe points, in the style of their response mode; of points nearer to each other than a thousandth of "
-            "the "
-            "range, one is drawn.";
+  figure.caption = as_image ? "Density of strobe points on a logarithmic scale: darker means more points; the lightest "
+                              "grey is a single point."
+                            : "Strobe points, in the style of their response mode; of points nearer to each other than "
+                              "a thousandth of the range, one is drawn.";
   return figure;
 }
 

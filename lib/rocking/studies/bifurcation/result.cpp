@@ -56,10 +56,9 @@ static const StructType& fields_of(const ReportedStep*) {
       field<step, &DiagramStep::classification, &Classification::mode>("mode", "response mode"),
       field<step, &DiagramStep::classification, &Classification::reason>(
           "reason", "rule that gave the mode; null: the horizon was not reached"),
-      field<step, &DiagramStep::points>(
-          "points",
-          "[tilt, tilt_rate]: Theta and Theta' at the strobe instants of the sampled periods; empty: the horizon was "
-          "not reached"),
+      field<step, &DiagramStep::points>("points",
+                                        "[tilt, tilt_rate]: Theta and Theta' at the strobe instants of the sampled "
+                                        "periods; empty: the horizon was not reached"),
   };
   return fields;
 }

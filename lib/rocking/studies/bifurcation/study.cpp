@@ -58,11 +58,10 @@ const Study& bifurcation_study() {
       .name = "bifurcation",
       .sentence = "Follow the responses along a swept parameter; shows which coexist",
       .example = "experiments/reference_block/no_sliding.json -o out",
-      .text =
-          "runs every step of the sweep from the initial state of the file, and from the end of the previous step, "
-          "upwards and downwards. Writes the strobe points to out/bifurcation.json and out/bifurcation.csv and prints "
-          "the responses. In a grid there is one diagram for each combination of values of the entries after the "
-          "first.",
+      .text = "runs every step of the sweep from the initial state of the file, and from the end of the previous step, "
+              "upwards and downwards. Writes the strobe points to out/bifurcation.json and out/bifurcation.csv and "
+              "prints the responses. In a grid there is one diagram for each combination of values of the entries "
+              "after the first.",
       .python_notes =
           "A diagram for each combination of values of the other entries of the sweep. Raises InputError if there is "
           "no sweep, if its first entry takes values that are not numbers, or if the excitation is not periodic.",

@@ -136,8 +136,7 @@ std::string check_normal_summary(const SamplerCheck& check) {
   if (check.of_file && check.of_file->has_own_law) {
     text +=
         "mean and standard deviation are those of the distribution, so that their rows test nothing; the p-values of "
-        "the "
-        "tests of fit take it into account\n\n";
+        "the tests of fit take it into account\n\n";
   }
   if (check.distribution) {
     text +=

@@ -109,9 +109,9 @@ static const StructType& fields_of(const NormalCheck*) {
       field<&NormalCheck::standard_deviation>("standard_deviation", "with n - 1"),
       field<&NormalCheck::skewness>("skewness", "0 for a normal distribution"),
       field<&NormalCheck::kurtosis>("kurtosis", "3 for a normal distribution"),
-      field<&NormalCheck::correlations>("correlations",
-                                        "mean products of the scores of numbers that should be independent; p-values "
-                                        "of large samples"),
+      field<&NormalCheck::correlations>(
+          "correlations",
+          "mean products of the scores of numbers that should be independent; p-values of large samples"),
       field<&NormalCheck::dagostino_pearson>("dagostino_pearson", "test of skewness and kurtosis"),
       field<&NormalCheck::anderson_darling>("anderson_darling", "test of the whole distribution"),
       field<&NormalCheck::kolmogorov_smirnov>("kolmogorov_smirnov", "test of the whole distribution"),

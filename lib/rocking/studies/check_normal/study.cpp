@@ -119,11 +119,10 @@ const StructType& fields_of(const SamplerQuestion*) {
       asked(field<&Type::sampler>("sampler", "Method for normal numbers; simulations use box-muller",
                                   Rule{.choices = random::sampler_names}),
             {.names = "--sampler", .letter = "NAME", .excludes = "FILE"}),
-      asked(
-          field<&Type::file>("file",
-                             "Numbers of your own, at least 20: one a line, or a column of CSV; without it numbers are "
-                             "drawn as a simulation does"),
-          {.names = "FILE", .letter = "FILE"}),
+      asked(field<&Type::file>("file",
+                               "Numbers of your own, at least 20: one a line, or a column of CSV; without it numbers "
+                               "are drawn as a simulation does"),
+            {.names = "FILE", .letter = "FILE"}),
       asked(field<&Type::column>("column", "Of FILE, as its first line names it; needed where it has several"),
             {.names = "--column", .letter = "NAME", .needs = "FILE"}),
   };

@@ -60,11 +60,11 @@ std::optional<base::Problem> why_not_comparable(const ComparedRun& first, const 
   const auto& one = first.experiment.conditions;
   const auto& other = second.experiment.conditions;
   if (first.experiment.seed != second.experiment.seed) {
-    return base::Problem{"/seed", "",
-                         first.name + " and " + second.name +
-                             " have different seeds, so no common random numbers; run one of them again with the seed "
-                             "of the other",
-                         ""};
+    return base::Problem{
+        "/seed", "",
+        first.name + " and " + second.name +
+            " have different seeds, so no common random numbers; run one of them again with the seed of the other",
+        ""};
   }
   if (one.size() != other.size()) {
     return base::Problem{"/sweep", "",

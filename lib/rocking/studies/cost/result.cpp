@@ -248,11 +248,10 @@ const StructType& fields_of(const CostReport*) {
 }
 
 const DocumentOf<CostReport>& cost_document() {
-  static const DocumentOf<CostReport> document(
-      "rocking.cost/1",
-      "What accuracy costs in an experiment: tolerance against error, changed response modes and time; realisations "
-      "against half-width and time.",
-      check);
+  static const DocumentOf<CostReport> document("rocking.cost/1",
+                                               "What accuracy costs in an experiment: tolerance against error, changed "
+                                               "response modes and time; realisations against half-width and time.",
+                                               check);
   return document;
 }
 

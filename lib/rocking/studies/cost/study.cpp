@@ -96,11 +96,10 @@ const StructType& fields_of(const CostRequest*) {
                 "sample", "Measure N realisations; the same experiment gives the same numbers again, except times",
                 Rule{.least = 1.0, .most = static_cast<double>(largest_cost_sample)}),
             {.names = "--sample", .letter = "N", .excludes = "--max-time"}),
-      asked(field<&CostRequest::tolerances>(
-                "tolerances",
-                "These tolerances instead of 1e-4, 1e-5, ... 1e-14; the experiment's own is added, and the tightest "
-                "is the reference",
-                Rule{.least = 1e-16, .most = 1e-2}),
+      asked(field<&CostRequest::tolerances>("tolerances",
+                                            "These tolerances instead of 1e-4, 1e-5, ... 1e-14; the experiment's own "
+                                            "is added, and the tightest is the reference",
+                                            Rule{.least = 1e-16, .most = 1e-2}),
             {.names = "--tolerances", .letter = "T,T,T", .kind = FlagKind::commas}),
   };
   return fields;
@@ -119,8 +118,7 @@ std::string fixed_horizon_note(const Experiment& experiment) {
   }
   if (most <= 1.0) return "";
   return "until_classified: errors, response modes and times are those of the fixed horizon. A realisation that goes "
-         "on "
-         "to its limit has " +
+         "on to its limit has " +
          significant(most, 3) + " times as many periods; `rocking run --dry-run` estimates how many go on\n";
 }
 
@@ -158,14 +156,13 @@ const Study& cost_study() {
       .name = "cost",
       .sentence = "Measure the cost of accuracy in time, on a sample of an experiment",
       .example = "experiments/headline/headline.json --max-time 5min -o out",
-      .text =
-          "runs a sample of the realisations at a series of tolerances with common random numbers. Prints, for each "
-          "tolerance, the error, the number of response modes that change, and the time per period; for larger "
-          "numbers of realisations, the width of the intervals and the time; and a recommended tolerance. `-o` saves "
-          "the numbers in out/cost.json. Times are processor times of this machine.",
-      .python_notes = "The last of the tolerances is the reference; together with those of the experiment they are at "
-                      "least three. Times are processor "
-                      "times of this machine. Raises InputError for a number out of range.",
+      .text = "runs a sample of the realisations at a series of tolerances with common random numbers. Prints, for "
+              "each tolerance, the error, the number of response modes that change, and the time per period; for "
+              "larger numbers of realisations, the width of the intervals and the time; and a recommended tolerance. "
+              "`-o` saves the numbers in out/cost.json. Times are processor times of this machine.",
+      .python_notes =
+          "The last of the tolerances is the reference; together with those of the experiment they are at least three. "
+          "Times are processor times of this machine. Raises InputError for a number out of range.",
       .python_example = R"(>>> import rocking
 >>> found = rocking.cost({"format": "rocking.experiment/1", "block": {"width_m": 1, "height_m": 4},
 ...     "excitation": {"kind": "harmonic", "amplitude": 4.0, "frequency_ratio": 10.0}, "restitution": 0.9,

@@ -71,8 +71,7 @@ std::string realisations_table(const MeasuredCost& measured) {
   }
   return text +
          "half-widths in per cent, of each condition's widest simultaneous interval, if the shares of the modes stay "
-         "the same; "
-         "time of one\nprocessor at the experiment's tolerance, without reruns and label checks\n";
+         "the same; time of one\nprocessor at the experiment's tolerance, without reruns and label checks\n";
 }
 
 std::string part_of_half_width(const Cost& cost) {
@@ -171,9 +170,7 @@ std::string cost_table(const MeasuredCost& measured) {
          "exact " +
          level_text(cost.confidence) +
          " % interval of their\nshare, and of its excess over that at the second tightest tolerance, per cent; steps "
-         "and "
-         "processor "
-         "time per period, with\n" +
+         "and processor time per period, with\n" +
          std::to_string(cost.timing.realisations) + " realisations of up to " + std::to_string(cost.timing.periods) +
          " periods on each thread; speed relative to that at the " + (cost.own.size() == 1 ? "" : "tightest ") +
          "tolerance of the experiment (*)\n\n" + realisations_table(measured);

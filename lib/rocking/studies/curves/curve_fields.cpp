@@ -108,11 +108,10 @@ const StructType& fields_of(const CurveSubject*) {
                                   "what `overturned` counts: `\"overturned\"`; `{\"peak_tilt\": A}`: the peak of "
                                   "abs(theta)/psi exceeds A; `{\"slip_m\": A}`: the largest slip does; "
                                   "`{\"displacement_m\": A}`: the slip at the end does; or the block overturns"),
-      field<&CurveSubject::least_uplift>(
-          "least_uplift",
-          "least intensity at which the motion, or any record of a suite, lifts the block, or of an event of slip also "
-          "makes it slide; null: not known",
-          rule::not_negative),
+      field<&CurveSubject::least_uplift>("least_uplift",
+                                         "least intensity at which the motion, or any record of a suite, lifts the "
+                                         "block, or of an event of slip also makes it slide; null: not known",
+                                         rule::not_negative),
   };
   return fields;
 }
@@ -210,10 +209,10 @@ static const StructType& fields_of(const FragilityLevel*) {
   static const StructType fields{
       "FragilityLevel",
       field<&Level::intensity>("intensity", "of the excitation; 0 is left out", Rule{.above = 0.0}),
-      field<&Level::shaking>("shaking",
-                             "amplitude and frequency of the base in every unit, for the mean block; absent under a "
-                             "ground motion",
-                             {}, WithoutValue::omitted),
+      field<&Level::shaking>(
+          "shaking",
+          "amplitude and frequency of the base in every unit, for the mean block; absent under a ground motion", {},
+          WithoutValue::omitted),
       field<&Level::overturned, &stats::Proportion::trials>("realisations", "of the condition", Rule{.least = 1.0}),
       field<&Level::overturned, &stats::Proportion::successes>("overturned", "those with the event"),
       count_if_any<&Level::unresolved>("unresolved", unresolved_sentence),

@@ -178,13 +178,11 @@ const StructType& fields_of(const AnnualRate*) {
       field<&Rate::rare_use>(
           "rare_use",
           "with `--rare`: `below_sure_level`, the lowest with ten events; where no level has so many: "
-          "`below_best_level`, that above the estimates with the most, or `up_to_highest` estimate; "
-          "or `not_used`",
+          "`below_best_level`, that above the estimates with the most, or `up_to_highest` estimate; or `not_used`",
           {}, WithoutValue::omitted),
-      field<&Rate::extrapolated_hazard>("extrapolated_hazard",
-                                        "share of `value` from beyond the last point of the hazard curve, where it is "
-                                        "continued",
-                                        rule::share),
+      field<&Rate::extrapolated_hazard>(
+          "extrapolated_hazard",
+          "share of `value` from beyond the last point of the hazard curve, where it is continued", rule::share),
       field<&Rate::within_hazard>("within_hazard", "the rest of `value`, without that share [1/year]",
                                   rule::not_negative),
       field<&Rate::hazard_ends>("hazard_ends",
@@ -192,8 +190,7 @@ const StructType& fields_of(const AnnualRate*) {
                                 Rule{.above = 0.0}, WithoutValue::omitted),
       field<&Rate::frequent_hazard>(
           "frequent_hazard",
-          "rate of the first point of the hazard curve where it is above one a year, which needs "
-          "a look [1/year]",
+          "rate of the first point of the hazard curve where it is above one a year, which needs a look [1/year]",
           Rule{.above = 0.0}, WithoutValue::omitted),
       derived<[](const AnnualRate& rate) {
         std::vector<std::string> warnings = hazard_warnings(rate);
@@ -215,8 +212,7 @@ static const StructType& fields_of(const RateEstimate*) {
       field<&RateEstimate::interval>(
           "interval",
           "by the law by bootstrap over records, null: too few samples with a law; by shares from the least rate that "
-          "the levels allow to the largest one, with a record "
-          "that is not in the suite",
+          "the levels allow to the largest one, with a record that is not in the suite",
           rule::not_negative),
   };
   return fields;
@@ -264,10 +260,9 @@ const StructType& fields_of(const RateComparison*) {
       field<&Comparison::event>("event", "as of a curve"),
       field<&Comparison::source>("from", "what gives the probabilities of both rates, as of `annual_rate`"),
       field<&Comparison::difference>("difference", "rate of the option less that of the base [1/year]"),
-      field<&Comparison::interval>(
-          "interval",
-          "of it by bootstrap over records, the same in both, by shares with what the levels leave undecided; null: "
-          "none"),
+      field<&Comparison::interval>("interval",
+                                   "of it by bootstrap over records, the same in both, by shares with what the levels "
+                                   "leave undecided; null: none"),
       field<&Comparison::ratio>("ratio", "rate of the option over that of the base; null: that is 0",
                                 rule::not_negative),
       field<&Comparison::ratio_interval>("ratio_interval", "of it likewise; null: without an upper bound",

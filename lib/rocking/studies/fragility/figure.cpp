@@ -170,9 +170,9 @@ std::string caption_of_shares(const Content& content) {
 
 std::string caption_of(const Content& content) {
   return caption_of_shares(content) +
-         (content.has_rare ? " Diamonds: probabilities that rocking rare estimated, with their intervals; no law is "
-                             "fitted to them."
-                           : "");
+         (content.has_rare
+              ? " Diamonds: probabilities that rocking rare estimated, with their intervals; no law is fitted to them."
+              : "");
 }
 
 /// Draws the curves of a report one after another; those of a run share a panel.

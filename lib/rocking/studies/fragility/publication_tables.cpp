@@ -102,10 +102,9 @@ StudyTable table_of_levels(const FragilityReport& report) {
   return {
       .name = "fragility_levels",
       .table = table,
-      .caption = look::latex_caption(
-          title_of(report),
-          "$k$ of $n$ realisations have the event; share of them (of a suite the mean over its records), fitted and "
-          "isotonic probability, in per cent with intervals.")};
+      .caption = look::latex_caption(title_of(report),
+                                     "$k$ of $n$ realisations have the event; share of them (of a suite the mean over "
+                                     "its records), fitted and isotonic probability, in per cent with intervals.")};
 }
 
 /// Value and interval of the median and of the dispersion, if there is a law.

@@ -164,9 +164,9 @@ static const StructType& fields_of(const SurvivalBranch*) {
   static const StructType fields{
       "SurvivalBranch",
       field<&Branch::hazard>("hazard", "file of the hazard curve"),
-      field<&Branch::all>("all",
-                          "that no block has had the event, `rate` that any has it; `probability` is the "
-                          "likelihood of the branch"),
+      field<&Branch::all>(
+          "all",
+          "that no block has had the event, `rate` that any has it; `probability` is the likelihood of the branch"),
       field<&Branch::independent>("independent", "product of the probabilities of the blocks, without what they share",
                                   rule::share),
       field<&Branch::weight>("weight", "likelihood over the sum over the branches; 0: all are 0", rule::share),

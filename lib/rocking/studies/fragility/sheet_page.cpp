@@ -99,13 +99,12 @@ std::string motions(const SheetContent& sheet) {
 std::string top(const SheetContent& sheet) {
   const std::string event = escaped(words_of(event_of(sheet)));
   const std::string curve =
-      sheet.curve_png.empty()
-          ? ""
-          : fmt::format(
-                "<div class=\"curve\"><img src=\"{1}\" alt=\"Probability of {0} as a function of the "
-                "intensity\"><p class=\"small\">Probability of {0}: means over the records, the law or the "
-                "nearest shares that do not decrease, and their bands.</p></div>\n",
-                event, data_address("png", sheet.curve_png));
+      sheet.curve_png.empty() ? ""
+                              : fmt::format(
+                                    "<div class=\"curve\"><img src=\"{1}\" alt=\"Probability of {0} as a function of "
+                                    "the intensity\"><p class=\"small\">Probability of {0}: means over the records, "
+                                    "the law or the nearest shares that do not decrease, and their bands.</p></div>\n",
+                                    event, data_address("png", sheet.curve_png));
   return "<div class=\"top\">\n<div class=\"object\">" + object_drawings(sheet.run) + "</div>\n" + curve + "</div>\n";
 }
 
@@ -168,8 +167,7 @@ std::string rates(const SheetContent& sheet) {
       fmt::format("In brackets: {} % intervals.", level_text(sheet.suites.front().curve.subject.confidence));
   if (has_options) {
     notes += fmt::format(
-        " Factor: rate over that of the first row, with the same records and random numbers, by {} as "
-        "the rates.",
+        " Factor: rate over that of the first row, with the same records and random numbers, by {} as the rates.",
         source_in_words(sheet.comparisons.front().comparison.source));
   }
   if (sheet.suites.size() > most_options) {
@@ -255,12 +253,12 @@ std::string basis(const SheetContent& sheet) {
 
 std::string assumptions(const SheetContent& sheet) {
   return fmt::format(
-      "<h2>Assumptions</h2>\n<ol>\n<li>One rigid block on a level, rigid floor, in one vertical "
-      "plane; without anchorage, neighbours, twist or flexibility.</li>\n<li>Energy is lost in impacts and by friction "
-      "as stated in the question. Give measured values if there are any.</li>\n<li>The hazard curve is taken as exact. "
-      "The rate counts {}{}.</li>\n<li>Intervals cover the choice of the records and the random numbers, nothing else. "
-      "Records that are scaled far do not become stronger earthquakes.</li>\n<li>Earthquakes follow each other as a "
-      "Poisson process. {}</li>\n</ol>\n",
+      "<h2>Assumptions</h2>\n<ol>\n<li>One rigid block on a level, rigid floor, in one vertical plane; without "
+      "anchorage, neighbours, twist or flexibility.</li>\n<li>Energy is lost in impacts and by friction as stated in "
+      "the question. Give measured values if there are any.</li>\n<li>The hazard curve is taken as exact. The rate "
+      "counts {}{}.</li>\n<li>Intervals cover the choice of the records and the random numbers, nothing else. Records "
+      "that are scaled far do not become stronger earthquakes.</li>\n<li>Earthquakes follow each other as a Poisson "
+      "process. {}</li>\n</ol>\n",
       by_option(sheet, [](const ReportedSuite& suite) { return counted_from_in_words(suite.curve.subject); }),
       why_counted_in_words(sheet.suites.front().curve.subject),
       event_of(sheet).is_overturning() ? "Damage without overturning is not counted."
@@ -274,8 +272,8 @@ std::string signature(const SheetNotes& notes) {
 
 std::string footer(const SheetContent& sheet) {
   return fmt::format(
-      "<footer>Experiment SHA-256 <code>{}</code>; results SHA-256 <code>{}</code>; rocking {}. Made by <code>{}</code>"
-      "</footer>\n",
+      "<footer>Experiment SHA-256 <code>{}</code>; results SHA-256 <code>{}</code>; rocking {}. Made by "
+      "<code>{}</code></footer>\n",
       base::to_hex(sheet.suites.front().run.experiment), base::to_hex(sheet.run.digest), escaped(sheet.program),
       escaped(sheet.notes.command));
 }

@@ -94,9 +94,9 @@ static const StructType& fields_of(const FragilitySurface*) {
       field<&Surface::measures>("measures", "x and y", Rule{.choices = surface_measure_names}),
       field<&Surface::outcome>("outcome", "whether a surface could be fitted, and why not"),
       field<&Surface::centre>("centre", "geometric means of x and y over the tested points", rule::not_negative),
-      field<&Surface::coefficients>("coefficients",
-                                    "of the probit of the probability, of maximum likelihood; "
-                                    "that of `ln x ln y` only if its p <= 0.05"),
+      field<&Surface::coefficients>(
+          "coefficients",
+          "of the probit of the probability, of maximum likelihood; that of `ln x ln y` only if its p <= 0.05"),
       field<&Surface::log_likelihood>("log_likelihood", "without binomial coefficients"),
       field<&Surface::interaction>("interaction", "test of the term `ln x ln y`; null: it cannot be fitted"),
       field<&Surface::second>("second", "test of the term `ln y` without interaction; null: no surface"),

@@ -73,11 +73,10 @@ const Stripe& same_stripe(const Stripe& stripe, const BlockCurve& of) {
   const std::optional<double> own = stripe.measure(IntensityMeasure::pga),
                               other = found->measure(IntensityMeasure::pga);
   if (own && other && std::abs(*own - *other) > rounding * *own) {
-    refuse(
-        "survived", of.name,
-        "has another PGA at level " + base::shortest(stripe.intensity) + " of " + stripe.record +
-            "; blocks that survived the same earthquakes need the same motions: sweep pga_g, or another measure that "
-            "does not follow from the block");
+    refuse("survived", of.name,
+           "has another PGA at level " + base::shortest(stripe.intensity) + " of " + stripe.record +
+               "; blocks that survived the same earthquakes need the same motions: sweep pga_g, or another measure "
+               "that does not follow from the block");
   }
   return *found;
 }

@@ -41,9 +41,8 @@ std::string legends(const Shown& shown) {
   if (shown.has_curve) {
     text +=
         "per cent of n realisations [exact interval of each level alone]; fitted: lognormal function of maximum "
-        "likelihood "
-        "with its\nband; realisations with the same index use common random numbers at all levels; intervals treat "
-        "them as one\ncluster" +
+        "likelihood with its\nband; realisations with the same index use common random numbers at all levels; "
+        "intervals treat them as one\ncluster" +
         count_legend(shown.most) + '\n';
   }
   if (shown.has_isotonic) {

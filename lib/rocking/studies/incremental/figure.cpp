@@ -151,9 +151,8 @@ std::optional<Figure> incremental_figure(const std::vector<ReportedAnalysis>& an
   Figure figure{.name = "incremental", .title = "Incremental dynamic analysis"};
   figure.caption =
       "Largest abs(theta)/psi of a realisation. Thin lines: median of each record. Thick lines: median (solid), 16 % "
-      "and "
-      "84 % quantiles (dashed) of all realisations of all records. A quantile that overturned lies on the flat line at "
-      "the top; a line that comes down from it shows a resurrection.";
+      "and 84 % quantiles (dashed) of all realisations of all records. A quantile that overturned lies on the flat "
+      "line at the top; a line that comes down from it shows a resurrection.";
   for (const ReportedAnalysis& reported : analyses) add_analysis(reported, figure);
   if (figure.panels.size() == 1) figure.subtitle = std::exchange(figure.panels.front().title, "");
   return figure;

@@ -120,8 +120,8 @@ Figure fit_figure(const InferReport& report) {
   }
   figure.description = "Fit: " + fit_in_words(report) + '.';
   figure.caption =
-      "Boxes: share of each group of response modes at the estimate. Markers: counted shares of the tests, "
-      "with their exact " +
+      "Boxes: share of each group of response modes at the estimate. Markers: counted shares of the tests, with their "
+      "exact " +
       level_text(report.confidence) + " % intervals, each for itself. A panel for each tested condition.";
   return figure;
 }
@@ -144,10 +144,9 @@ std::optional<Figure> candidates_figure(const InferReport& report) {
   figure.description = "Tests at " + values_in_words(best->parameters) +
                        " are expected to tell most: the region would have " + significant(*best->region, 2) +
                        " of its present size.";
-  figure.caption =
-      "Expected size after " + counted(report.next_tests, "more test") +
-      " under each candidate condition, over the present one: of the joint region, and of each unknown its "
-      "standard deviation. 1: the tests tell nothing.";
+  figure.caption = "Expected size after " + counted(report.next_tests, "more test") +
+                   " under each candidate condition, over the present one: of the joint region, and of each unknown "
+                   "its standard deviation. 1: the tests tell nothing.";
   return figure;
 }
 

@@ -160,8 +160,8 @@ const StructType& fields_of(const InferReport*) {
       field<&File::region>("region", "points of a grid within the joint region, and the estimate"),
       derived<[](const File& report) { return too_few_realisations(report); }>(
           "too_few_realisations",
-          "that errors of the realisations outweigh the tests in the limits of the intervals and "
-          "of the region; absent: they do not",
+          "that errors of the realisations outweigh the tests in the limits of the intervals and of the region; "
+          "absent: they do not",
           {}, WithoutValue::omitted),
       field<&File::groups>("groups", "of response modes that were counted together; the last has all others"),
       field<&File::tests>("tests", "conditions that were tested"),

@@ -104,9 +104,9 @@ void check_infer(const Experiment& experiment) {
                             "read the experiment from a file, or parse its text"});
   }
   if (experiment.unknowns.empty()) {
-    throw base::InputError({"/unknown", "", "is missing: there is nothing to infer",
-                            "add for example \"unknown\": [{\"parameter\": \"/friction/static\", \"from\": 0.2, "
-                            "\"to\": 0.6}]"});
+    throw base::InputError(
+        {"/unknown", "", "is missing: there is nothing to infer",
+         "add for example \"unknown\": [{\"parameter\": \"/friction/static\", \"from\": 0.2, \"to\": 0.6}]"});
   }
   if (experiment.unknowns.size() > most_unknowns) {
     throw base::InputError({"/unknown", std::to_string(experiment.unknowns.size()) + " entries",

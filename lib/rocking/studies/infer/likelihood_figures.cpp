@@ -157,8 +157,7 @@ static Figure profile_figure(const InferReport& report) {
   if (report.unknowns.size() > 1) figure.caption += ", at each value the largest over the other unknowns";
   figure.caption +=
       "; the " + level_of(report) +
-      " interval of the unknown is shaded. Its ends are where tests made up at that value would seldom be "
-      "so unlikely.";
+      " interval of the unknown is shaded. Its ends are where tests made up at that value would seldom be so unlikely.";
   return figure;
 }
 

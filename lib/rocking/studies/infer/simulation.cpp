@@ -57,13 +57,13 @@ Condition InferSimulation::condition(const TestedCondition& tested, const std::v
 /// Where nothing is random, one realisation stands for all.
 std::vector<std::uint64_t> InferSimulation::counts_of(const ConditionResult& result, std::uint64_t realisations) const {
   if (const std::uint64_t without_answer = result.without_answer(); without_answer > 0) {
-    throw base::InputError(
-        {"/unknown", "",
-         "has values at which " + std::to_string(without_answer) + " of " + std::to_string(result.realisations) +
-             " realisations of a condition end before their horizon without an answer, by a budget "
-             "of steps or by Painleve's paradox: their response modes cannot be counted",
-         "leave these values out (first in the order of the design: a corner of the box), or lengthen "
-         "/fluctuation/friction/refresh_slip_m"});
+    throw base::InputError({"/unknown", "",
+                            "has values at which " + std::to_string(without_answer) + " of " +
+                                std::to_string(result.realisations) +
+                                " realisations of a condition end before their horizon without an answer, by a budget "
+                                "of steps or by Painleve's paradox: their response modes cannot be counted",
+                            "leave these values out (first in the order of the design: a corner of the box), or "
+                            "lengthen /fluctuation/friction/refresh_slip_m"});
   }
   std::vector<std::uint64_t> counts(tests_->groups.size());
   const std::uint64_t each = result.is_random() ? 1 : realisations;

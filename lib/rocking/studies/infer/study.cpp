@@ -39,11 +39,10 @@ const StructType& fields_of(const InferRequest*) {
       asked(
           field<&Type::next_tests>("next_tests", "Tests of a candidate condition", Rule{.least = 1.0, .most = 1000.0}),
           {.names = "--next-tests", .letter = "N"}),
-      asked(field<&Type::seconds>(
-                "seconds",
-                "Add no points to the design after this time, e.g. 10min, and answer from those that are finished, so "
-                "that the answer depends on the time",
-                rule::positive),
+      asked(field<&Type::seconds>("seconds",
+                                  "Add no points to the design after this time, e.g. 10min, and answer from those that "
+                                  "are finished, so that the answer depends on the time",
+                                  rule::positive),
             {.names = "--max-time", .letter = "T", .kind = FlagKind::duration}),
       field<&Type::earlier>("earlier", "points of an earlier answer",
                             list_of<infer::DesignPoint, design_point_fields>()),
@@ -136,11 +135,10 @@ const Study& infer_study() {
       .name = "infer",
       .sentence = "Infer unknown numbers from counted tests",
       .example = "campaign.json --tests tests.csv -o out",
-      .text =
-          "answers which values of the unknowns of the experiment (its key `unknown`) make the counted response modes "
-          "of tests likely: estimates, intervals, a joint region, and whether the counts fit at all. tests.csv has a "
-          "line for each tested condition: parameters by JSON pointer or last key, then a column of counts for each "
-          "response mode, such as \"(1,1)\" or other. Writes out/infer.json.",
+      .text = "answers which values of the unknowns of the experiment (its key `unknown`) make the counted response "
+              "modes of tests likely: estimates, intervals, a joint region, and whether the counts fit at all. "
+              "tests.csv has a line for each tested condition: parameters by JSON pointer or last key, then a column "
+              "of counts for each response mode, such as \"(1,1)\" or other. Writes out/infer.json.",
       .python_notes = "``source`` is an experiment with ``unknown``. Raises InputError with the line or row of each "
                       "fault, OSError if a file cannot be read.",
       .python_example = R"(>>> import rocking

@@ -122,11 +122,11 @@ static const StructType& fields_of(const Orbit*) {
           "`rocking trajectory` from this initial state stays on the orbit"),
       of_owner<Orbit>("contact", "contact state there",
                       the_only<ConvertedType<Orbit, ContactState, contact_of, set_contact>>()),
-      field<&Orbit::residual>("residual",
-                              "largest difference between `state` and its image after n periods, of symmetric orbits "
-                              "on a branch after n/2; "
-                              "at most 1e-13, on a branch also 1e-13 times the largest entry of the map's derivative",
-                              rule::not_negative),
+      field<&Orbit::residual>(
+          "residual",
+          "largest difference between `state` and its image after n periods, of symmetric orbits on a branch after "
+          "n/2; at most 1e-13, on a branch also 1e-13 times the largest entry of the map's derivative",
+          rule::not_negative),
       field<&Orbit::stability, &Stability::multipliers>(
           "multipliers",
           "[re, im] of each multiplier of the map over n periods within the contact state, by falling modulus"),
@@ -197,15 +197,13 @@ static const StructType& fields_of(const OrbitBranch*) {
           "cycles", "m of most of its orbits, which with the period names the branch"),
       field<&Found::is_symmetric>("symmetric",
                                   "whether its orbits are; the mirror image of a branch that is not is not listed"),
-      field<&Found::from>("from",
-                          "place of the bifurcation at which it begins; null: it was followed from an orbit of a "
-                          "condition"),
+      field<&Found::from>(
+          "from", "place of the bifurcation at which it begins; null: it was followed from an orbit of a condition"),
       field<&Found::ends>(
           "ends",
-          "why it ends before the first and behind the last point: `joins`: it branches off there from "
-          "orbits of half the period, or from symmetric ones; `last_point`: no further orbit was found, "
-          "and why was not located; `known`: it has come to a branch that is listed; `points`: their "
-          "largest number"),
+          "why it ends before the first and behind the last point: `joins`: it branches off there from orbits of half "
+          "the period, or from symmetric ones; `last_point`: no further orbit was found, and why was not located; "
+          "`known`: it has come to a branch that is listed; `points`: their largest number"),
       field<&Found::points>("points", "orbits by arclength", the_only<LinesType<std::vector<BranchPoint>>>()),
   };
   return fields;

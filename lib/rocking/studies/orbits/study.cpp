@@ -167,11 +167,10 @@ const Study& orbits_study() {
       .name = "orbits",
       .sentence = "Find the periodic orbits, stable and unstable, and their multipliers",
       .example = "experiments/reference_block/no_sliding.json -o out",
-      .text =
-          "searches in each condition by Newton's method on the Poincare map, from the end of a run and from a grid "
-          "of states. If one number is swept, follows the orbits over it, through folds, and locates their "
-          "bifurcations. Writes the orbits to out/orbits.json and prints them. The excitation must be harmonic, and "
-          "nothing may be random.",
+      .text = "searches in each condition by Newton's method on the Poincare map, from the end of a run and from a "
+              "grid of states. If one number is swept, follows the orbits over it, through folds, and locates their "
+              "bifurcations. Writes the orbits to out/orbits.json and prints them. The excitation must be harmonic, "
+              "and nothing may be random.",
       .python_notes = "Raises InputError if a condition is random or its excitation is not harmonic.",
       .python_example = R"(>>> import rocking
 >>> found = rocking.orbits({"format": "rocking.experiment/1", "block": {"width_m": 1, "height_m": 4},

@@ -198,10 +198,10 @@ static const StructType& fields_of(const ReportedRare*) {
           "reached", "share of the particles of that search that reach each level, and the event last", rule::share),
       field<estimate, &Found::pilot_work>("pilot_work", "part of `work` before the first repetition",
                                           rule::not_negative),
-      field<estimate, &Found::repetitions>("repetitions",
-                                           "[estimate, work, ancestors] of each; ancestors: first trajectories from "
-                                           "which those with the event descend. A "
-                                           "fourth number, where it is not 0: the estimate for `unresolved`"),
+      field<estimate, &Found::repetitions>(
+          "repetitions",
+          "[estimate, work, ancestors] of each; ancestors: first trajectories from which those with the event descend. "
+          "A fourth number, where it is not 0: the estimate for `unresolved`"),
       field<estimate, &Found::committor>("committor",
                                          "estimate of the probability of the event from points of the Poincare section "
                                          "at strobe point 1, with V = 0; null: of importance sampling"),

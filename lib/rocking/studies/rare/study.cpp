@@ -101,14 +101,12 @@ const Study& rare_study() {
       .name = "rare",
       .sentence = "Estimate the probability of rare overturning",
       .example = "experiments/headline/headline.json -o out --max-time 10min",
-      .text =
-          "estimates probabilities far below 1 over the number of simulated realisations: by a particle run that "
-          "prefers motions from which overturning is likely, or by importance sampling where all numbers are drawn "
-          "once. Writes the probability of each condition with its interval to out/rare.json and prints it. Something "
-          "must be random.",
-      .python_notes =
-          "Without ``max_time`` the same is estimated again. Raises InputError if nothing in a condition is "
-          "random or a number is out of range.",
+      .text = "estimates probabilities far below 1 over the number of simulated realisations: by a particle run that "
+              "prefers motions from which overturning is likely, or by importance sampling where all numbers are drawn "
+              "once. Writes the probability of each condition with its interval to out/rare.json and prints it. "
+              "Something must be random.",
+      .python_notes = "Without ``max_time`` the same is estimated again. Raises InputError if nothing in a condition "
+                      "is random or a number is out of range.",
       .python_example = R"(>>> import rocking
 >>> slab = {"format": "rocking.experiment/1", "block": {"width_m": 1, "height_m": 4},
 ...     "excitation": {"kind": "harmonic", "amplitude": 2.0, "frequency_ratio": 10.0,

@@ -128,13 +128,12 @@ std::string rare_table(const RareReport& report) {
     for (std::size_t c = 0; c < conditions.size(); ++c)
       table.rows[c].push_back(letters[c].empty() ? look::Cell() : letters[c]);
   }
-  table.notes =
-      "from, to: interval with " + level_text(highest) +
-      " % confidence; error: standard error over the probability; ancestors: first trajectories of\na repetition "
-      "from which those with the event descend, median; work, plain sampling: simulated time in realisations\nto the "
-      "horizon, by this method and by plain sampling for the same error.\n" +
-      (has_unresolved ? "unresolved: probability of " + std::string(unresolved_words) + ".\n" : "") +
-      remarks.lines(are_several);
+  table.notes = "from, to: interval with " + level_text(highest) +
+                " % confidence; error: standard error over the probability; ancestors: first trajectories of\na "
+                "repetition from which those with the event descend, median; work, plain sampling: simulated time in "
+                "realisations\nto the horizon, by this method and by plain sampling for the same error.\n" +
+                (has_unresolved ? "unresolved: probability of " + std::string(unresolved_words) + ".\n" : "") +
+                remarks.lines(are_several);
   return to_terminal(table) + suite_rows(report.suites);
 }
 

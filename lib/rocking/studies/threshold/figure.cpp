@@ -121,12 +121,11 @@ std::optional<Figure> threshold_figure(const ThresholdReport& report) {
   for (std::size_t i = 0; i < std::min(panels.size(), most_slices); ++i) {
     add_panel(panels[i], study.question, x, figure);
   }
-  figure.caption =
-      "Areas: the block " + what_happens(study.question) +
-      ". Each stands around one computed value of the x axis; its ends were " +
-      (study.question.probability ? "found to within their 95 % intervals" : "bisected") +
-      ". White between areas "
-      "of one value: the block stands again. A band or a gap narrower than a step of the scan may be missing.";
+  figure.caption = "Areas: the block " + what_happens(study.question) +
+                   ". Each stands around one computed value of the x axis; its ends were " +
+                   (study.question.probability ? "found to within their 95 % intervals" : "bisected") +
+                   ". White between areas of one value: the block stands again. A band or a gap narrower than a step "
+                   "of the scan may be missing.";
   if (panels.size() > most_slices) {
     figure.caption +=
         " Of " + counted(panels.size(), "combination") + " the first " + std::to_string(most_slices) + " are drawn.";

@@ -53,8 +53,7 @@ static const StructType& fields_of(const ThresholdOfCondition*) {
       field<found, &Bands::without_answer>(
           "without_answer",
           "values of the scan at which the motion ended by a budget or by Painleve's paradox, counted as standing; of "
-          "a "
-          "random scene those at which the share of the event was not told from the probability"),
+          "a random scene those at which the share of the event was not told from the probability"),
   };
   return fields;
 }

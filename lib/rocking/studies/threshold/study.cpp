@@ -22,21 +22,21 @@ const StructType& fields_of(const ThresholdQuestion*) {
                                 "the end); an overturned block has every event",
                                 event_text_type()),
             {.names = "--event", .letter = "EVENT"}),
-      asked(field<&Type::probability>("probability",
-                                      "Where something is random: the ends of the bands are the values at which the "
-                                      "event has this probability",
-                                      rule::confidence),
-            {.names = "--probability", .letter = "P"}),
+      asked(
+          field<&Type::probability>(
+              "probability",
+              "Where something is random: the ends of the bands are the values at which the event has this probability",
+              rule::confidence),
+          {.names = "--probability", .letter = "P"}),
       asked(field<&Type::steps>("steps",
                                 "Equal steps of the scan; a band or a gap that is narrower than one may be missed; "
                                 "default: 200, or 20 with a probability",
                                 Rule{.least = 1.0, .most = 1e6}),
             {.names = "--steps", .letter = "N"}),
-      asked(field<&Type::accuracy>(
-                "accuracy",
-                "Of an end of a band over its value; 0: to neighbouring doubles; default: 1e-9, or 0.02 "
-                "with a probability, where it is that of the whole 95 % interval",
-                Rule{.least = 0.0, .most = 0.1}),
+      asked(field<&Type::accuracy>("accuracy",
+                                   "Of an end of a band over its value; 0: to neighbouring doubles; default: 1e-9, or "
+                                   "0.02 with a probability, where it is that of the whole 95 % interval",
+                                   Rule{.least = 0.0, .most = 0.1}),
             {.names = "--accuracy", .letter = "E"}),
       asked(field<&Type::realisations>("realisations", "With a probability: most of them at one value",
                                        Rule{.least = 1.0, .most = 1e9}),
@@ -80,13 +80,12 @@ const Study& threshold_study() {
       .name = "threshold",
       .sentence = "Find where in a range of one number the block overturns, and where it stands again",
       .example = "pulse.json --of /excitation/amplitude --from 1 --to 10",
-      .text =
-          "scans the number in equal steps, bisects each change between standing and overturning, and prints the "
-          "bands with the number of impacts on both sides of their ends. For each combination of the other swept "
-          "values there are bands of their own: over a frequency they are the overturning spectrum, which "
-          "`--figure` draws. Where something is random, `--probability 0.5` finds the values at which the event has "
-          "this probability, each with a 95 % interval: realisations are added until the share of the event is told "
-          "from the probability at both of its ends.",
+      .text = "scans the number in equal steps, bisects each change between standing and overturning, and prints the "
+              "bands with the number of impacts on both sides of their ends. For each combination of the other swept "
+              "values there are bands of their own: over a frequency they are the overturning spectrum, which "
+              "`--figure` draws. Where something is random, `--probability 0.5` finds the values at which the event "
+              "has this probability, each with a 95 % interval: realisations are added until the share of the event is "
+              "told from the probability at both of its ends.",
       .python_notes = "Raises InputError if the place is not that of a number, if there is no range, or if something "
                       "is random without a probability, or the other way round.",
       .python_example = R"(>>> import rocking

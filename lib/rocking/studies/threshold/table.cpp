@@ -142,8 +142,8 @@ void add_bands(const ThresholdOfCondition& condition, const ThresholdQuestion& q
 std::string meaning_of(const ThresholdQuestion& question) {
   if (question.probability) {
     return "from, to: ends of a band of " + question.of +
-           ", [95 % interval]; %: of the realisations, at the end of an "
-           "interval\ninside the band; below, above: at its other end; -: the range ends there\n";
+           ", [95 % interval]; %: of the realisations, at the end of an interval\ninside the band; below, above: at "
+           "its other end; -: the range ends there\n";
   }
   return "from, to: ends of a band of " + question.of + ", " +
          (*question.accuracy > 0.0 ? "to " + significant(*question.accuracy, 2) + " of their value"

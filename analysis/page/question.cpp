@@ -59,12 +59,18 @@ std::string swept_mark(const Report& report, const std::string& pointer) {
   return is_swept(report, pointer) ? " (swept)" : "";
 }
 
-/// The key by which every condition gives its amplitude or its frequency; empty: they differ in it, or have none.
-std::string_view common_key(const Report& report, std::string_view Shaking::*given) {
+/// The keys by which every condition gives its amplitude and its frequency, without one in which they differ.
+std::vector<std::string_view> common_keys(const Report& report) {
+  std::vector<std::string_view> keys;
   const auto& first = report.conditions.front().shaking;
-  const auto is_alike = [&](const auto& each) { return each.shaking && (*each.shaking).*given == (*first).*given; };
-  return first && std::ranges::all_of(report.conditions, is_alike) ? (*first).*given : std::string_view();
+  for (const auto given : {&Shaking::given_amplitude, &Shaking::given_frequency}) {
+    const auto is_alike = [&](const auto& each) { return each.shaking && (*each.shaking).*given == (*first).*given; };
+    if (first && std::ranges::all_of(report.conditions, is_alike)) keys.push_back((*first).*given);
+  }
+  return keys;
 }
+
+bool is_amplitude(std::string_view key) { return key.starts_with("amplitude"); }
 
 /// `A_h = 4.5`, `1.1 g`, `0.5 to 1.1 g` in HTML.
 std::string form_html(const Report& report, std::string_view key, int digits) {
@@ -130,11 +136,10 @@ std::string shaking_in_brief(const Report& report) {
     text += fmt::format(" ({})", escaped(excitation.at("shape").get<std::string>()));
   }
   const std::vector<NamedPlace> drawn = drawn_once(scene);
-  for (const auto given : {&Shaking::given_amplitude, &Shaking::given_frequency}) {
-    const std::string_view key = common_key(report, given);
+  for (const std::string_view key : common_keys(report)) {
     const std::string pointer = "/excitation/" + std::string(key);
-    if (key.empty() || is_swept(report, pointer)) continue;
-    text += given == &Shaking::given_amplitude ? " with amplitude " : key == "period_s" ? " at a period of " : " at ";
+    if (is_swept(report, pointer)) continue;
+    text += is_amplitude(key) ? " with amplitude " : key == "period_s" ? " at a period of " : " at ";
     text += both_forms_html(report, key);
     if (std::ranges::find(drawn, pointer, &NamedPlace::place) != drawn.end()) text += " on average";
   }
@@ -233,9 +238,8 @@ std::string sweep_in_brief(const Report& report) {
     const std::string& pointer = report.swept[entry];
     if (report.has_suite() && pointer == "/excitation/file") continue;  // the suite is told of above
     text += (text.empty() ? "" : "; ") + entry_in_brief(report, entry);
-    for (const auto given : {&Shaking::given_amplitude, &Shaking::given_frequency}) {
-      const std::string_view key = common_key(report, given);
-      if (!key.empty() && pointer == "/excitation/" + std::string(key)) text += other_form_html(report, key);
+    for (const std::string_view key : common_keys(report)) {
+      if (pointer == "/excitation/" + std::string(key)) text += other_form_html(report, key);
     }
   }
   return text.empty() ? "" : "<p>Swept: " + text + ".</p>\n";
@@ -323,10 +327,8 @@ std::string question_in_full(const Report& report) {
   rows += row("half diagonal", fmt::format("<i>R</i> = {} m", of_block(report, 4, &Geometry::half_diagonal)));
   rows += row("frequency parameter",
               fmt::format("<i>p</i> = {} rad/s", of_block(report, 4, &Geometry::frequency_parameter)));
-  for (const auto given : {&Shaking::given_amplitude, &Shaking::given_frequency}) {
-    const std::string_view key = common_key(report, given);
-    const std::string name = given == &Shaking::given_amplitude ? "amplitude" : "frequency";
-    if (!key.empty()) rows += row(name + " of the base", both_forms_html(report, key));
+  for (const std::string_view key : common_keys(report)) {
+    rows += row(is_amplitude(key) ? "amplitude of the base" : "frequency of the base", both_forms_html(report, key));
   }
   rows += setting_rows(report, "", report.input.experiment);
   return further_question(report) + fmt::format(

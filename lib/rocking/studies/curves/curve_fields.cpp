@@ -116,19 +116,17 @@ const StructType& fields_of(const CurveSubject*) {
   return fields;
 }
 
-static const StructType& bounded_fields() {
-  static const StructType fields{
-      "BoundedEstimate",
-      field<&stats::Bounded::value>("value", "estimate", rule::not_negative),
-      field<&stats::Bounded::interval>("interval", "of it; null: without an upper bound", open_interval_type(),
-                                       rule::not_negative),
-  };
-  return fields;
-}
-
 template <>
 struct TypeOf<stats::Bounded> {
-  static const ValueType& get() { return bounded_fields(); }
+  static const ValueType& get() {
+    static const StructType fields{
+        "BoundedEstimate",
+        field<&stats::Bounded::value>("value", "estimate", rule::not_negative),
+        field<&stats::Bounded::interval>("interval", "of it; null: without an upper bound", open_interval_type(),
+                                         rule::not_negative),
+    };
+    return fields;
+  }
 };
 
 namespace {
@@ -147,23 +145,22 @@ using CovarianceType = ConvertedType<stats::LognormalFragility, Covariance, cova
 
 }  // namespace
 
-static const StructType& lognormal_fields() {
-  using Law = stats::LognormalFragility;
-  static const StructType fields{
-      "LognormalLaw",
-      field<&Law::centre>("centre", "P = Phi(intercept + slope (ln x - centre))"),
-      field<&Law::intercept>("intercept", "of the line"),
-      field<&Law::slope>("slope", "of the line", Rule{.above = 0.0}),
-      of_owner<Law>("covariance", "of intercept and slope: variance, covariance, variance", the_only<CovarianceType>()),
-      field<&Law::degrees_of_freedom>(
-          "degrees_of_freedom", "of Student's distribution, whose quantiles the intervals use", Rule{.least = 1.0}),
-  };
-  return fields;
-}
-
 template <>
 struct TypeOf<stats::LognormalFragility> {
-  static const ValueType& get() { return lognormal_fields(); }
+  static const ValueType& get() {
+    using Law = stats::LognormalFragility;
+    static const StructType fields{
+        "LognormalLaw",
+        field<&Law::centre>("centre", "P = Phi(intercept + slope (ln x - centre))"),
+        field<&Law::intercept>("intercept", "of the line"),
+        field<&Law::slope>("slope", "of the line", Rule{.above = 0.0}),
+        of_owner<Law>("covariance", "of intercept and slope: variance, covariance, variance",
+                      the_only<CovarianceType>()),
+        field<&Law::degrees_of_freedom>(
+            "degrees_of_freedom", "of Student's distribution, whose quantiles the intervals use", Rule{.least = 1.0}),
+    };
+    return fields;
+  }
 };
 
 namespace {
@@ -189,7 +186,7 @@ static const StructType& fields_of(const FittedLaw*) {
   return fields;
 }
 
-static const StructType& lack_of_fit_fields() {
+const ValueType& TypeOf<stats::LackOfFit>::get() {
   using Test = stats::LackOfFit;
   static const StructType fields{
       "LackOfFit",
@@ -201,8 +198,6 @@ static const StructType& lack_of_fit_fields() {
   };
   return fields;
 }
-
-const ValueType& TypeOf<stats::LackOfFit>::get() { return lack_of_fit_fields(); }
 
 static const StructType& fields_of(const FragilityLevel*) {
   using Level = FragilityLevel;

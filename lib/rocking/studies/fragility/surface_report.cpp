@@ -17,21 +17,19 @@ static const StructType& fields_of(const SurfaceCoefficient*) {
   return fields;
 }
 
-static const StructType& surface_test_fields() {
-  using Test = stats::SurfaceTest;
-  static const StructType fields{
-      "SurfaceTest",
-      field<&Test::wald>("wald", "statistic, with records as independent clusters", rule::not_negative),
-      field<&Test::samples>("samples", "bootstrap samples of the records in which the likelihood has a maximum"),
-      field<&Test::as_large>("as_large", "those whose statistic about the coefficients here is as large"),
-      field<&Test::p_value>("p_value", "(as_large + 1)/(samples + 1); null: too few samples", rule::share),
-  };
-  return fields;
-}
-
 template <>
 struct TypeOf<stats::SurfaceTest> {
-  static const ValueType& get() { return surface_test_fields(); }
+  static const ValueType& get() {
+    using Test = stats::SurfaceTest;
+    static const StructType fields{
+        "SurfaceTest",
+        field<&Test::wald>("wald", "statistic, with records as independent clusters", rule::not_negative),
+        field<&Test::samples>("samples", "bootstrap samples of the records in which the likelihood has a maximum"),
+        field<&Test::as_large>("as_large", "those whose statistic about the coefficients here is as large"),
+        field<&Test::p_value>("p_value", "(as_large + 1)/(samples + 1); null: too few samples", rule::share),
+    };
+    return fields;
+  }
 };
 
 static const StructType& fields_of(const SurfaceMedian*) {

@@ -252,8 +252,8 @@ Weight weight_of(const std::set<std::string>& folders) {
 // - Floors of buildings and walls: building.cpp, 420 lines with keys and reports, walls 220, and 350 of tests.
 TEST(TheHouse, WeighsNoMoreThanBefore) {
   const Weight product = weight_of({"lib", "analysis", "experiments"});
-  EXPECT_LE(product.files, 810U);
-  EXPECT_LE(product.lines, 94'260U);
+  EXPECT_LE(product.files, 808U);
+  EXPECT_LE(product.lines, 93'670U);
   EXPECT_LE(weight_of({"tests"}).lines, 60'510U);
 }
 

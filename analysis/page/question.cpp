@@ -305,7 +305,9 @@ std::string further_question(const Report& report) {
 }  // namespace
 
 std::string question_at_once(const Report& report) {
-  return fmt::format("<p>A block {} stands {}. {}</p>\n{}", block_in_brief(report), shaking_in_brief(report),
+  const auto& wall = report.conditions.front().asked.scene.block.wall;
+  return fmt::format("<p>A block {} stands {}{}. {}</p>\n{}", block_in_brief(report),
+                     wall ? fmt::format("at a wall on its {}, ", to_string(*wall)) : "", shaking_in_brief(report),
                      friction_in_brief(report), sweep_in_brief(report));
 }
 

@@ -128,6 +128,13 @@ TEST(FloorMotion, HasTenStepsInTheShortestPeriod) {
   }
 }
 
+TEST(FloorMotion, DividesEvenStepsAlikeThoughTheirTimesAreRounded) {
+  Samples ground;
+  for (int i = 0; i < 1000; ++i) ground.push_back({0.01 * i, std::sin(0.05 * i), 0.0});
+  const Samples floor = floor_motion(ground, one_mode(10.0, 0.05));  // ten steps of the record in a period
+  for (std::size_t i = 0; i < ground.size(); ++i) EXPECT_EQ(floor[i].time, ground[i].time);
+}
+
 TEST(FloorMotion, GoesOnUntilItStaysBelowAThousandthOfItsPeak) {
   for (const double damping : {0.005, 0.05, 0.5}) {
     const Samples ground{{0.0, 0.0, 0.0}, {0.01, 1.0, 0.0}, {0.02, -0.5, 0.0}, {0.03, 0.0, 0.0}};

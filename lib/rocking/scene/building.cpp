@@ -20,7 +20,8 @@ namespace {
 using Samples = std::vector<dynamics::GroundMotionSample>;
 
 constexpr double steps_in_a_period = 10.0;
-constexpr double end_of_motion = 1e-3;  ///< over the peak
+constexpr double end_of_motion = 1e-3;   ///< over the peak
+constexpr double step_rounding = 1e-11;  ///< of the steps between times of even samples, over the step
 
 /// Displacement and velocity after a step, of a unit of something at its beginning.
 struct ModeState {
@@ -124,7 +125,8 @@ class FloorMotion {
   /// From a sample of the ground to the next one, which is later.
   void pass(const dynamics::GroundMotionSample& from, const dynamics::GroundMotionSample& to) {
     const double length = to.time - from.time;
-    const double parts = std::max(1.0, std::ceil(length * highest_frequency_ * steps_in_a_period));
+    const double needed = length * highest_frequency_ * steps_in_a_period;
+    const double parts = std::max(1.0, std::ceil(needed - step_rounding * needed));
     set_step(length / parts);
     double before = from.horizontal;
     for (double i = 1.0; i <= parts; i += 1.0) {
@@ -155,8 +157,7 @@ class FloorMotion {
  private:
   /// Times of even samples differ from multiples of their step by rounding, from which no new matrix is computed.
   void set_step(double length) {
-    constexpr double rounding = 1e-11;
-    if (std::abs(length - step_) <= rounding * length) return;
+    if (std::abs(length - step_) <= step_rounding * length) return;
     step_ = length;
     for (ModeMotion& mode : modes_) mode.set_step(length);
   }

@@ -76,9 +76,8 @@ class ModeMotion {
 
   void set_step(double length) { step_ = ModeStep(of_, length); }
   void pass_step(double from, double to) {
-    const auto [displacement, velocity] = now_;
     const auto after = [&](double ModeState::*part) {
-      return step_.of_displacement.*part * displacement + step_.of_velocity.*part * velocity +
+      return step_.of_displacement.*part * now_.displacement + step_.of_velocity.*part * now_.velocity +
              step_.of_base.*part * from + step_.of_change.*part * (to - from);
     };
     now_ = {.displacement = after(&ModeState::displacement), .velocity = after(&ModeState::velocity)};

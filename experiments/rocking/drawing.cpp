@@ -22,6 +22,7 @@
 #include "rocking/text/files.hpp"
 #include "rocking/text/json.hpp"
 #include "rocking/text/locate.hpp"
+#include "usage.hpp"
 
 namespace rocking::program {
 namespace {

@@ -9,6 +9,7 @@
 #include "drawing.hpp"
 #include "exit_code.hpp"
 #include "output.hpp"
+#include "rocking/figures/trajectory_file.hpp"
 #include "rocking/scene/hazard.hpp"
 
 namespace rocking::program {

@@ -149,7 +149,7 @@ TEST_F(Drawn, TwiceGivesTheSameBytes) {
   const auto figures = run_figures(report_in(sample_report()));
   for (const Figure& figure : figures) {
     for (const auto* folder : {&first, &second}) {
-      const auto drawing = write_figure(figure, *folder / "", figure_formats());
+      const auto drawing = write_figure(figure, *folder / "", rocking::analysis::figure_formats());
       EXPECT_TRUE(drawing.is_drawn()) << drawing.reason;
       EXPECT_EQ(drawing.reason, "");
     }

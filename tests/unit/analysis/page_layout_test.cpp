@@ -63,7 +63,7 @@ Report many_slices(std::size_t count) {
   for (std::size_t slice = 0; slice < count; ++slice) {
     for (ReportedCondition condition : three) {
       condition.asked.parameters.at(0).value =
-          WrittenPart{Json({{"static", 0.4 + 0.01 * static_cast<double>(slice)}, {"kinetic", 0.3}}).dump()};
+          rocking::WrittenPart{Json({{"static", 0.4 + 0.01 * static_cast<double>(slice)}, {"kinetic", 0.3}}).dump()};
       report.conditions.push_back(std::move(condition));
     }
   }

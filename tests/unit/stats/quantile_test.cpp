@@ -8,7 +8,7 @@
 namespace {
 
 using rocking::stats::censored_quantile;
-
+using rocking::stats::lower_median;
 using Tally = std::map<std::int64_t, std::uint64_t>;
 
 /// 1, 2, ... n, once each.

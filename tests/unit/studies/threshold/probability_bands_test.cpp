@@ -52,7 +52,7 @@ double rises_and_falls(double x) { return x < 7.5 ? normal_law((x - 4.0) / 0.5) 
 TEST(ProbabilityBands, CoverTheValueOfTheProbability) {
   constexpr int repetitions = 200;
   int missed = 0;
-  for (int seed = 0; seed < repetitions; ++seed) {
+  for (std::uint64_t seed = 0; seed < repetitions; ++seed) {
     const ThresholdQuestion question = question_for(0.16, 0.05);
     const auto found = bands_by_probability(1, question, trials_of(rises_and_falls, seed), {}).front();
     ASSERT_THAT(found.edges, SizeIs(2));

@@ -33,10 +33,12 @@ std::string meaning_of(const section::ResponseMode& mode) {
 
 std::string place_value_html(const Parameter& parameter) {
   const Axis axis = axis_of_parameter(parameter.pointer);
-  return escaped(short_value(parameter)) + (axis.unit.empty() ? "" : ' ' + escaped(axis.unit));
+  const bool has_unit = parameter.name.empty() && !axis.unit.empty();
+  return escaped(short_value(parameter)) + (has_unit ? ' ' + escaped(axis.unit) : "");
 }
 
 std::string place_html(const Parameter& parameter) {
+  if (!parameter.name.empty()) return place_value_html(parameter);
   const Axis axis = axis_of_parameter(parameter.pointer);
   const std::string name = axis.symbol.empty() ? escaped(axis.quantity) + ' ' : symbol_html(axis.symbol) + " = ";
   return name + place_value_html(parameter);

@@ -16,12 +16,13 @@
 namespace rocking::analysis {
 namespace {
 
-/// How many numbers an entry of the sweep takes; 0 if it takes anything else.
+/// How many numbers an entry of the sweep takes; 0 if it takes anything else, or they have names.
 std::size_t numbers_taken(const Report& report, std::size_t entry) {
   std::set<double> numbers;
   for (const ReportedCondition& condition : report.conditions) {
-    const auto number = number_in(condition.asked.parameters[entry].value);
-    if (!number) return 0;
+    const Parameter& parameter = condition.asked.parameters[entry];
+    const auto number = number_in(parameter.value);
+    if (!number || !parameter.name.empty()) return 0;
     numbers.insert(*number);
   }
   return numbers.size();
@@ -57,9 +58,7 @@ std::string name_of_others(const Report& report, const ReportedCondition& condit
   std::string name;
   for (std::size_t i = 0; i < report.swept.size(); ++i) {
     if (i == shown) continue;
-    const Axis axis = axis_of_parameter(report.swept[i]);
-    name += (name.empty() ? "" : ", ") + axis.quantity + ' ' + short_value(condition.asked.parameters[i]);
-    if (!axis.unit.empty()) name += ' ' + axis.unit;
+    name += (name.empty() ? "" : ", ") + value_in_words(condition.asked.parameters[i]);
     const std::string_view key = shaking_key(report.swept[i], condition.shaking);
     if (other_forms && !key.empty()) name += " = " + other_form(*condition.shaking, key);
   }
@@ -218,6 +217,7 @@ SweepView view_of(const Report& report, std::size_t most) {
       view.x.push_back(number_in(condition.asked.parameters[shown].value).value());
     }
   } else {
+    if (!report.conditions.front().asked.parameters[shown].name.empty()) view.axis = {.quantity = view.axis.quantity};
     place_by_name(report, shown, view);
   }
   std::map<std::string, std::size_t> known;
@@ -246,11 +246,7 @@ std::string slices_left_out(const SweepView& view) {
 
 std::string values_in_words(const std::vector<Parameter>& others) {
   std::string words;
-  for (const auto& [pointer, value] : others) {
-    const Axis axis = axis_of_parameter(pointer);
-    words += (words.empty() ? "" : ", ") + axis.quantity + ' ' + short_value({.pointer = pointer, .value = value}) +
-             (axis.unit.empty() ? "" : ' ' + axis.unit);
-  }
+  for (const Parameter& other : others) words += (words.empty() ? "" : ", ") + value_in_words(other);
   return words;
 }
 

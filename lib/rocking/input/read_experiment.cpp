@@ -7,7 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "rocking/input/experiment_problems.hpp"
 #include "rocking/input/other_files.hpp"
+#include "rocking/input/overrides.hpp"
 #include "rocking/input/quantities_in_text.hpp"
 #include "rocking/input/read_question.hpp"
 #include "rocking/input/repeated_records.hpp"
@@ -21,54 +23,6 @@ namespace rocking {
 namespace {
 
 constexpr std::size_t enough_problems = 10;  // of a file without its sweep: the sweep is then left aside
-constexpr std::size_t most_problems = 20;    // a bad sweep must not bury its first message
-
-// Replaces values of the file by those of the command line.
-void apply(const Overrides& overrides, Json& document) {
-  if (!document.is_object()) return;
-  if (overrides.seed) document["seed"] = *overrides.seed;
-  if (overrides.realisations) {
-    const Json number = Json::parse(*overrides.realisations, nullptr, false);
-    document["realisations"] = number.is_number() ? number : Json(*overrides.realisations);
-  }
-}
-
-// Tells a user of the flag that is wrong, not of the key that it replaced.
-void name_flags(const Overrides& overrides, Problems& problems) {
-  for (base::Problem& problem : problems) {
-    if (overrides.seed && problem.place == "/seed") problem.place = "--seed";
-    if (overrides.realisations && problem.place == "/realisations") problem.place = "--realisations";
-  }
-}
-
-struct GoneKey {
-  std::string_view place;
-  std::string_view remedy;
-};
-
-/// Keys of former states of this format, and what to do without them.
-constexpr std::array gone_keys{
-    GoneKey{"/check_labels",
-            "leave it out: every label (m,n) is tested, and the report states what backs it (backed_by)"},
-    GoneKey{"/accuracy/repeat_every", "it is \"rerun_every\""}};
-
-// Tells what replaces a key that is gone, and where a key stands that was written at another place.
-void name_places(Problems& problems) {
-  for (base::Problem& problem : problems) {
-    if (problem.reason != "is not a key of this format") continue;
-    const auto* gone = std::ranges::find(gone_keys, problem.place, &GoneKey::place);
-    if (gone != gone_keys.end()) {
-      problem.remedy = gone->remedy;
-      continue;
-    }
-    const auto place = place_of_key(last_key(problem.place));
-    if (place) problem.remedy = "it stands under " + *place;
-  }
-}
-
-bool is_same(const base::Problem& a, const base::Problem& b) {
-  return a.place == b.place && a.value == b.value && a.reason == b.reason;
-}
 
 // Tells values as they are written.
 void check_relations_of(const Condition& condition, const Json& document, Problems& problems) {
@@ -103,18 +57,14 @@ class ExperimentBuilder {
     if (!is_hopeless && document_.is_object() && document_.contains("unknown")) {
       unknowns_ = read_unknowns(document_["unknown"], base.canonical, axes_, found);
     }
-    merge(found, "");
+    problems_.merge(found);
     if (has_suite()) {
       axes_.insert(axes_.begin(), SweepAxis{.pointer = std::string(suite_place), .values = suite_.records});
     }
     const bool is_readable = !is_hopeless && !is_bad_suite && document_.is_object();
-    if (is_readable && problems_.size() < most_problems) build_conditions();
-    if (has_suite() && problems_.empty()) check_records();
-    name_flags(overrides, problems_);
-    name_readable_records();
-    name_places(problems_);
-    if (problems_.size() > most_problems) problems_.resize(most_problems);
-    if (!problems_.empty()) throw base::InputError(std::move(problems_));
+    if (is_readable && !problems_.are_enough()) build_conditions();
+    if (has_suite() && !problems_.any()) check_records();
+    problems_.throw_any(overrides, suite_);
     if (swept) base.canonical["sweep"] = canonical_sweep();
     if (has_suite()) {
       if (!swept) base.canonical.erase("sweep");
@@ -147,8 +97,8 @@ class ExperimentBuilder {
   /// Reports records that cannot stand beside the others, and warns of those that are likely another one once more.
   void check_records() {
     const auto motions = motions_of_suite();
-    check_suite(motions, problems_);
-    if (!problems_.empty()) return;
+    check_suite(motions, problems_.all());
+    if (problems_.any()) return;
     for (const auto& [record, why] : repeated_records(motions)) {
       auto warned = std::make_shared<GroundMotion>(*motions[record]);
       warned->warnings.push_back(why);
@@ -165,46 +115,10 @@ class ExperimentBuilder {
     Problems of_sweep;
     const std::size_t records = std::max<std::size_t>(suite_.records.size(), 1);
     axes_ = read_sweep(document_["sweep"], known, std::max<std::size_t>(most_conditions_ / records, 1), of_sweep);
-    refuse_swept_flag(overrides, of_sweep);
-    add_levels(overrides, of_sweep);
+    apply(overrides, axes_, of_sweep);
     if (has_suite()) refuse_swept_suite(of_sweep);
     if (!of_sweep.empty()) axes_.clear();  // the file can still be checked as one condition
     found.insert(found.end(), of_sweep.begin(), of_sweep.end());
-  }
-
-  void refuse_swept_flag(const Overrides& overrides, Problems& problems) const {
-    if (!overrides.realisations) return;
-    for (const SweepAxis& axis : axes_) {
-      if (axis.pointer != "/realisations") continue;
-      problems.push_back(
-          {"--realisations", *overrides.realisations, "the sweep of the file sets the realisations", "omit the flag"});
-    }
-  }
-
-  // Each stands before the first larger value, so that a rising list remains one.
-  void add_levels(const Overrides& overrides, Problems& problems) {
-    if (overrides.levels.empty()) return;
-    const auto axis = std::ranges::find_if(axes_, [](const SweepAxis& each) {
-      return std::ranges::find(all_intensity_pointers, each.pointer) != all_intensity_pointers.end();
-    });
-    for (const double level : overrides.levels) {
-      const auto reject = [&](const char* reason, const char* remedy) {
-        problems.push_back({"--levels", Json(level).dump(), reason, remedy});
-      };
-      if (axis == axes_.end()) {
-        return reject("needs a sweep of an intensity", "sweep, for example, /excitation/pga_g");
-      }
-      if (!(level > 0.0)) return reject("must be positive", "give intensities above 0");
-      if (!std::ranges::all_of(axis->values, &Json::is_number)) {
-        return reject("needs a sweep of numbers", "give the new values in the experiment file");
-      }
-      if (std::ranges::find(axis->values, Json(level)) != axis->values.end()) {
-        return reject("is a level of the run", "omit it");
-      }
-      axis->evenly_spaced = false;
-      axis->values.insert(std::ranges::find_if(axis->values, [level](const Json& value) { return value > level; }),
-                          level);
-    }
   }
 
   void refuse_swept_suite(Problems& problems) const {
@@ -215,38 +129,6 @@ class ExperimentBuilder {
     }
   }
 
-  void merge(const Problems& found, const std::string& where) {
-    for (const base::Problem& problem : found) {
-      const auto known = [&problem](const base::Problem& other) { return is_same(problem, other); };
-      if (std::any_of(seen_.begin(), seen_.end(), known)) continue;
-      seen_.push_back(problem);
-      problems_.push_back(problem);
-      problems_.back().reason += where;
-    }
-  }
-
-  /// Tells with the first record that cannot be read which ones can.
-  void name_readable_records() {
-    constexpr std::size_t most_named = 30;
-    std::vector<std::string> readable;
-    auto first = problems_.end();
-    for (const Json& record : suite_.records) {
-      const auto found =
-          std::ranges::find_if(problems_, [&record](const base::Problem& each) { return is_of_record(each, record); });
-      if (found == problems_.end()) {
-        readable.push_back(record["file"].get<std::string>());
-      } else {
-        first = std::min(first, found);
-      }
-    }
-    if (first == problems_.end() || readable.empty() || problems_.size() >= most_problems) return;
-    first->remedy += "; --skip-unreadable goes on with the other " + std::to_string(readable.size()) + ": ";
-    for (std::size_t i = 0; i < std::min(readable.size(), most_named); ++i) {
-      first->remedy += (i == 0 ? "" : ", ") + readable[i].substr(readable[i].rfind('/') + 1);
-    }
-    if (readable.size() > most_named) first->remedy += ", ...";
-  }
-
   // Every condition is read as a file of its own, in which the swept values stand in their places.
   void build_conditions() {
     const std::size_t size = grid_size(axes_);
@@ -255,7 +137,7 @@ class ExperimentBuilder {
     const std::vector<std::string> swept = swept_keys();
     for (const SweepAxis& axis : axes_) places_.emplace_back(axis.pointer);
     conditions_.reserve(size);
-    for (std::size_t index = 0; index < size && problems_.size() < most_problems; ++index) {
+    for (std::size_t index = 0; index < size && !problems_.are_enough(); ++index) {
       const auto values = grid_point(axes_, index);
       for (std::size_t i = 0; i < axes_.size(); ++i) {
         if (!put(document, i, *values[i])) return;
@@ -263,8 +145,8 @@ class ExperimentBuilder {
       Problems found;
       QuestionAsRead read = read_question(document, &files_, found, swept);
       check_relations_of(read.question.condition, document, found);
-      if (!found.empty()) merge(found, setting_in_words(values));
-      if (problems_.empty()) keep(std::move(read), index);
+      if (!found.empty()) problems_.merge(found, setting_in_words(values));
+      if (!problems_.any()) keep(std::move(read), index);
     }
   }
 
@@ -316,9 +198,10 @@ class ExperimentBuilder {
       Json canonical = is_suite ? record_of(read.canonical) : read.canonical.at(places_[i]);
       if (is_suite) read.question.condition.record_stream = stream_of(canonical);
       const Json value = is_suite ? name_of_record(canonical) : canonical;
-      read.question.condition.parameters.push_back({axis.pointer, swept_value(value)});
-      // The first condition with this value, at the first values of the others, gives its canonical form.
       const std::size_t place = (index / stride) % axis.values.size();
+      read.question.condition.parameters.push_back(
+          {axis.pointer, swept_value(value), axis.name_of(&axis.values[place])});
+      // The first condition with this value, at the first values of the others, gives its canonical form.
       if (index == place * stride) axis.canonical_values.push_back(std::move(canonical));
     }
     conditions_.push_back(std::move(read.question.condition));
@@ -342,6 +225,7 @@ class ExperimentBuilder {
         }
       } else {
         entry["values"] = axes_[i].canonical_values;
+        if (!axes_[i].names.empty()) entry["names"] = axes_[i].names;
       }
       sweep.push_back(std::move(entry));
     }
@@ -353,8 +237,7 @@ class ExperimentBuilder {
   FileMatches matches_;
   Suite suite_;  ///< without records: the experiment has none
   std::size_t most_conditions_;
-  Problems problems_;
-  Problems seen_;
+  ExperimentProblems problems_;
   std::vector<SweepAxis> axes_;
   std::vector<Json::json_pointer> places_;  ///< of the axes
   std::vector<Condition> conditions_;

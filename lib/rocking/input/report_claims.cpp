@@ -149,9 +149,16 @@ class ReportChecker {
            "is not allowed at " + pointer + ": " + found.front().reason);
   }
 
-  void check_parameters(const Json& parameters, const std::vector<SweepAxis>& axes,
-                        const std::vector<const Json*>& point, std::size_t condition) {
+  void check_parameters(Json parameters, const std::vector<SweepAxis>& axes, const std::vector<const Json*>& point,
+                        std::size_t condition) {
     const std::string place = "/result/conditions/" + std::to_string(condition) + "/parameters";
+    Json names = Json::object();
+    for (std::size_t i = 0; i < axes.size(); ++i) {
+      if (std::string name = axes[i].name_of(point[i]); !name.empty()) names[axes[i].pointer] = std::move(name);
+    }
+    const Json stated = parameters.value(names_of_values, Json::object());
+    if (stated != names) reject(place + '/' + names_of_values, brief(stated), "are not the names of the sweep");
+    parameters.erase(names_of_values);
     if (parameters.size() != axes.size()) {
       reject(place, brief(parameters),
              "holds " + std::to_string(parameters.size()) + " values, where the sweep has " +

@@ -1,5 +1,6 @@
 #include "rocking/input/sweep.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -22,6 +23,14 @@ double to_twelve_digits(double number) {
 }
 
 constexpr std::size_t most_axes = 100;
+constexpr std::size_t longest_name = 60;
+
+/// Text that fits a table.
+bool is_name(const Json& name) {
+  const auto is_control = [](unsigned char c) { return c < ' '; };
+  return name.is_string() && name.get_ref<const std::string&>().size() <= longest_name &&
+         std::ranges::none_of(name.get_ref<const std::string&>(), is_control);
+}
 
 class AxisReader {
  public:
@@ -36,6 +45,7 @@ class AxisReader {
       in_.reject("values", {"excludes \"from\", \"to\" and \"step\"", "keep one of the two"});
     } else if (listed) {
       axis.values = read_values();
+      axis.names = read_names(axis.values.size());
     } else {
       axis.evenly_spaced = true;
       axis.values = read_steps();
@@ -51,6 +61,24 @@ class AxisReader {
       return {};
     }
     return {values.begin(), values.end()};
+  }
+
+  /// Of so many values; none where there are none, or a problem.
+  std::vector<std::string> read_names(std::size_t values) {
+    if (!in_.has("names")) return {};
+    const Json& names = *in_.found("names");
+    if (!names.is_array() || names.size() != values || !std::ranges::all_of(names, is_name)) {
+      in_.reject("names", {"must be a list of texts of at most " + std::to_string(longest_name) +
+                               " bytes on a line, one for each of the " + std::to_string(values) + " values",
+                           "give a list such as [\"batteries high\", \"batteries low\"]"});
+      return {};
+    }
+    std::vector<std::string> read = names;
+    std::ranges::sort(read);
+    const auto again =
+        std::ranges::adjacent_find(read, [](const auto& a, const auto& b) { return !a.empty() && a == b; });
+    if (again != read.end()) in_.reject("names", {"has \"" + *again + "\" twice", "give each value a name of its own"});
+    return names;
   }
 
   std::vector<Json> read_steps() {

@@ -14,9 +14,18 @@ namespace rocking {
 struct SweepAxis {
   std::string pointer;
   std::vector<Json> values;
-  bool evenly_spaced = false;               ///< given by from, to and step
+  bool evenly_spaced = false;           ///< given by from, to and step
+  std::vector<std::string> names = {};  ///< of the values, for readers; none, or one each, of which some may be empty
   std::vector<Json> canonical_values = {};  ///< as a condition reads them; filled while conditions are built
+
+  /// Of one of the values.
+  [[nodiscard]] std::string name_of(const Json* value) const {
+    return names.empty() ? "" : names[static_cast<std::size_t>(value - values.data())];
+  }
 };
+
+/// The key, beside the values of a condition, of the names that some of them have.
+inline constexpr const char* names_of_values = "names";
 
 /// Most conditions that one experiment may have.
 inline constexpr std::size_t most_conditions = 1'000'000;

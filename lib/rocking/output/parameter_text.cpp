@@ -113,6 +113,7 @@ std::optional<double> standard_deviation_in(const Quantity& quantity) {
 }  // namespace
 
 std::string short_value(const Parameter& parameter) {
+  if (!parameter.name.empty()) return parameter.name;
   if (const auto* number = std::get_if<double>(&parameter.value)) return digits_of(*number);
   if (const auto* word = std::get_if<std::string>(&parameter.value)) {
     // A record of a suite by its file name; what names a folder is the same for most.
@@ -127,6 +128,12 @@ std::string short_value(const Parameter& parameter) {
     text += part.is_number() ? significant(part.get<double>(), 6) : brief(part);
   }
   return text;
+}
+
+std::string value_in_words(const Parameter& parameter) {
+  if (!parameter.name.empty()) return parameter.name;
+  const QuantityName name = quantity_name(parameter.pointer);
+  return name.quantity + ' ' + short_value(parameter) + (name.unit.empty() ? "" : ' ' + name.unit);
 }
 
 Json applied(Json experiment, const std::vector<Parameter>& parameters) {
@@ -157,7 +164,8 @@ std::string quantity_in_words(const Quantity& quantity) {
 std::string values_of(const std::vector<Parameter>& parameters) {
   std::string name;
   for (const Parameter& parameter : parameters) {
-    name += (name.empty() ? "" : ", ") + last_key(parameter.pointer) + ' ' + short_value(parameter);
+    name += name.empty() ? "" : ", ";
+    name += (parameter.name.empty() ? last_key(parameter.pointer) + ' ' : "") + short_value(parameter);
   }
   return name;
 }

@@ -22,8 +22,11 @@ struct QuantityName {
 /// The name of the number at this place of an experiment.
 [[nodiscard]] QuantityName quantity_name(const std::string& pointer);
 
-/// The value of a swept parameter in a table: `0.35/0.3` for friction, the value for anything else.
+/// The value of a swept parameter in a table: its name if it has one, `0.35/0.3` for friction, the value for anything else.
 [[nodiscard]] std::string short_value(const Parameter& parameter);
+
+/// The same in a sentence: its name if it has one, or `base amplitude 0.4 g`.
+[[nodiscard]] std::string value_in_words(const Parameter& parameter);
 
 /// An experiment with these values, as text.
 [[nodiscard]] Json applied(Json experiment, const std::vector<Parameter>& parameters);

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "rocking/input/quantities_in_text.hpp"
+#include "rocking/input/sweep.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking {
@@ -46,19 +47,33 @@ class ParametersType final : public ValueType {
  public:
   [[nodiscard]] Json json(const void* value) const override {
     Json parameters = Json::object();
+    Json names = Json::object();
     for (const Parameter& each : *static_cast<const std::vector<Parameter>*>(value)) {
       parameters[each.pointer] = json_of(each.value);
+      if (!each.name.empty()) names[each.pointer] = each.name;
     }
+    if (!names.empty()) parameters[names_of_values] = std::move(names);
     return parameters;
   }
   void read(const Json& json, const ReadingPlace& place, void* value) const override {
     if (!json.is_object()) return place.reject(json, "must be an object of JSON pointers and values");
+    const Json names = json.value(names_of_values, Json::object());
+    const auto is_text = [](const Json& name) { return name.is_string(); };
+    if (!names.is_object() || !std::ranges::all_of(names, is_text)) {
+      return place.reject(names, "must be an object of JSON pointers and names");
+    }
     auto& parameters = *static_cast<std::vector<Parameter>*>(value);
     parameters.clear();
-    for (const auto& [pointer, swept] : json.items())
-      parameters.push_back({.pointer = pointer, .value = swept_value(swept)});
+    for (const auto& [pointer, swept] : json.items()) {
+      if (pointer == names_of_values) continue;
+      parameters.push_back({.pointer = pointer, .value = swept_value(swept), .name = names.value(pointer, "")});
+    }
   }
-  [[nodiscard]] Json schema(const Rule&) const override { return {{"type", "object"}}; }
+  [[nodiscard]] Json schema(const Rule&) const override {
+    const Json text = {{"type", "string"}};
+    return {{"type", "object"},
+            {"properties", {{names_of_values, {{"type", "object"}, {"additionalProperties", text}}}}}};
+  }
 };
 
 /// `2012-02-01T12:00:00Z`, a text in C++ too.

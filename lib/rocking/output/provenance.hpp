@@ -60,7 +60,8 @@ struct TypeOf<section::ResponseMode> {
   static const ValueType& get();
 };
 
-/// The values of a point of the sweep: an object of JSON pointers and values.
+/// The values of a point of the sweep: an object of JSON pointers and values, and under `names` the names of those that
+/// have one.
 template <>
 struct TypeOf<std::vector<Parameter>> {
   static const ValueType& get();

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <variant>
 #include <vector>
 
@@ -267,7 +268,12 @@ using SweptValue = std::variant<double, std::int64_t, std::string, WrittenPart>;
 struct Parameter {
   std::string pointer;
   SweptValue value;
-  friend auto operator<=>(const Parameter&, const Parameter&) = default;
+  std::string name =
+      {};  ///< of the value, for readers; empty: it has none. Two parameters may differ in it and be equal
+  friend auto operator<=>(const Parameter& a, const Parameter& b) {
+    return std::tie(a.pointer, a.value) <=> std::tie(b.pointer, b.value);
+  }
+  friend bool operator==(const Parameter& a, const Parameter& b) { return (a <=> b) == 0; }
 };
 
 /// Sampling continues until the interval of every mode, or that of one, is narrow enough. Exactly one of the two

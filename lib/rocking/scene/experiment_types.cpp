@@ -415,8 +415,10 @@ const ValueType& sweep_type() {
     const Json stepped =
         closed_object({{"parameter", pointer_schema()}, {"from", number}, {"to", number}, {"step", number}},
                       Json::array({"parameter", "from", "to", "step"}));
-    const Json listed =
-        closed_object({{"parameter", pointer_schema()}, {"values", values}}, Json::array({"parameter", "values"}));
+    const Json listed = closed_object({{"parameter", pointer_schema()},
+                                       {"values", values},
+                                       {"names", {{"type", "array"}, {"items", {{"type", "string"}}}}}},
+                                      Json::array({"parameter", "values"}));
     return OpaqueType({{"type", "array"}, {"minItems", 1}, {"items", {{"oneOf", Json::array({stepped, listed})}}}},
                       "list of entries, below");
   }();

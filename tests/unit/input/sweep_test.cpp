@@ -19,6 +19,7 @@ namespace {
 using namespace rocking;
 using support::example_experiment;
 using support::with;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 Experiment read_with_sweep(const std::string& sweep) {
@@ -115,6 +116,22 @@ TEST(Sweep, ChangesWhatFollowsFromTheValue) {
   EXPECT_DOUBLE_EQ(experiment.conditions[1].scene.fluctuation.static_friction, 0.08);
 }
 
+TEST(Sweep, GivesItsValuesTheirNames) {
+  const std::string named =
+      R"([{"parameter": "/excitation/amplitude", "values": [1, 2, 3], "names": ["low", "", "high"]}])";
+  const auto experiment = read_with_sweep(named);
+  std::vector<std::string> names;
+  for (const Condition& condition : experiment.conditions) names.push_back(condition.parameters.front().name);
+  EXPECT_THAT(names, ElementsAre("low", "", "high"));
+  EXPECT_EQ(experiment.conditions[2].parameters.front(), (Parameter{"/excitation/amplitude", 3.0}));
+  const auto again = experiment_in(experiment.canonical_text);
+  EXPECT_EQ(again.canonical_text, experiment.canonical_text);
+  EXPECT_EQ(again.conditions[2].parameters.front().name, "high");
+  const auto extended = experiment_in(experiment.canonical_text, {.seed = {}, .realisations = {}, .levels = {2.5}});
+  EXPECT_EQ(extended.conditions[2].parameters.front().name, "");
+  EXPECT_EQ(extended.conditions[3].parameters.front().name, "high");
+}
+
 TEST(Sweep, TellsForWhichOfItsValuesAConditionIsBad) {
   const auto problems = problems_with_sweep(R"([{"parameter": "/friction/kinetic", "values": [0.3, 0.4, -0.1]}])");
   ASSERT_EQ(problems.size(), 2U);
@@ -167,6 +184,14 @@ INSTANTIATE_TEST_SUITE_P(
                  "add"},
         BadSweep{R"([{"parameter": "/excitation/amplitude", "from": 1, "values": [1]}])", "/sweep/0/values", "excludes",
                  "keep one"},
+        BadSweep{R"([{"parameter": "/excitation/amplitude", "values": [1, 2], "names": ["low"]}])", "/sweep/0/names",
+                 "one for each of the 2 values", "[\"batteries high\""},
+        BadSweep{R"([{"parameter": "/excitation/amplitude", "values": [1, 2], "names": ["low", 2]}])", "/sweep/0/names",
+                 "list of texts", "["},
+        BadSweep{R"([{"parameter": "/excitation/amplitude", "values": [1, 2], "names": ["low", "low"]}])",
+                 "/sweep/0/names", "has \"low\" twice", "of its own"},
+        BadSweep{R"([{"parameter": "/excitation/amplitude", "from": 1, "to": 2, "step": 1, "names": ["a", "b"]}])",
+                 "/sweep/0/names", "is not a key", ""},
         BadSweep{R"([{"parameter": "/excitation/amplitude", "from": 0, "to": 1, "step": 1e-9}])", "/sweep/0/step",
                  "1000000", "larger"},
         BadSweep{

@@ -46,5 +46,13 @@ TEST(ParameterNames, DifferFromEachOther) {
               ElementsAre("file_a_b", "file_a_b_2", "file_A_B_3", "file_a_b_2_2", "file_a_b_4"));
 }
 
+TEST(ANameOfAValue, StandsInPlaceOfKeyNumberAndUnit) {
+  const Parameter plain{"/block/parts/2/bottom_m", 1.5}, named{"/block/parts/2/bottom_m", 1.5, "batteries high"};
+  EXPECT_EQ(short_value(named), "batteries high");
+  EXPECT_EQ(value_in_words(named), "batteries high");
+  EXPECT_NE(value_in_words(plain).find("1.5 m"), std::string::npos);
+  EXPECT_EQ(values_of({named, {"/excitation/pga_g", 0.3}}), "batteries high, pga_g 0.3");
+}
+
 }  // namespace
 }  // namespace rocking

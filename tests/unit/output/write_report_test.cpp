@@ -141,6 +141,19 @@ TEST(Report, HoldsTheExperimentAndItsDigest) {
   EXPECT_EQ(objections("experiment", input["experiment"].dump()), "");
 }
 
+TEST(Report, KeepsTheNamesOfSweptValuesAndRefusesOthers) {
+  const auto swept =
+      support::with(support::example_experiment(), "/sweep",
+                    R"([{"parameter": "/excitation/amplitude", "values": [4, 5], "names": ["weak", "strong"]}])");
+  const Experiment experiment = experiment_in(swept.dump());
+  const std::string text = report_text(experiment, result_for(experiment), facts("here"));
+  EXPECT_EQ(objections("report", text), "");
+  EXPECT_EQ(parse_report(text).conditions[1].asked.parameters.front().name, "strong");
+  Json changed = Json::parse(text);
+  changed["result"]["conditions"][1]["parameters"]["names"]["/excitation/amplitude"] = "weak";
+  EXPECT_THROW(static_cast<void>(parse_report(changed.dump())), base::InputError);
+}
+
 TEST(Report, AddsUpTheOperationCountsOfItsConditions) {
   const Json internal = Json::parse(example_report())["internal"];
   EXPECT_EQ(internal["conditions"].size(), 21U);

@@ -162,14 +162,6 @@ Figure figure_of(DrawnDiagram diagram, Axis x, const std::string& pointer, const
   return figure;
 }
 
-std::string others_in_words(const std::vector<Parameter>& others) {
-  std::string words;
-  for (const Parameter& other : others) {
-    words += (words.empty() ? "" : ", ") + axis_of_parameter(other.pointer).quantity + ' ' + short_value(other);
-  }
-  return words;
-}
-
 /// Names of the figures, by the parameters that are fixed in each diagram: `bifurcation_static_0.35`.
 std::vector<std::string> names_of(const std::vector<ReportedDiagram>& diagrams) {
   if (diagrams.size() < 2) return std::vector<std::string>(diagrams.size(), "bifurcation");
@@ -187,7 +179,7 @@ std::vector<Figure> bifurcation_figures(const BifurcationReport& report) {
   const std::string title = report.input.title();
   const std::vector<std::string> names = names_of(report.diagrams);
   for (const ReportedDiagram& diagram : report.diagrams) {
-    const std::string others = others_in_words(diagram.others);
+    const std::string others = values_in_words(diagram.others);
     const std::string subtitle = title + (title.empty() || others.empty() ? "" : "; ") + others;
     std::vector<std::optional<Shaking>> shakings;
     for (const ReportedStep& step : diagram.steps) shakings.push_back(step.shaking);

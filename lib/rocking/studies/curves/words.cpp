@@ -44,7 +44,8 @@ std::string rare_table(const std::vector<RareLevel>& levels, const std::string& 
 std::string heading_of_curve(const std::string& title, const std::vector<Parameter>& others) {
   std::string heading = title;
   for (const Parameter& parameter : others) {
-    heading += (heading.empty() ? "" : "; ") + parameter.pointer.substr(1) + ' ' + short_value(parameter);
+    heading += heading.empty() ? "" : "; ";
+    heading += (parameter.name.empty() ? parameter.pointer.substr(1) + ' ' : "") + short_value(parameter);
   }
   return heading.empty() ? "" : heading + '\n';
 }

@@ -30,13 +30,13 @@ bool leads_somewhere(const std::string& pointer, const Json& experiment) {
 void check_parameters(const Experiment& experiment, const Json& document, const TestedCondition& tested,
                       const std::string& place, QuestionCheck& check) {
   for (std::size_t i = 0; i < tested.parameters.size(); ++i) {
-    const auto& [pointer, value] = tested.parameters[i];
+    const std::string& pointer = tested.parameters[i].pointer;
     const std::string of_parameter = place + "/parameters/" + std::to_string(i);
     const bool is_unknown =
         std::ranges::find(experiment.unknowns, pointer, &Unknown::pointer) != experiment.unknowns.end();
     check.expect(!is_unknown, of_parameter, pointer, "is an unknown");
     check.expect(leads_somewhere(pointer, document), of_parameter, pointer, "is not in the experiment");
-    const auto* part = std::get_if<WrittenPart>(&value);
+    const auto* part = std::get_if<WrittenPart>(&tested.parameters[i].value);
     if (part != nullptr) check.expect(Json::accept(part->text), of_parameter, part->text, "is not JSON text");
   }
 }

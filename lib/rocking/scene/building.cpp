@@ -199,7 +199,7 @@ std::vector<BuildingMode> modes_of(const Building& building) {
   return modes;
 }
 
-QuantityPlace mode_number(std::size_t i, std::size_t k) {
+BuildingNumber mode_number(std::size_t i, std::size_t k) {
   static const auto texts = [] {
     constexpr std::array<std::string_view, 3> keys{"frequency_hz", "damping_ratio", "factor"};
     constexpr std::array<std::string_view, 3> names{"frequency", "damping ratio", "factor"};
@@ -216,7 +216,8 @@ QuantityPlace mode_number(std::size_t i, std::size_t k) {
   const std::size_t place = 3 * i + k;
   const auto source =
       static_cast<random::Source>(static_cast<std::size_t>(random::Source::first_building_mode) + place);
-  return {{texts[place][0], texts[place][1]}, source};
+  constexpr std::array<const Rule*, 3> bounds{&rules::building_frequency_hz, &rules::damping_ratio, nullptr};
+  return {{{texts[place][0], texts[place][1]}, source}, bounds[k]};
 }
 
 std::string floor_in_words(const Building& building) {

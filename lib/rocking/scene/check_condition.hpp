@@ -47,9 +47,8 @@ void check_numbers(const Condition& condition, SoundGroundMotions& sound, Proble
 
 /// Adds a problem for each demand that values of a condition do not meet of each other: static friction not below
 /// kinetic, no Painleve paradox at the means, a tilt short of overturned, a slip rate and fluctuating friction only
-/// where sliding is possible, a fluctuating amplitude only where the excitation has periods, a label check only of a
-/// fixed number of realisations and of no more periods than a realisation may have, one half-width to sample until, a
-/// relative one only of one mode, a run until the response is classified only where the excitation has periods and for
+/// where sliding is possible, a fluctuating amplitude only where the excitation has periods, one half-width to sample
+/// until, a relative one only of one mode, a run until the response is classified only where the excitation has periods and for
 /// no less than the horizon; a physical amplitude or frequency only within the bounds of A_h and Omega_h for every
 /// block that can be drawn, and a rate ratio within those of e.
 ///

@@ -10,6 +10,7 @@
 #include "rocking/random/source.hpp"
 #include "rocking/scene/experiment.hpp"
 #include "rocking/scene/restitution.hpp"
+#include "rocking/scene/rules.hpp"
 
 namespace rocking {
 
@@ -21,8 +22,13 @@ struct BlockNumber : QuantityPlace {
 /// Of number `k` of part `part`, in the order of the members of BlockPart.
 [[nodiscard]] BlockNumber part_number(std::size_t part, std::size_t k);
 
+/// A number of a building that may have a law.
+struct BuildingNumber : QuantityPlace {
+  const Rule* rule = nullptr;  ///< that a drawn one must keep; null: any
+};
+
 /// Of number `k` of mode `i` of a building, in the order of the members of BuildingMode.
-[[nodiscard]] QuantityPlace mode_number(std::size_t i, std::size_t k);
+[[nodiscard]] BuildingNumber mode_number(std::size_t i, std::size_t k);
 
 /// Calls visit(BlockNumber, quantity) for each number that the form of the block has.
 template <class ABlock, class Visit>
@@ -130,12 +136,18 @@ void visit_building(ABuilding& building, const Visit& visit) {
     visit(mode_number(i, 2), factor);
   }
   if (!modes.empty()) return;
-  visit({{"/excitation/building/frequency_hz", "frequency of the building", "f_1"}, Source::building_frequency},
+  visit(BuildingNumber{{{"/excitation/building/frequency_hz", "frequency of the building", "f_1"},
+                        Source::building_frequency},
+                       &rules::building_frequency_hz},
         frequency);
-  visit({{"/excitation/building/damping_ratio", "damping ratio of the building"}, Source::building_damping}, damping);
-  visit(
-      {{"/excitation/building/height_ratio", "height of the floor over that of the building"}, Source::building_height},
-      height);
+  visit(BuildingNumber{{{"/excitation/building/damping_ratio", "damping ratio of the building"},
+                        Source::building_damping},
+                       &rules::damping_ratio},
+        damping);
+  visit(BuildingNumber{{{"/excitation/building/height_ratio", "height of the floor over that of the building"},
+                        Source::building_height},
+                       &rules::height_ratio},
+        height);
 }
 
 /// Of any kind of excitation, constant or not.
@@ -153,7 +165,10 @@ void visit_excitation(Kind& kind, const Visit& visit) {
     visit({strengths[0], Source::excitation_size}, kind.scale);
   }
   if constexpr (requires { kind.building; }) {
-    if (kind.building) visit_building(*kind.building, visit);
+    if (kind.building) {
+      visit_building(*kind.building,
+                     [&visit](const BuildingNumber& what, auto& number) { visit(QuantityPlace(what), number); });
+    }
   }
   if constexpr (requires { kind.phase; }) visit({{"/excitation/phase_rad", "phase", "Φ"}, Source::phase}, kind.phase);
   if constexpr (requires { kind.vertical; }) {

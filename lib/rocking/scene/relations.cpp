@@ -331,17 +331,12 @@ std::optional<Refusal> building_beyond_bounds(const Condition& condition) {
   const auto* recorded = std::get_if<Recorded>(&condition.scene.excitation);
   if (recorded == nullptr || !recorded->building) return std::nullopt;
   std::optional<Refusal> refusal;
-  quantities::visit_building(*recorded->building, [&](const QuantityPlace& what, const Quantity& number) {
-    if (refusal || !is_drawn(number)) return;
-    const bool is_frequency = what.place.ends_with("frequency_hz"), is_damping = what.place.ends_with("damping_ratio");
-    if (what.place.ends_with("factor")) return;
-    const Rule& rule = is_frequency ? rules::building_frequency_hz
-                       : is_damping ? rules::damping_ratio
-                                    : rules::height_ratio;
+  quantities::visit_building(*recorded->building, [&](const BuildingNumber& what, const Quantity& number) {
+    if (refusal || !is_drawn(number) || what.rule == nullptr) return;
     const auto [least, largest] = reach_of(number);
-    if (rule.allows(least) && rule.allows(largest)) return;
+    if (what.rule->allows(least) && what.rule->allows(largest)) return;
     refusal = Refusal{"has a law of the " + std::string(what.name) + " that reaches from " + shown(least) + " to " +
-                          shown(largest) + "; each value " + std::string(rule.demand),
+                          shown(largest) + "; each value " + std::string(what.rule->demand),
                       "give a uniform or a lognormal law, or a normal one with \"between\""};
   });
   return refusal;

@@ -1,12 +1,14 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <string_view>
 #include <variant>
 
-#include "rocking/ensemble/law_in_force.hpp"
 #include "rocking/output/findings.hpp"
 #include "rocking/plan/plan.hpp"
+#include "rocking/scene/restitution.hpp"
+#include "rocking/stats/normal_law.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking {
@@ -50,42 +52,50 @@ struct ClampedNumber {
   std::uint64_t Clamps::*count;
   const char* what;
   const char* remedy;
-  const char* name = "";                                              ///< of the number
   std::optional<stats::MeanAndSigma> (*law)(const Scene&) = nullptr;  ///< null: none in force is known
 };
 
 /// In the order of clamp_kinds.
 constexpr std::array<ClampedNumber, clamp_kinds.size()> meanings{{
     {&Clamps::kinetic_at_zero, "kinetic friction below 0",
-     "reduce the sigma of its fluctuation or increase /friction/kinetic", "kinetic friction", law_of_kinetic},
+     "reduce the sigma of its fluctuation or increase /friction/kinetic", law_of_kinetic},
     {&Clamps::kinetic_at_static, "kinetic friction above the static friction in force",
-     "add \"correlation\": 1 to /fluctuation/friction, so that both move together, reduce the sigma of the friction, "
-     "or increase the difference between /friction/static and /friction/kinetic",
-     "kinetic friction", law_of_kinetic},
+     "add \"correlation\": 1 to /fluctuation/friction, or reduce the sigma of the friction", law_of_kinetic},
     {&Clamps::static_at_zero, "static friction below 0",
-     "reduce the sigma of its fluctuation or increase /friction/static", "static friction", law_of_static},
+     "reduce the sigma of its fluctuation or increase /friction/static", law_of_static},
     {&Clamps::restitution, "restitution outside of its range", "reduce the sigma in /fluctuation/restitution",
-     "restitution", law_of_restitution},
-    {&Clamps::amplitude_at_zero, "amplitude below 0", "reduce the sigma in /fluctuation/amplitude", "amplitude",
-     law_of_amplitude},
+     law_of_restitution},
+    {&Clamps::amplitude_at_zero, "amplitude below 0", "reduce the sigma in /fluctuation/amplitude", law_of_amplitude},
     {&Clamps::length_at_bound, "width or height of the block outside of its bounds",
      "reduce the sigma of /block/width_m or /block/height_m"},
 }};
 static_assert(std::ranges::equal(meanings, clamp_kinds, {}, &ClampedNumber::count, &ClampKind::count));
 
-/// What clamps of a kind mean, with what they leave of the law: `kinetic friction below 0. The probabilities are those of
-/// other numbers: the kinetic friction in force has mean 0.348 and sigma 0.0274, not 0.35 and 0.03`.
+/// Mean and standard deviation of a number with this normal law as it is in force, after clamps of a kind
+/// (lib/docs/model.md, section 5). Absent where they are not known.
+std::optional<stats::MeanAndSigma> law_in_force(const Scene& scene, std::size_t kind,
+                                                const stats::MeanAndSigma& given) {
+  const std::uint64_t Clamps::*const clamp = meanings[kind].count;
+  if (clamp == &Clamps::kinetic_at_static) {
+    const auto limit = law_of_static(scene);
+    if (!limit) return std::nullopt;
+    return stats::smaller_of_normals(given, *limit, scene.fluctuation.friction_correlation);
+  }
+  if (clamp == &Clamps::restitution) return stats::clamped_normal(given, least_restitution, largest_restitution);
+  return stats::clamped_normal(given, 0.0, std::numeric_limits<double>::infinity());
+}
+
+/// What clamps of a kind mean, with what they leave of the law: `kinetic friction below 0, which leaves a mean of 0.348 and
+/// a sigma of 0.0274, not 0.35 and 0.03`.
 std::string meaning_of(const Scene& scene, std::size_t kind) {
   const ClampedNumber& number = meanings[kind];
   const auto given = number.law == nullptr ? std::nullopt : number.law(scene);
   if (!given) return number.what;
-  const auto in_force = law_in_force(
-      {.law = *given, .limit = law_of_static(scene), .correlation = scene.fluctuation.friction_correlation},
-      clamp_kinds[kind].key);
+  const auto in_force = law_in_force(scene, kind, *given);
   if (!in_force) return number.what;
-  return std::string(number.what) + ". The probabilities are those of other numbers: the " + number.name +
-         " in force has mean " + significant(in_force->mean, 3) + " and sigma " + significant(in_force->sigma, 3) +
-         ", not " + significant(given->mean, 3) + " and " + significant(given->sigma, 3);
+  return std::string(number.what) + ", which leaves a mean of " + significant(in_force->mean, 3) + " and a sigma of " +
+         significant(in_force->sigma, 3) + ", not " + significant(given->mean, 3) + " and " +
+         significant(given->sigma, 3);
 }
 
 double share(std::uint64_t part, std::uint64_t whole) {
@@ -133,9 +143,9 @@ Finding clamped_numbers(const Report& report) {
       clamp_kinds, {}, [&condition](const ClampKind& kind) { return condition.result.validity.clamps.*kind.count; });
   const auto kind = static_cast<std::size_t>(most - clamp_kinds.begin());
   found.rating = Rating::look;
-  found.text = "random numbers were clamped in " + per_cent(worst->of_realisations) + " % of the realisations and " +
-               per_cent(worst->of_draws) + " % of the draws of condition " + std::to_string(worst->condition) +
-               ", the most of any; mostly " + meaning_of(condition.asked.scene, kind);
+  found.text = per_cent(worst->of_draws) + " % of the draws of condition " + std::to_string(worst->condition) +
+               " were clamped, in " + per_cent(worst->of_realisations) + " % of its realisations; mostly " +
+               meaning_of(condition.asked.scene, kind);
   found.remedy = meanings[kind].remedy;
   return found;
 }

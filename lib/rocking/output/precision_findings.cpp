@@ -36,15 +36,6 @@ std::string tolerance_remedy(const Report& report) {
          " and run again";
 }
 
-std::string_view in_words(NumericalError noise) {
-  switch (noise) {
-    case NumericalError::small: return "small compared with";
-    case NumericalError::not_small: return "NOT small compared with";
-    case NumericalError::undecided: return "too few reruns to compare with";
-  }
-  return "";
-}
-
 Finding sensitivity(const Report& report) {
   Finding found{.name = std::string(tolerance_check), .rating = Rating::note};
   const auto& reruns = report.tolerance_sensitivity;
@@ -58,9 +49,13 @@ Finding sensitivity(const Report& report) {
     found.remedy = tolerance_remedy(report);
   }
   found.text = std::to_string(reruns->flips.successes) + " of " + std::to_string(reruns->flips.trials) +
-               " response modes change at a hundred times tighter tolerance " + per_cent(reruns->interval) + " %; " +
-               std::string(in_words(reruns->noise)) + " the narrowest half-width, " + per_cent(reruns->half_width) +
-               " %";
+               " response modes change at a hundred times tighter tolerance " + per_cent(reruns->interval) + " %";
+  if (reruns->noise == NumericalError::undecided) {
+    found.remedy = "more reruns tell more: a smaller /accuracy/rerun_every";
+  } else {
+    found.text += std::string(reruns->noise == NumericalError::small ? "; small" : "; NOT small") +
+                  " compared with the narrowest half-width, " + per_cent(reruns->half_width) + " %";
+  }
   return found;
 }
 

@@ -137,11 +137,21 @@ std::string reasons_in(const FragilityReport& report) {
   return text;
 }
 
-/// The name of a curve in the summary.
+/// Whether the curves are those of runs with different titles.
+bool has_titles(const FragilityReport& report) {
+  std::set<std::string> titles;
+  for (const auto& curve : report.curves) {
+    titles.insert(std::visit([](const auto& one) { return one.run.title; }, curve));
+  }
+  return titles.size() > 1;
+}
+
+/// The name of a curve in the summary: what tells it from the others.
 template <class Reported>
-std::string curve_name(const Reported& reported) {
+std::string curve_name(const FragilityReport& report, const Reported& reported) {
   const std::string values = values_of(reported.curve.subject.others);
-  return values.empty() ? reported.run.title : values;
+  if (values.empty() || reported.run.title.empty()) return reported.run.title + values;
+  return has_titles(report) ? reported.run.title + ", " + values : values;
 }
 
 /// What the rates of the curves lack, each line with the curve to which it belongs, as many as fit a screen.
@@ -149,11 +159,11 @@ std::string warnings_in(const FragilityReport& report) {
   std::vector<std::string> all;
   for (const auto& curve : report.curves) {
     std::visit(
-        [&all](const auto& reported) {
+        [&](const auto& reported) {
           if (!reported.rate) return;
           const ResponseEvent& event = reported.curve.subject.event;
           const std::string name =
-              curve_name(reported) + (event.is_overturning() ? std::string() : ", " + column_of(event)) + ": ";
+              curve_name(report, reported) + (event.is_overturning() ? std::string() : ", " + column_of(event)) + ": ";
           std::string lines = annual_rate_warnings(*reported.rate);
           for (std::size_t end = lines.find('\n'); end != std::string::npos; end = lines.find('\n')) {
             all.push_back(name + lines.substr(0, end + 1));
@@ -174,9 +184,9 @@ std::string summary_of(const FragilityReport& report) {
   add_columns(table, {"curve", "event", "median", "dispersion", "per year", "years"});
   for (const auto& curve : report.curves) {
     std::visit(
-        [&table](const auto& reported) {
+        [&](const auto& reported) {
           const CurveSubject& subject = reported.curve.subject;
-          look::Row& row = table.rows.emplace_back(look::Row{curve_name(reported), column_of(subject.event)});
+          look::Row& row = table.rows.emplace_back(look::Row{curve_name(report, reported), column_of(subject.event)});
           append(row, law_cells(reported.curve));
           const AnnualRate* rate = rate_of(reported);
           row.push_back(rate ? number(rate->value, look::rate_form()) : look::Cell());

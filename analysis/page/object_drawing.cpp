@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <numbers>
 
 #include <fmt/format.h>
 
@@ -20,6 +21,7 @@ constexpr std::size_t most_drawn = 5;
 /// A block and what the sweep changes of it; empty if nothing.
 struct DrawnObject {
   BlockOutline block;
+  dynamics::Geometry geometry;
   std::string name;
 };
 
@@ -31,7 +33,9 @@ std::vector<DrawnObject> objects_of(const Report& report) {
     std::erase_if(others, [](const Parameter& each) { return each.pointer.starts_with("/excitation"); });
     const std::string name = values_in_words(others);
     if (std::ranges::find(objects, name, &DrawnObject::name) != objects.end()) continue;
-    objects.push_back({.block = outline_of(condition.asked.scene.block), .name = name});
+    objects.push_back({.block = outline_of(condition.asked.scene.block),
+                       .geometry = dynamics::geometry_of(mean_block(condition.asked.scene)),
+                       .name = name});
     if (objects.size() == most_drawn) break;
   }
   return objects;
@@ -43,9 +47,20 @@ constexpr double most_high = 38.0, letter = 1.55, height_label = 3.0;
 
 double wide(const BlockOutline& block) { return block.right() - block.left(); }
 
+/// Whether both edges are as far from the centre of mass.
+bool is_even(const BlockOutline& block) { return block.centre_x == 0.5 * block.base; }
+
+/// The distance of the edges, or that of each from the centre of mass.
+std::string base_in_words(const BlockOutline& block) {
+  const std::string distance =
+      is_even(block) ? significant(block.base, 3)
+                     : significant(block.centre_x, 3) + " + " + significant(block.base - block.centre_x, 3);
+  return distance + " m";
+}
+
 double cell_of(const DrawnObject& object, double scale) {
-  return std::max(1000.0 * wide(object.block) / scale + beside_a_block,
-                  letter * static_cast<double>(object.name.size()));
+  const std::size_t letters = std::max(object.name.size(), base_in_words(object.block).size() + 2);
+  return std::max(1000.0 * wide(object.block) / scale + beside_a_block, letter * static_cast<double>(letters));
 }
 
 double width_of(const std::vector<DrawnObject>& objects, double scale) {
@@ -96,7 +111,7 @@ class ObjectDrawing {
                "<path d=\"M{0:.2f} {1} L{2:.2f} {3:.2f}{4}\" fill=\"none\" stroke=\"#000\" stroke-width=\".2\" "
                "stroke-dasharray=\"1 .7\"/>\n<circle cx=\"{2:.2f}\" cy=\"{3:.2f}\" r=\".7\"/>\n",
                x(block_.base), floor_line, x(block_.centre_x), y(block_.centre_height),
-               is_even() ? "" : fmt::format(" L{:.2f} {}", x(0.0), floor_line)) +
+               is_even(block_) ? "" : fmt::format(" L{:.2f} {}", x(0.0), floor_line)) +
            sizes();
   }
 
@@ -105,26 +120,21 @@ class ObjectDrawing {
     return middle_ + 1000.0 * (metres - 0.5 * (block_.left() + block_.right())) / scale_;
   }
   [[nodiscard]] double y(double metres) const { return floor_line - 1000.0 * metres / scale_; }
-  /// Whether both edges are as far from the centre of mass.
-  [[nodiscard]] bool is_even() const { return block_.centre_x == 0.5 * block_.base; }
 
-  /// The distance of the edges, or that of each from the centre of mass, and the height: that of the centre of mass where no
-  /// other is known.
+  /// base_in_words(), and the height: that of the centre of mass where no other is known.
   [[nodiscard]] std::string sizes() const {
     const double left = x(0.0), right = x(block_.base), side = x(block_.left());
     const double high = block_.is_given ? block_.top() : block_.centre_height;
-    const std::string middle = is_even() ? "" : fmt::format(" M{:.2f} 49 V50.4", x(block_.centre_x));
-    const std::string width =
-        is_even() ? significant(block_.base, 3)
-                  : significant(block_.centre_x, 3) + " + " + significant(block_.base - block_.centre_x, 3);
+    const std::string middle = is_even(block_) ? "" : fmt::format(" M{:.2f} 49 V50.4", x(block_.centre_x));
     return fmt::format(
                "<path d=\"M{0:.2f} 49 V50.4 M{1:.2f} 49 V50.4{2} M{0:.2f} 49.7 H{1:.2f} M{3:.2f} {4:.2f} H{5:.2f} "
                "M{3:.2f} {6} H{5:.2f} M{7:.2f} {4:.2f} V{6}\" fill=\"none\" stroke=\"#000\" stroke-width=\".2\"/>\n",
                left, right, middle, side - 3.0, y(high), side - 1.6, floor_line, side - 2.3) +
            fmt::format(
-               "<text x=\"{:.2f}\" y=\"53\" font-size=\"2.8\" text-anchor=\"middle\">{} m</text>\n<text x=\"{:.2f}\" "
+               "<text x=\"{:.2f}\" y=\"53\" font-size=\"2.8\" text-anchor=\"middle\">{}</text>\n<text x=\"{:.2f}\" "
                "y=\"{:.2f}\" font-size=\"2.8\" text-anchor=\"end\">{} m</text>\n",
-               0.5 * (left + right), width, side - 3.6, 0.5 * (floor_line + y(high)) + 1.0, significant(high, 3));
+               0.5 * (left + right), base_in_words(block_), side - 3.6, 0.5 * (floor_line + y(high)) + 1.0,
+               significant(high, 3));
   }
 
   BlockOutline block_;
@@ -159,6 +169,29 @@ std::string object_drawings(const Report& report) {
       "stroke-width=\".5\"/>\n<text x=\"{7:.1f}\" y=\"{8}\" font-size=\"2.4\" text-anchor=\"end\">scale 1 : "
       "{4}</text>\n</svg>\n",
       width, bottom - top + 2.5, top, label, significant(scale, 4), drawn, floor_line, width - 1.0, bottom + 1.5);
+}
+
+std::string object_facts(const Report& report, const std::optional<double>& share_of_balance) {
+  constexpr double degree = std::numbers::pi / 180.0;
+  std::vector<std::string> headings{"centre of mass above the base [m]", "base", "balance at &psi; [degrees]"};
+  if (share_of_balance) headings.push_back(significant(*share_of_balance, 3) + " &psi; [degrees]");
+  std::string rows, head;
+  for (const std::string& heading : headings) head += "<th>" + heading + "</th>";
+  for (const auto& [block, geometry, name] : objects_of(report)) {
+    const auto angles = [&edges = geometry.edges](double share) {
+      const std::string left = significant(share * edges[0].shape_angle / degree, 3);
+      const std::string right = significant(share * edges[1].shape_angle / degree, 3);
+      return left == right ? left : left + " left, " + right + " right";
+    };
+    std::vector<std::string> cells{significant(block.centre_height, 3), base_in_words(block), angles(1.0)};
+    if (share_of_balance) cells.push_back(angles(*share_of_balance));
+    rows += "<tr><th>" + escaped(name) + "</th>";
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      rows += fmt::format("<td data-label=\"{}\">{}</td>", headings[i], cells[i]);
+    }
+    rows += "</tr>\n";
+  }
+  return fmt::format("<table><thead><tr><th></th>{}</tr></thead>\n<tbody>\n{}</tbody></table>\n", head, rows);
 }
 
 }  // namespace rocking::analysis

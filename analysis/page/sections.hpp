@@ -55,6 +55,8 @@ namespace rocking::analysis {
 
 /// Inline SVG: what the sweep makes of the block, at most five options side by side to one scale, with their sizes.
 [[nodiscard]] std::string object_drawings(const Report& report);
+/// Their numbers as a table: centre of mass, base, and the tilts of balance, or of a share of it, in degrees.
+[[nodiscard]] std::string object_facts(const Report& report, const std::optional<double>& share_of_balance);
 
 /// HTML: how many findings are fine, and those that need attention.
 [[nodiscard]] std::string trust_in_brief(const std::vector<Finding>& findings);

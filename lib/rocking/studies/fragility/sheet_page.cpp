@@ -95,7 +95,12 @@ std::string motions(const SheetContent& sheet) {
          (missing ? fmt::format("<p class=\"small\">{}.</p>\n", escaped(in_words(*missing))) : "");
 }
 
-/// The options to scale beside the curves.
+/// The share of balance that a tilt must exceed.
+std::optional<double> share_of_balance(const ResponseEvent& event) {
+  return event.name == EventName::tilt ? std::optional(event.threshold) : std::nullopt;
+}
+
+/// The options to scale beside the curves, and their numbers.
 std::string top(const SheetContent& sheet) {
   const std::string event = escaped(words_of(event_of(sheet)));
   const std::string curve =
@@ -105,7 +110,8 @@ std::string top(const SheetContent& sheet) {
                                     "the intensity\"><p class=\"small\">Probability of {0}: means over the records, "
                                     "the law or the nearest shares that do not decrease, and their bands.</p></div>\n",
                                     event, data_address("png", sheet.curve_png));
-  return "<div class=\"top\">\n<div class=\"object\">" + object_drawings(sheet.run) + "</div>\n" + curve + "</div>\n";
+  return "<div class=\"top\">\n<div class=\"object\">" + object_drawings(sheet.run) + "</div>\n" + curve + "</div>\n" +
+         object_facts(sheet.run, share_of_balance(event_of(sheet)));
 }
 
 /// A number with its interval below. `label`: heading of its column, for narrow screens.

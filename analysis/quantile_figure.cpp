@@ -119,12 +119,13 @@ void add_quantiles(const SweepView& view, std::size_t number, const Drawn& drawn
   add("q95", outer, legend);
 }
 
-bool has_values(const Report& report, const Drawn& drawn) {
+/// Whether any quantile is not 0.
+bool shows_something(const Report& report, const Drawn& drawn) {
   return std::ranges::any_of(report.conditions, [&](const ReportedCondition& condition) {
     const auto found = drawn.quantiles(condition.result.peaks);
     if (!found) return false;
-    const auto is_there = [](const stats::QuantileEstimate& quantile) { return quantile.value.has_value(); };
-    return std::ranges::any_of(found->levels, is_there);
+    const auto is_seen = [](const stats::QuantileEstimate& quantile) { return quantile.value.value_or(0.0) != 0.0; };
+    return std::ranges::any_of(found->levels, is_seen);
   });
 }
 
@@ -180,7 +181,7 @@ Table quantiles_of_condition(const Report& report, const ReportedCondition& cond
 std::vector<Figure> quantile_figures(const Report& report) {
   std::vector<Figure> figures;
   for (const Drawn& drawn : drawn_quantities) {
-    if (has_values(report, drawn)) figures.push_back(quantile_figure(report, drawn));
+    if (shows_something(report, drawn)) figures.push_back(quantile_figure(report, drawn));
   }
   return figures;
 }

@@ -1,12 +1,14 @@
 // Whether runs under the same shaking respond alike.
 
 #include <algorithm>
+#include <optional>
 
 #include <fmt/format.h>
 
 #include "analysis/page/html.hpp"
 #include "analysis/page/sections.hpp"
 #include "analysis/page/words.hpp"
+#include "rocking/output/mode_table.hpp"
 #include "rocking/output/overview.hpp"
 #include "rocking/text/number_text.hpp"
 
@@ -48,6 +50,26 @@ std::string alike(const Report& report) {
          " suffices for the response mode." + limit;
 }
 
+/// Where blocks slide without rocking: how far they slip, in the condition where that is most; otherwise empty.
+std::string slip_in_brief(const Report& report) {
+  std::optional<std::size_t> farthest;
+  double most = 0.0;
+  for (std::size_t i = 0; i < report.conditions.size(); ++i) {
+    const ReportedCondition& condition = report.conditions[i];
+    if (!condition.result.peaks.slip || count_of(condition, {.kind = section::ResponseKind::slide}) == 0) continue;
+    const double slip = quantile_at(condition.result.peaks.slip->metres, 0.95).value.value_or(0.0);
+    if (slip > most) farthest = i;
+    most = std::max(most, slip);
+  }
+  if (!farthest) return "";
+  const auto& metres = report.conditions[*farthest].result.peaks.slip->metres;
+  const std::string median = significant(quantile_at(metres, 0.5).value.value_or(0.0), 3);
+  return fmt::format(
+      "<dt>Slip</dt><dd>{}<strong>{} m</strong> in the median, at most {} m in 95 % of the realisations.</dd>\n",
+      report.conditions.size() == 1 ? "" : "Farthest at " + with_symbols(condition_name(report, *farthest)) + ": ",
+      median, significant(most, 3));
+}
+
 }  // namespace
 
 std::string suite_in_brief(const Report& report, const std::string& sentence) {
@@ -62,9 +84,9 @@ std::string answer_in_brief(const Report& report) {
                                                   : responses_in_brief(report) + modes_in_brief(report);
   return fmt::format(
       "<dl class=\"short\">\n<dt>Overturning</dt><dd>{}</dd>\n<dt>{}</dt><dd>{}</dd>\n"
-      "<dt>Repeatability</dt><dd>{}</dd>\n</dl>\n",
+      "{}<dt>Repeatability</dt><dd>{}</dd>\n</dl>\n",
       overturning_in_brief(report), is_random && !lone ? "Most likely response" : "Response", responses,
-      repeatability(report));
+      slip_in_brief(report), repeatability(report));
 }
 
 std::string repeatability(const Report& report) {

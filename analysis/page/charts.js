@@ -24,7 +24,20 @@ var charts = (function () {
     Dygraph.Plotters.linePlotter(event);
   }
 
+  // Layers without an entry in the legend belong to the nearest layer of their colour that has one.
+  function assign(panel) {
+    panel.layers.forEach(function (layer, place) {
+      var near = null;
+      panel.layers.forEach(function (other, i) {
+        if (!other.legend || other.colour !== layer.colour) return;
+        if (near === null || Math.abs(i - place) < Math.abs(near - place)) near = i;
+      });
+      layer.owner = layer.legend || (near === null ? '' : panel.layers[near].legend);
+    });
+  }
+
   function Chart(panel, figure, parent) {
+    assign(panel);
     this.panel = panel;
     this.hidden = {};
     this.series = series.of(panel);
@@ -78,7 +91,7 @@ var charts = (function () {
     var interaction = Object.assign({}, Dygraph.defaultInteractionModel);
     interaction.dblclick = function () { chart.reset(); };
     return { labels: names, series: looks, customBars: true, fillAlpha: 0.18,
-      axes: { x: Object.assign(axis(panel.x), { valueFormatter: shapes.brief }), y: axis(panel.y) },
+      axes: { x: Object.assign(axis(panel.x), { valueFormatter: shapes.brief, pixelsPerLabel: 45 }), y: axis(panel.y) },
       xlabel: shapes.labelOf(panel.x), ylabel: shapes.labelOf(panel.y), dateWindow: this.home.dateWindow.slice(),
       valueRange: this.home.valueRange.slice(), gridLineColor: '#dde2e7', axisLineColor: '#555', axisLabelFontSize: 13,
       xLabelHeight: 26, yLabelWidth: 20, highlightCircleSize: 5, showRoller: false, interactionModel: interaction,
@@ -104,7 +117,7 @@ var charts = (function () {
     context.rect(area.x, area.y, area.w, area.h);
     context.clip();
     this.boxes.forEach(function (layer) {
-      if (chart.hidden[layer.legend]) return;
+      if (chart.hidden[layer.owner]) return;
       layer.columns[0].forEach(function (unused, i) {
         var left = place(layer.columns[0][i]), right = place(layer.columns[1][i]);
         var top = area.y, bottom = area.y + area.h;
@@ -122,7 +135,7 @@ var charts = (function () {
     var chart = this;
     this.hidden[legend] = hidden;
     this.series.curves.forEach(function (curve, i) {
-      if (curve.legend === legend) chart.graph.setVisibility(i, !hidden);
+      if (curve.owner === legend) chart.graph.setVisibility(i, !hidden);
     });
     this.graph.updateOptions({});
   };
@@ -166,13 +179,13 @@ var charts = (function () {
     this.places().forEach(function (place) { if (near === null || Math.abs(place - x) < Math.abs(near - x)) near = place; });
     var row = this.series.rows[this.series.xs.indexOf(near)];
     this.series.curves.forEach(function (curve, i) {
-      if (!row || chart.hidden[curve.legend] || row[i + 1][1] === null || isNaN(row[i + 1][1])) return;
+      if (!row || chart.hidden[curve.owner] || row[i + 1][1] === null || isNaN(row[i + 1][1])) return;
       var known = chart.series.ends[i][near];
       var ends = known ? ' [' + shapes.brief(known[0]) + ', ' + shapes.brief(known[1]) + ']' : '';
       found.push((curve.legend ? curve.legend + ': ' : '') + shapes.brief(row[i + 1][1]) + ends);
     });
     this.boxes.forEach(function (layer) {
-      if (chart.hidden[layer.legend]) return;
+      if (chart.hidden[layer.owner]) return;
       layer.columns[0].forEach(function (left, i) {
         var height = layer.kind === 'boxes' ? layer.columns[3][i] - layer.columns[2][i] : null;
         if (near < left || near > layer.columns[1][i] || height === 0) return;

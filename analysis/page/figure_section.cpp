@@ -180,10 +180,6 @@ Table upright(const Table& table) {
   return turned;
 }
 
-std::string folded(const std::string& summary, const std::string& content) {
-  return fmt::format("<details class=\"folded\"><summary>{}</summary>\n{}</details>\n", summary, content);
-}
-
 }  // namespace
 
 std::string tables_html(const Report& report, const Figure& figure) {
@@ -221,7 +217,9 @@ std::string figure_with_tables_html(const Report& report, const DrawnFigure& dra
   std::string below;
   if (!figure.description.empty())
     below = fmt::format("<p class=\"description\">{}</p>\n", escaped(figure.description));
-  const std::string text = figure_html(drawn, below + tables_html(report, figure));
+  const std::string tables = tables_html(report, figure);
+  const bool is_open = tables.empty() || figure.name == "mode_probabilities";
+  const std::string text = figure_html(drawn, below + (is_open ? tables : folded("Numbers", tables)));
   const std::size_t curves = most_curves_of(figure);
   if (figure.panels.size() > most_open_panels) {
     return folded(fmt::format("{} ({} charts)", escaped(figure.title), figure.panels.size()), text);

@@ -106,6 +106,10 @@ std::string with_symbols(std::string_view text) {
 
 std::string symbol_html(std::string_view symbol) { return "<i>" + lowered(symbol) + "</i>"; }
 
+std::string folded(const std::string& summary, const std::string& content) {
+  return fmt::format("<details class=\"folded\"><summary>{}</summary>\n{}</details>\n", summary, content);
+}
+
 std::string framed(const Frame& frame, const std::string& content) {
   return head(frame) +
          fmt::format(

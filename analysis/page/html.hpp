@@ -28,6 +28,9 @@ using look::lowered;
 /// A symbol as HTML, with subscripts: `A_h`, `mu_s/mu_k`.
 [[nodiscard]] std::string symbol_html(std::string_view symbol);
 
+/// What is folded away until its summary is chosen, both HTML.
+[[nodiscard]] std::string folded(const std::string& summary, const std::string& content);
+
 /// What surrounds the content of a page.
 struct Frame {
   std::string title;

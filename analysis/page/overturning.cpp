@@ -42,9 +42,9 @@ std::string list_of(const std::vector<std::string>& parts) {
   return text;
 }
 
-/// `at A_h = 4.2`, or `in 89 of them, first at A_h = 4.2` where so many conditions have the largest share.
+/// `at A_h = 4.2`, or `in 89 conditions, first at A_h = 4.2` where so many conditions have the largest share.
 std::string place_of_largest(std::size_t equal, const std::string& first) {
-  return equal == 1 ? "at " + first : fmt::format("in {} of them, first at {}", equal, first);
+  return equal == 1 ? "at " + first : fmt::format("in {} conditions, first at {}", equal, first);
 }
 
 /// The stretches in which the block overturns.

@@ -48,6 +48,10 @@
     else fold.addEventListener('toggle', function () { charts.add(holder); }, { once: true });
   }
 
+  // Paper has no folds; the experiment file and what is too much for the screen stay away from it, too.
+  window.addEventListener('beforeprint', function () {
+    document.querySelectorAll('figure > .folded, #trust .folded, .folded:has(> .settings)').forEach(function (fold) { fold.open = true; });
+  });
   document.querySelectorAll('table.sortable').forEach(addSorting);
   document.querySelectorAll('.scroll').forEach(watchWidth);
   document.querySelectorAll('.motions').forEach(motions.add);

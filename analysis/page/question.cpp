@@ -11,6 +11,7 @@
 #include <fmt/ranges.h>
 
 #include "analysis/page/html.hpp"
+#include "analysis/page/question_values.hpp"
 #include "analysis/page/words.hpp"
 #include "rocking/figures/sweep_view.hpp"
 #include "rocking/input/quantities_in_text.hpp"
@@ -23,73 +24,6 @@ namespace rocking::analysis {
 namespace {
 
 constexpr std::size_t most_listed = 4;
-
-/// A number of each condition: `0.5 to 2`.
-template <class NumberOf>
-std::string over_conditions(const Report& report, int digits, const NumberOf& number_of_condition) {
-  NumberRange range;
-  for (const ReportedCondition& condition : report.conditions) range.add(number_of_condition(condition));
-  return range_in_words(range, digits);
-}
-
-dynamics::Geometry geometry_in(const ReportedCondition& condition) {
-  return dynamics::geometry_of(mean_block(condition.asked.scene));
-}
-
-std::string of_block(const Report& report, int digits, double dynamics::Geometry::*number) {
-  return over_conditions(report, digits, [number](const auto& each) { return geometry_in(each).*number; });
-}
-
-/// Of an edge, 0 left and 1 right. `unit`: by which the number is divided.
-std::string of_edge(const Report& report, int digits, std::size_t side, double dynamics::Edge::*number,
-                    double unit = 1.0) {
-  return over_conditions(report, digits,
-                         [=](const auto& each) { return geometry_in(each).edges[side].*number / unit; });
-}
-
-bool is_within(const std::string& pointer, const std::string& swept) {
-  return pointer == swept || pointer.starts_with(swept + '/');
-}
-
-bool is_swept(const Report& report, const std::string& pointer) {
-  return std::ranges::any_of(report.swept, [&](const std::string& swept) { return is_within(pointer, swept); });
-}
-
-std::string swept_mark(const Report& report, const std::string& pointer) {
-  return is_swept(report, pointer) ? " (swept)" : "";
-}
-
-/// The keys by which every condition gives its amplitude and its frequency, without one in which they differ.
-std::vector<std::string_view> common_keys(const Report& report) {
-  std::vector<std::string_view> keys;
-  const auto& first = report.conditions.front().shaking;
-  for (const auto given : {&Shaking::given_amplitude, &Shaking::given_frequency}) {
-    const auto is_alike = [&](const auto& each) { return each.shaking && (*each.shaking).*given == (*first).*given; };
-    if (first && std::ranges::all_of(report.conditions, is_alike)) keys.push_back((*first).*given);
-  }
-  return keys;
-}
-
-bool is_amplitude(std::string_view key) { return key.starts_with("amplitude"); }
-
-/// `A_h = 4.5`, `1.1 g`, `0.5 to 1.1 g` in HTML.
-std::string form_html(const Report& report, std::string_view key, int digits) {
-  const std::string text =
-      over_conditions(report, digits, [key](const auto& each) { return number_of(*each.shaking, key); });
-  if (key == "amplitude") return symbol_html("A_h") + " = " + text;
-  if (key == "frequency_ratio") return "<i>&Omega;</i><sub>h</sub> = " + text;
-  if (key == "amplitude_m_s2") return text + " m/s<sup>2</sup>";
-  return in_unit(key, text);
-}
-
-std::string other_form_html(const Report& report, std::string_view key) {
-  return " (" + form_html(report, other_form_of(key), 3) + ')';
-}
-
-/// The amplitude or the frequency as the file gives it, with the other form: `A_h = 4.5 (1.1 g)`.
-std::string both_forms_html(const Report& report, std::string_view key) {
-  return form_html(report, key, 6) + other_form_html(report, key);
-}
 
 /// `0.5 to 2`: a side of the blocks of all conditions; of random ones that of the first.
 std::string side_in_words(const Report& report, Quantity SceneBlock::*side) {
@@ -148,36 +82,6 @@ std::string shaking_in_brief(const Report& report) {
   return text + (is_of_mean && report.conditions.front().shaking ? " for the mean block" : "");
 }
 
-/// What the sweep sets at this place in a condition; null if nothing.
-Json swept_at(const ReportedCondition& condition, const std::string& pointer) {
-  Json value;
-  for (const Parameter& each : condition.asked.parameters) {
-    if (!is_within(pointer, each.pointer)) continue;
-    const Json whole = json_of(each.value);
-    const Json::json_pointer place(pointer.substr(each.pointer.size()));
-    if (whole.contains(place)) value = whole.at(place);
-  }
-  return value;
-}
-
-/// The values of a setting in all conditions: `0.8 to 1.2`, or the first few; if it is not swept, its value.
-std::string setting_html(const Report& report, const std::string& pointer, const Json& value) {
-  const auto text_of = [](const Json& one) { return escaped(one.is_string() ? one.get<std::string>() : brief(one)); };
-  if (!is_swept(report, pointer)) return text_of(value);
-  NumberRange numbers;
-  bool are_numbers = true;
-  std::vector<std::string> texts;
-  for (const ReportedCondition& condition : report.conditions) {
-    const Json own = swept_at(condition, pointer);
-    are_numbers = are_numbers && own.is_number();
-    if (are_numbers) numbers.add(own);
-    if (own.is_null() || std::ranges::find(texts, text_of(own)) != texts.end()) continue;
-    if (texts.size() <= most_listed) texts.push_back(text_of(own));
-  }
-  if (texts.size() > most_listed) texts.back() = "...";
-  return are_numbers ? range_in_words(numbers, 6) : fmt::format("{}", fmt::join(texts, ", "));
-}
-
 /// What each realisation draws, `friction with &sigma; = 0.03, phase`; empty if nothing is random.
 std::string random_in_brief(const Report& report) {
   std::vector<std::string> parts;
@@ -221,7 +125,8 @@ std::string friction_in_brief(const Report& report) {
 std::string entry_in_brief(const Report& report, std::size_t entry) {
   const Axis axis = axis_of_parameter(report.swept[entry]);
   const std::string name = escaped(axis.quantity) + (axis.symbol.empty() ? "" : ' ' + symbol_html(axis.symbol));
-  const std::string unit = axis.unit.empty() ? "" : ' ' + escaped(axis.unit);
+  const bool is_named = !report.conditions.front().asked.parameters[entry].name.empty();
+  const std::string unit = axis.unit.empty() || is_named ? "" : ' ' + escaped(axis.unit);
   std::vector<std::string> values;
   std::set<SweptValue> seen;
   for (const ReportedCondition& condition : report.conditions) {
@@ -332,11 +237,11 @@ std::string question_in_full(const Report& report) {
   for (const std::string_view key : common_keys(report)) {
     rows += row(is_amplitude(key) ? "amplitude of the base" : "frequency of the base", both_forms_html(report, key));
   }
-  rows += setting_rows(report, "", report.input.experiment);
-  return further_question(report) + fmt::format(
-                                        "<dl class=\"settings\">\n{}</dl>\n<details><summary>The experiment file, with "
-                                        "every default written out</summary>\n<pre tabindex=\"0\">{}</pre></details>\n",
-                                        rows, escaped(report.input.experiment.dump(2)));
+  const std::string settings = setting_rows(report, "", report.input.experiment);
+  return further_question(report) + "<dl class=\"settings\">\n" + rows + "</dl>\n" +
+         folded("All settings", "<dl class=\"settings\">\n" + settings + "</dl>\n") +
+         folded("The experiment file, with every default written out",
+                "<pre tabindex=\"0\">" + escaped(report.input.experiment.dump(2)) + "</pre>\n");
 }
 
 }  // namespace rocking::analysis

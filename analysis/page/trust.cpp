@@ -38,13 +38,19 @@ std::string trust_in_brief(const std::vector<Finding>& findings) {
 }
 
 std::string trust_in_full(const std::vector<Finding>& findings) {
-  std::string entries;
+  std::string remarks, fine;
   for (const Finding& each : findings) {
-    entries +=
+    (each.rating == Rating::fine ? fine : remarks) +=
         fmt::format("<li>{} <b>{}</b><span>{}</span></li>\n", badge(each.rating), escaped(each.name), sentence(each));
   }
-  return "<p>Possible causes of a wrong result, and what was found:</p>\n<ul class=\"checks all\">\n" + entries +
-         "</ul>\n<p><code>rocking trajectory</code> with this folder and the numbers of a condition and a realisation "
+  const auto list = [](const std::string& entries) {
+    return entries.empty() ? "" : "<ul class=\"checks all\">\n" + entries + "</ul>\n";
+  };
+  const std::string passed =
+      fmt::format("{} without remark", counted(std::ranges::count(findings, Rating::fine, &Finding::rating), "check"));
+  return "<p>Possible causes of a wrong result, and what was found:</p>\n" + list(remarks) +
+         (fine.empty() ? "" : folded(passed, list(fine))) +
+         "<p><code>rocking trajectory</code> with this folder and the numbers of a condition and a realisation "
          "prints this realisation in full.</p>\n";
 }
 

@@ -268,7 +268,7 @@ std::string overturning_line(const Report& report) {
   const std::string among =
       "in " + std::to_string(overturning) + " of " + counted(report.conditions.size(), "condition") + "; ";
   if (!most.interval) return "overturning: " + among + "first at " + name_of(where) + '\n';
-  const std::string place = equal == 1 ? "at " : "in " + std::to_string(equal) + " of them, first at ";
+  const std::string place = equal == 1 ? "at " : "in " + std::to_string(equal) + " conditions, first at ";
   return "overturning: " + among + "most likely " + place + name_of(where) + ": " + per_cent(most.estimate) + ' ' +
          per_cent(*most.interval) + " %, " + std::to_string(most.count) + " of " +
          std::to_string(where.result.realisations) + '\n';

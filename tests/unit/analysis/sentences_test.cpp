@@ -202,13 +202,13 @@ TEST(Sentences, CountTheConditionsThatShareTheLargestProbability) {
     condition["probabilities"]["overturned"] = probability;
   }
   EXPECT_THAT(overturning_in_brief(report_in(report)),
-              HasSubstr("; most likely in 3 of them, first at <i>A<sub>h</sub></i> = 3"));
+              HasSubstr("; most likely in 3 conditions, first at <i>A<sub>h</sub></i> = 3"));
   Json& conditions = report["result"]["conditions"];
   for (int i = 0; i < 8; ++i) {
     conditions.push_back(conditions[1]);
     conditions.back()["parameters"]["/friction"] = {{"static", 0.5 + 0.01 * i}, {"kinetic", 0.4}};
   }
-  EXPECT_THAT(overturning_in_brief(report_in(report)), HasSubstr("; most likely in 14 of them, first at friction"));
+  EXPECT_THAT(overturning_in_brief(report_in(report)), HasSubstr("; most likely in 14 conditions, first at friction"));
 }
 
 TEST(Sentences, SummariseOverturningWhereTheSweepHasManyCombinations) {

@@ -160,7 +160,7 @@ TEST(OverturningLine, TellsWhereItIsMostLikelyOrHowLikelyItCanBe) {
   made.add({{"/excitation/amplitude", 5.0}}, {{section::periodic(1, 1), 31}, {overturned, 9}});
   EXPECT_EQ(
       overturning_line(made.report),
-      "overturning: in 3 of 5 conditions; most likely in 2 of them, first at amplitude 3: 25.0 [12.5, 25.0] %, 10 of "
+      "overturning: in 3 of 5 conditions; most likely in 2 conditions, first at amplitude 3: 25.0 [12.5, 25.0] %, 10 of "
       "40\n");
 }
 

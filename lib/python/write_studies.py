@@ -150,7 +150,7 @@ def function(study):
     lines += [f") -> documents.{study['document']}:", f'    """{study["sentence"]}.', ""]
     lines += [f"    {line}" for line in sentences(parameters, study, of_subject)]
     lines += [""] + [f"    {line}".rstrip() for line in study["example"].replace("\\", "\\\\").split("\n")] + ['    """']
-    lines += [f"    return documents.{study['document']}(", "        answer("]
+    lines += [f"    return documents.{study['document']}(", "        *answer("]
     lines += [f"            {each}," for each in call] + ["        )", "    )"]
     return "\n".join(lines)
 

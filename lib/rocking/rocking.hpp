@@ -56,7 +56,8 @@ struct Clocks {
 /// The answer of a study.
 struct StudyAnswer {
   std::string document;              ///< JSON text, with the bytes that the program writes
-  std::vector<std::string> notices;  ///< what the program says beside it
+  std::string table;                 ///< what the program prints
+  std::vector<std::string> notices;  ///< what it says beside that
 };
 
 /// The answer of any study. `study`: its name, as `check_normal`. `question`: a JSON object of keywords, as studies_text()

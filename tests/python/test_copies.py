@@ -31,7 +31,7 @@ class Copies(unittest.TestCase):
         np.testing.assert_array_equal(again.counts, result.counts)
         np.testing.assert_array_equal(again.intervals, result.intervals)
         np.testing.assert_array_equal(again.realisations(), result.realisations())
-        self.assertEqual(again.report().text, result.report().text)
+        self.assertEqual(again.report().json, result.report().json)
         self.assertEqual(again.experiment.to_dict(), result.experiment.to_dict())
         self.assertTrue(rocking.verify(again, sample=3).is_verified)
 

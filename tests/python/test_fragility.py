@@ -172,7 +172,7 @@ class Tables(unittest.TestCase):
         result = rocking.run(swept)
         with tempfile.TemporaryDirectory() as folder:
             with open(os.path.join(folder, "rare.json"), "w") as file:
-                file.write(rare.text)
+                file.write(rare.json)
             expected = rocking.fragility(result, hazard=columns, rare=folder)
         self.assertEqual(rocking.fragility(result, hazard=columns, rare=rare), expected)
         again = rocking.rare({**swept, "sweep": [{"parameter": "/excitation/amplitude", "values": [10.0]}]},

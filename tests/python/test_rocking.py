@@ -1,6 +1,8 @@
 """Tests of the Python module: the same bits as the program."""
 
+import contextlib
 import copy
+import io
 import json
 import math
 import os
@@ -103,7 +105,7 @@ class AgainstTheProgram(ProgramTest):
                     self.program(*arguments, "-o", out, "-q")
                     with open(os.path.join(out, name)) as file:
                         theirs = file.read()
-                self.assertEqual(study().text, theirs)
+                self.assertEqual(study().json, theirs)
 
     def test_orbits_without_branches_have_none(self):
         still = changed(excitation={"kind": "harmonic", "amplitude": 4.0, "frequency_ratio": 10.0},
@@ -140,7 +142,7 @@ class AgainstTheProgram(ProgramTest):
         with open(path, "w") as file:
             file.write("".join(f"{0.01 * i} {4 * np.sin(0.3 * i)}\n" for i in range(200)))
         one, list_of_one = (rocking.motion(path, units="m/s2", periods=given) for given in (0.5, [0.5]))
-        self.assertEqual(one.text, list_of_one.text)
+        self.assertEqual(one.json, list_of_one.json)
         with self.assertRaises(rocking.InputError):
             rocking.motion(path, units="ft")
         with self.assertRaises(FileNotFoundError):
@@ -315,6 +317,28 @@ class AgainstTheProgram(ProgramTest):
             self.assertTrue(all(done <= every for done, every in told))
             self.assertEqual(told, sorted(told, key=lambda pair: pair[0]))
             self.assertTrue(not is_known or told[-1][0] == told[-1][1])
+
+    def test_show_progress_ends_its_line_with_the_last_realisation(self):
+        shown = io.StringIO()
+        with contextlib.redirect_stdout(shown):
+            rocking.run(SLAB, progress=rocking.show_progress)
+        lines = shown.getvalue().split("\n")
+        self.assertEqual((len(lines), lines[-1]), (2, ""))
+        realisations = rocking.validate(SLAB)["realisations"]
+        self.assertTrue(lines[0].endswith(f"[{'#' * 20}] {realisations} of {realisations}"))
+
+    def test_a_range_is_a_list_of_values(self):
+        swept = {**SLAB, "sweep": [{"parameter": "/excitation/amplitude", "values": range(2, 5)}]}
+        self.assertEqual([rocking.experiment(swept).parameters(i)["/excitation/amplitude"] for i in range(3)], [2, 3, 4])
+
+    def test_studies_say_what_the_program_prints(self):
+        found = rocking.check_normal(500)
+        self.assertEqual(found.table(), self.program("check-normal", "--n", "500"))
+        self.assertTrue(found.table().startswith(found.answer + "\n"))
+        amplitudes = changed(sweep=[{"parameter": "/excitation/amplitude", "values": [1.5, 2.0, 3.0]}])
+        self.assertTrue(rocking.fragility(amplitudes).answer.startswith(("median", "no law", "separated", "too few")))
+        with self.assertRaisesRegex(AttributeError, "use json"):
+            found.text
 
     def test_doctor_is_that_of_the_program(self):
         theirs = json.loads(self.program("doctor", "--json"))

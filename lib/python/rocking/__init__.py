@@ -28,7 +28,7 @@ from .hazards import Hazard, hazard
 from .intervals import clopper_pearson, colour, wilson
 from .pages import Written, draw, write_figures, write_page, write_sheet, write_tables, write_trajectory_page
 from .results import Result
-from .running import Plan, open_run, plan, resume, run
+from .running import Plan, open_run, plan, resume, run, show_progress
 from .studies import *  # noqa: F403
 from .trajectories import CONTACTS, EVENTS, TERMINATIONS, Trajectory, trajectory
 
@@ -66,6 +66,7 @@ __all__ = [
     "resume",
     "run",
     "schema",
+    "show_progress",
     "trajectory",
     "validate",
     "verify",

@@ -29,6 +29,7 @@ _GONE = {  # keys of former states, and what says more
     "leave_one_out": "interval",
     "jackknife": "interval",
     "without": "share, of the rate",
+    "text": "json, or table() for what the program prints",
 }
 
 
@@ -126,13 +127,30 @@ class Rows(List[_Row]):
 class Document(Fields):
     """What a study has found, as a file of rocking holds it. Notebooks show it with its figures."""
 
-    def __init__(self, text: str) -> None:
+    def __init__(self, text: str, table: str = "") -> None:
         super().__init__(json.loads(text))
-        self.text: str = text  #: as the program prints it
+        self.json: str = text  #: as the program writes it
+        self._table = table
+
+    @property
+    def answer(self) -> str:
+        """What the program says first, below the title: of a study with an answer in words a sentence or a few.
+
+        >>> import rocking
+        >>> rocking.check_normal(500).answer
+        '500 numbers from N(0.4, 0.03^2), sampler box-muller, seed 0x2012'
+        """
+        title = (self.data.get("experiment") or {}).get("title")
+        parts = [part.strip("\n") for part in self._table.split("\n\n")]
+        return next((part for part in parts if part.strip() and part != title), "")
+
+    def table(self) -> str:
+        """What the program prints."""
+        return self._table
 
     def _repr_html_(self) -> str:
         tables = [f"<h4>{name}</h4>{getattr(self, name)._repr_html_()}" for name in self._tables()]
-        return super()._repr_html_() + "".join(tables) + pictures("draw", [("", self.text)], shown=(0.0, None))
+        return super()._repr_html_() + "".join(tables) + pictures("draw", [("", self.json)], shown=(0.0, None))
 
     def _tables(self) -> List[str]:
         return [name for name, value in self._shown() if value and isinstance(getattr(self, name), Rows)]

@@ -239,7 +239,7 @@ def _document_of(source: Any, number: int) -> Tuple[str, str]:
     if isinstance(source, Trajectory):
         return f"source {number}", source.text()
     if isinstance(source, Document):
-        return f"source {number}", source.text
+        return f"source {number}", source.json
     raise TypeError(f"source {number} is a {type(source).__name__}: must be what a study returned, or a file")
 
 

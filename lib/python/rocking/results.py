@@ -115,7 +115,7 @@ class Result:
     def report(self) -> documents.Report:
         """The whole report (``rocking.report/1``), as the program writes it."""
         self._expect_complete()
-        return documents.Report(self._core.report(self.experiment._core, *self._provenance))
+        return documents.Report(self._core.report(self.experiment._core, *self._provenance), self.table())
 
     def realisations(self) -> npt.NDArray[Any]:
         """A structured array with a row for each finished realisation.

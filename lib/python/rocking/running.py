@@ -15,9 +15,21 @@ from .experiments import Experiment, ExperimentLike, experiment
 from .fields import interface
 from .results import Result
 
-__all__ = ["Plan", "Progress", "open_run", "plan", "resume", "run"]
+__all__ = ["Plan", "Progress", "open_run", "plan", "resume", "run", "show_progress"]
 
 Progress = Callable[[int, int], object]
+
+
+def show_progress(done: int, all: int) -> None:
+    """A bar in a terminal or a notebook, as ``progress=rocking.show_progress``. It ends its line when all is done.
+
+    >>> import rocking
+    >>> rocking.show_progress(3, 4); rocking.show_progress(4, 4)  # doctest: +NORMALIZE_WHITESPACE
+    [###############     ] 3 of 4 [####################] 4 of 4
+    """
+    width = 20
+    full = width * done // all if all else 0
+    print(f"\r[{'#' * full}{' ' * (width - full)}] {done} of {all}", end="\n" if done == all else "", flush=True)
 
 
 def processors() -> int:

@@ -24,14 +24,21 @@ Table = Union[
 
 
 class HasText(Protocol):
-    """A document, or a hazard curve."""
+    """A hazard curve."""
 
     @property
     def text(self) -> str: ...
 
 
+class HasJson(Protocol):
+    """A document."""
+
+    @property
+    def json(self) -> str: ...
+
+
 #: A path, or what stands in the file.
-Given = Union[Path, Table, HasText]
+Given = Union[Path, Table, HasText, HasJson]
 
 
 class Text(NamedTuple):
@@ -45,7 +52,7 @@ def file(name: str, given: Optional[Given]) -> Union[None, str, Text]:
     """A path, or the text of what is given; `name` is the keyword."""
     if given is None or isinstance(given, (str, os.PathLike)):
         return given if given is None else os.fspath(given)
-    text = getattr(given, "text", None)  # of a document or a hazard curve
+    text = getattr(given, "json", getattr(given, "text", None))  # of a document, of a hazard curve
     return Text(getattr(given, "file", name), text if isinstance(text, str) else _csv(_columns(given)))
 
 

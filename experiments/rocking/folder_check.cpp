@@ -58,14 +58,14 @@ FolderCheck check_of(const VerifyRequest& request) {
     const auto verify_run = [](const auto&... asked) { return rocking::verify(asked...); };
     const RunCheck check = checked("realisations", verify_run);
     all.add(check, "realisations_run_again",
-            fmt::format("{}: {} run again, all with the same bits; the report follows from them\n", request.folder,
+            fmt::format("{}: {} run again, all with the same bits; the report follows from them\n", request.name,
                         counted(check.checked, "realisation")));
   }
   for (const Study* study : found) {
     const StudyVerification& how = study->verification;
     const RunCheck check = checked(how.progress, how.verify);
     all.add(check, how.units_key,
-            fmt::format("{}/{}: {}{} run again, all with the same bits; the rest follows from them\n", request.folder,
+            fmt::format("{}/{}: {}{} run again, all with the same bits; the rest follows from them\n", request.name,
                         study->file, counted(check.checked, how.unit), how.and_more));
   }
   return all;

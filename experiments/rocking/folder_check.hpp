@@ -18,6 +18,7 @@ inline constexpr std::uint64_t largest_sample = random::realisation_limit;
 
 struct VerifyRequest {
   std::string folder;
+  std::string name;  ///< of what is verified, for readers: the folder, or the archive that was unpacked there
   std::optional<std::uint64_t> sample;
   ExecutionOptions execution{.threads = available_threads(), .max_time = {}, .loudness = {}};
 };

@@ -64,8 +64,8 @@ struct CommandGroup {
   std::span<const NamedCommand> commands;
 };
 
-constexpr std::array<NamedCommand, 3> of_running{
-    {{"run", add_run}, {"resume", add_resume}, {"verify", alone<add_verify>}}};
+constexpr std::array<NamedCommand, 4> of_running{
+    {{"run", add_run}, {"resume", add_resume}, {"verify", alone<add_verify>}, {"archive", alone<add_archive>}}};
 constexpr std::array<NamedCommand, 2> of_looking{
     {{"report", alone<add_report>}, {"trajectory", alone<add_trajectory>}}};
 constexpr std::array<NamedCommand, 4> of_tools{{{"validate", alone<add_validate>},

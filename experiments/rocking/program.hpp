@@ -32,6 +32,7 @@ using Action = std::function<ExitCode()>;
 void add_run(CLI::App& app, Action& action, const ProcessPool& pool);
 void add_resume(CLI::App& app, Action& action, const ProcessPool& pool);
 void add_verify(CLI::App& app, Action& action);
+void add_archive(CLI::App& app, Action& action);
 /// The command of a study of the list.
 void add_study(CLI::App& app, Action& action, const Study& study);
 void add_report(CLI::App& app, Action& action);

@@ -12,7 +12,7 @@ supported_systems=("Debian 12" "Debian 13" "Ubuntu 24.04")
 # Packages of the system whose names are the same on all of these systems. Boost differs: see boost_packages.
 build_packages=(
   g++ cmake make pkg-config git
-  nlohmann-json3-dev libfmt-dev libcli11-dev librandom123-dev libssl-dev libsqlite3-dev libpugixml-dev libeigen3-dev
+  nlohmann-json3-dev libfmt-dev libcli11-dev librandom123-dev libssl-dev libsqlite3-dev libpugixml-dev libzip-dev libeigen3-dev
   libgtest-dev libgmock-dev
   gnuplot-nox  # draws the figures
   weasyprint  # makes PDF of sheets

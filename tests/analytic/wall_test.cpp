@@ -69,6 +69,22 @@ TEST(Wall, BringsABlockToRestInAFiniteTime) {
   EXPECT_EQ(impacts_of(run(released(dynamics::Side::right, 0.0, 0.7), 60)).size(), 1U) << "it stays at once";
 }
 
+// e_w = 0 follows from a restitution, to rounding. The block stays all the same, and lifts anew where the base pushes it.
+TEST(Wall, LeavesNoRateAtARatioOfZero) {
+  for (double height = 2.0; height < 6.0; height += 0.25) {
+    Condition condition = released(dynamics::Side::right, 0.0, 0.2);
+    condition.scene.block.height = height;
+    condition.scene.initial.tilt_rate = -2.0;
+    const double push = 1.1 / height;  // tan(psi) is 1/height
+    condition.scene.excitation = support::recorded_by({.samples = {{0.0, push, 0.0}, {9.0, push, 0.0}}}, 10.0);
+    const std::vector<TrajectoryEvent> events = run(condition, 2).events;
+    ASSERT_GE(events.size(), 2U) << height;
+    EXPECT_EQ(events[0].tilt_rate, 0.0) << height;
+    EXPECT_EQ(events[1].kind, EventKind::lift) << height;
+    EXPECT_EQ(events[1].tau, events[0].tau) << height;
+  }
+}
+
 TEST(Wall, HoldsABlockThatIsPressedAgainstItWhateverTheAcceleration) {
   const auto pushed = [](double acceleration, dynamics::Side wall) {
     Condition condition = released(wall, 0.5, 0.0);

@@ -43,7 +43,11 @@ Question displaced(const Question& question, std::uint64_t signs, double size) {
   if (auto* harmonic = std::get_if<Harmonic>(&scene.excitation)) {
     harmonic->phase = nudge(std::get<double>(harmonic->phase));
   }
-  scene.restitution = nudge(mean_of(std::get<Quantity>(scene.restitution)));
+  if (auto* wall = std::get_if<WallRatio>(&scene.restitution)) {
+    wall->value = nudge(mean_of(wall->value));
+  } else {
+    scene.restitution = nudge(mean_of(std::get<Quantity>(scene.restitution)));
+  }
   if (scene.friction) {
     Friction& friction = *scene.friction;
     const bool equal = mean_static(friction) == mean_kinetic(friction);

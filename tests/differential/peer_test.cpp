@@ -75,6 +75,20 @@ TEST(Pulse, OverturnsBlocksToBothSidesAtTheInstantsOfAnIndependentBlock) {
   EXPECT_LE(totals.of(Outcome::grown), 4);
 }
 
+/// A group of scenes at a wall: harmonic, pulse and record, with vertical motion, drawn rate ratios, general blocks.
+class DifferentialWalls : public testing::TestWithParam<std::uint64_t> {};
+
+TEST_P(DifferentialWalls, AgreeWithAnIndependentBlockUntilRoundOffHasGrown) {
+  Totals totals;
+  for (std::uint64_t i = 0; i < block_size; ++i) ask(random_wall_question(GetParam() * block_size + i), totals);
+  EXPECT_EQ(totals.of(Outcome::split), 0);
+  EXPECT_LE(totals.of(Outcome::grown), 2);
+  EXPECT_LE(totals.looked_closer, 1);
+  EXPECT_GT(totals.entries, 10 * block_size);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, DifferentialWalls, testing::Range<std::uint64_t>(0, 10));
+
 /// Number of the first scenes that reveal the difference if the peer's question is changed.
 template <class Change>
 int noticed(int scenes, Change change, Question (&question_of)(std::uint64_t) = random_question) {
@@ -102,6 +116,14 @@ TEST(Differential, ItsScenesKnowEveryKindOfEvent) {
 TEST(Differential, NoticesARestitutionThatIsOffByATenMillionth) {
   const auto change = [](Scene& scene) { scene.restitution = mean_of(std::get<Quantity>(scene.restitution)) + 1e-7; };
   EXPECT_GE(noticed(20, change), 5);
+}
+
+TEST(Differential, NoticesARateRatioOfAWallThatIsOffByATenMillionth) {
+  const auto change = [](Scene& scene) {
+    auto& wall = std::get<WallRatio>(scene.restitution);
+    wall.value = mean_of(wall.value) + 1e-7;
+  };
+  EXPECT_GE(noticed(20, change, random_wall_question), 5);
 }
 
 TEST(Differential, NoticesAFrictionThatIsOffByATenMillionth) {

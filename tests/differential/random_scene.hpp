@@ -22,7 +22,10 @@ struct Question {
 /// A block with its mass off the middle, which cannot slip, at rest before one cycle of a sine of the base.
 [[nodiscard]] Question random_pulse_question(std::uint64_t number);
 
-/// A_h of the excitation.
+/// A block at a wall, under a sine, perhaps with a vertical one, under one cycle of a sine, or under a broken line.
+[[nodiscard]] Question random_wall_question(std::uint64_t number);
+
+/// A_h of the excitation, or the scale of a record.
 [[nodiscard]] Quantity& amplitude_of(rocking::Scene& scene);
 
 /// The question in the form that the peer takes.

@@ -250,11 +250,12 @@ Weight weight_of(const std::set<std::string>& folders) {
 // - Pulses, blocks, losses and the end of a motion as papers give them: pulse.cpp, 320 lines, and 360 of tests by closed forms.
 // - The value of a given probability: probability_bands.cpp, 400 lines with what tells it, and 160 of tests.
 // - Floors of buildings and walls: building.cpp, 420 lines with keys and reports, walls 220, and 350 of tests.
+// - Blocks at a wall against an integrator of their own (tests/differential/peer/wall_block.cpp): 370 of tests.
 TEST(TheHouse, WeighsNoMoreThanBefore) {
   const Weight product = weight_of({"lib", "analysis", "experiments"});
   EXPECT_LE(product.files, 808U);
   EXPECT_LE(product.lines, 93'670U);
-  EXPECT_LE(weight_of({"tests"}).lines, 60'510U);
+  EXPECT_LE(weight_of({"tests"}).lines, 60'881U);
 }
 
 TEST(TheHouseRules, FindAnArrowThatGoesUpOrSideways) {

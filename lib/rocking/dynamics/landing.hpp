@@ -35,9 +35,10 @@ template <CoefficientSource Coefficients>
     state.tilt_rate = after.tilt_rate;
     state.slip_rate = after.slip_rate;
   } else {
-    state.tilt_rate =
-        sticking_tilt_rate({.tilt_rate = state.tilt_rate, .slip_rate = 0.0}, restitution, context.setting.block);
-    if (state.tilt_rate * context.setting.block.open_side < 0.0) state.tilt_rate = 0.0;  // rounding at a wall
+    const double before = state.tilt_rate;
+    state.tilt_rate = sticking_tilt_rate({.tilt_rate = before, .slip_rate = 0.0}, restitution, context.setting.block);
+    const double open_side = context.setting.block.open_side;  // at a wall a ratio of 0 is one of some roundings
+    if (open_side * state.tilt_rate < 0x1p-48 * std::abs(open_side * before)) state.tilt_rate = 0.0;
   }
   if (state.tilt_rate != 0.0) state.side = sign(state.tilt_rate);
   if (state.slip_rate != 0.0) state.slip_direction = sign(state.slip_rate);

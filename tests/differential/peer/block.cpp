@@ -12,6 +12,7 @@
 #include "differential/peer/impact.hpp"
 #include "differential/peer/mechanics.hpp"
 #include "differential/peer/timetable.hpp"
+#include "differential/peer/wall_block.hpp"
 
 namespace rocking::peer {
 namespace {
@@ -54,8 +55,8 @@ class Block final : private Equations {
   [[nodiscard]] Stance stance(const Vector& y) const { return {side_, y[0], y[1]}; }
   [[nodiscard]] Balance balance_at(double time, const Vector& y) const {
     const double a = alpha_at(time);
-    return contact_ == Contact::rock ? sticking(body_, stance(y), a)
-                                     : sliding(body_, stance(y), a, direction_, friction_.sliding);
+    return contact_ == Contact::rock ? sticking(body_, stance(y), {a})
+                                     : sliding(body_, stance(y), {a}, direction_, friction_.sliding);
   }
 
   [[nodiscard]] Vector rates(double time, const Vector& y) const override {
@@ -94,7 +95,7 @@ class Block final : private Equations {
     if (!scene_.friction) return true;
     if (now.normal > 0.0) return std::abs(now.friction) <= friction_.at_rest * now.normal;
     const double direction = -sign_of(now.friction);
-    const Balance slipping = sliding(body_, stance(y_), alpha(), direction, friction_.sliding);
+    const Balance slipping = sliding(body_, stance(y_), {alpha()}, direction, friction_.sliding);
     return slipping.normal <= 0.0 || direction * slipping.v_dot <= 0.0;
   }
   /// abs(alpha) at which a block at rest leaves its place, pushed over the edge of `side`.
@@ -198,7 +199,7 @@ class Block final : private Equations {
 
   void leave_full_contact(double push, bool at_threshold) {
     const bool was_sliding = contact_ == Contact::slide;
-    const Balance upright = sticking(body_, {push, 0.0, 0.0}, alpha());
+    const Balance upright = sticking(body_, {push, 0.0, 0.0}, {alpha()});
     const bool too_slippery = scene_.friction && friction_.at_rest <= body_.tangent(push);
     if (!too_slippery && (at_threshold || grips(upright) || tips_when_sliding(push))) {
       side_ = push;
@@ -215,7 +216,7 @@ class Block final : private Equations {
   /// Whether slip in `direction` would not be reversed at once. (With mu_s = mu_k its acceleration may start at 0.)
   [[nodiscard]] bool slip_would_last(double direction) const {
     constexpr double rounding = 1e-9;  // of accelerations at an onset that was found as a root
-    return direction * sliding(body_, stance(y_), alpha(), direction, friction_.sliding).v_dot >= -rounding;
+    return direction * sliding(body_, stance(y_), {alpha()}, direction, friction_.sliding).v_dot >= -rounding;
   }
 
   void slip(double direction) {
@@ -228,7 +229,7 @@ class Block final : private Equations {
 
   void slip_if_loose() {
     if (contact_ != Contact::rock) return;
-    const Balance now = sticking(body_, stance(y_), alpha());
+    const Balance now = sticking(body_, stance(y_), {alpha()});
     if (!grips(now)) slip(-sign_of(now.friction));
   }
 
@@ -248,7 +249,7 @@ class Block final : private Equations {
       contact_ = Contact::rest;
       return tell_of("slide_stop");
     }
-    const Balance now = sticking(body_, stance(y_), alpha());
+    const Balance now = sticking(body_, stance(y_), {alpha()});
     const double direction = -sign_of(now.friction);
     if (!grips(now) && slip_would_last(direction)) {
       direction_ = direction;
@@ -290,8 +291,8 @@ class Block final : private Equations {
   /// w' towards the ground of a block that stands on the edge of `side`.
   [[nodiscard]] double pull(double side) const {
     const Stance stance{side, 0.0, 0.0};
-    const Balance now = contact_ == Contact::rock ? sticking(body_, stance, alpha())
-                                                  : sliding(body_, stance, alpha(), direction_, friction_.sliding);
+    const Balance now = contact_ == Contact::rock ? sticking(body_, stance, {alpha()})
+                                                  : sliding(body_, stance, {alpha()}, direction_, friction_.sliding);
     return -side * now.w_dot;
   }
 
@@ -336,6 +337,7 @@ class Block final : private Equations {
 Story story_of(const Scene& scene, std::int64_t periods, const Care& care) {
   CvodeFlow flow(
       {.relative = 2e-14, .absolute = 1e-15, .longest_step = Timetable(scene).period() / care.steps_per_period});
+  if (scene.open_side != 0.0) return story_at_wall(scene, periods, care.shortest_hop, flow);
   return Block(scene, periods, care.shortest_hop, flow).tell();
 }
 

@@ -32,7 +32,8 @@ double Coefficients::amplitude(std::int64_t period) const {
 double Coefficients::next_restitution() {
   const std::uint64_t index = (chatters_ << 32U) + impacts_++;
   const double e = drawn(scene_.restitution, scene_.sigmas.restitution, Source::restitution, index);
-  return scene_.sigmas.restitution == 0.0 ? e : std::clamp(e, -0.999, 1.0);
+  if (scene_.sigmas.restitution == 0.0) return e;
+  return scene_.open_side != 0.0 ? std::clamp(e, 0.0, 0.999) : std::clamp(e, -0.999, 1.0);
 }
 
 void Coefficients::stopped() {

@@ -43,10 +43,17 @@ struct Balance {
       determinant;  ///< derivative of the residual moment with respect to w'; the motion is determined while it is > 0
 };
 
+/// Acceleration of the base over g.
+struct Shaking {
+  double alpha;
+  double vertical = 0.0;
+};
+
 /// The edge does not move relative to the base.
-[[nodiscard]] Balance sticking(const Body& body, const Stance& stance, double alpha);
+[[nodiscard]] Balance sticking(const Body& body, const Stance& stance, const Shaking& base);
 
 /// The edge slides in `direction` against the friction mu_k N.
-[[nodiscard]] Balance sliding(const Body& body, const Stance& stance, double alpha, double direction, double mu_k);
+[[nodiscard]] Balance sliding(const Body& body, const Stance& stance, const Shaking& base, double direction,
+                              double mu_k);
 
 }  // namespace rocking::peer

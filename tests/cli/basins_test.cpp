@@ -28,12 +28,13 @@ Proportion published_fraction(int column) {
   std::string amplitude;
   std::string low;
   std::string high;
+  std::string count;
   std::uint64_t n = 0;
   double per_cent = -1.0;
   cells >> amplitude >> n;
-  for (int i = 0; i <= column; ++i) cells >> per_cent >> low >> high;
-  const double count = std::round(0.01 * per_cent * static_cast<double>(n));
-  return {.successes = static_cast<std::uint64_t>(count), .trials = n};
+  for (int i = 0; i <= column; ++i) cells >> per_cent >> low >> high >> count;
+  const double successes = std::round(0.01 * per_cent * static_cast<double>(n));
+  return {.successes = static_cast<std::uint64_t>(successes), .trials = n};
 }
 
 /// The published run at A_h = 4.5 with independent random numbers.

@@ -22,18 +22,20 @@ class Basins : public rocking::support::ProgramTest {};
 Proportion published_fraction(int column) {
   std::ifstream readme(ROCKING_SOURCE_DIR "/experiments/basins/README.md");
   std::string line;
-  while (std::getline(readme, line) && line.find("      4.5  2000") == std::string::npos) {
+  while (std::getline(readme, line) && line.find("      4.5  ") == std::string::npos) {
   }
   std::istringstream cells(line);
   std::string amplitude;
+  std::string amplitude_g;
   std::string low;
   std::string high;
+  std::string count;
   std::uint64_t n = 0;
   double per_cent = -1.0;
-  cells >> amplitude >> n;
-  for (int i = 0; i <= column; ++i) cells >> per_cent >> low >> high;
-  const double count = std::round(0.01 * per_cent * static_cast<double>(n));
-  return {.successes = static_cast<std::uint64_t>(count), .trials = n};
+  cells >> amplitude >> amplitude_g >> n;
+  for (int i = 0; i <= column; ++i) cells >> per_cent >> low >> high >> count;
+  const double successes = std::round(0.01 * per_cent * static_cast<double>(n));
+  return {.successes = static_cast<std::uint64_t>(successes), .trials = n};
 }
 
 /// The published run at A_h = 4.5 with independent random numbers.

@@ -1,4 +1,5 @@
-// The snippets of lib/docs/loading.md, run for each language that is installed.
+// The snippets of lib/docs/loading.md for pandas, R and Octave, run where these are installed. Tutorial.Works/loading follows
+// the rest of it.
 
 #include <fstream>
 #include <sstream>
@@ -56,14 +57,6 @@ class Loading : public rocking::support::ProgramTest {
     for (std::string line; std::getline(lines, line);) EXPECT_THAT(output, HasSubstr(line));
   }
 };
-
-TEST_F(Loading, WorksInPlainPython) {
-  if (shell("command -v python3").exit_code != 0) GTEST_SKIP() << "python3 was not found (Debian: python3)";
-  const Outcome outcome = run_snippet("python", "python3");
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
-  expect_every_count(outcome.output);
-  EXPECT_THAT(outcome.output, HasSubstr("{'/excitation/amplitude': 4.2} (1,3)"));
-}
 
 TEST_F(Loading, WorksInPandas) {
   if (shell(debian_python + " -c 'import pandas'").exit_code != 0)

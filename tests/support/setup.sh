@@ -31,7 +31,7 @@ test_packages=(
   clang libclang-rt-14-dev clang-format libvalijson-dev
   "${python_packages[@]}"
   libopenmpi-dev openmpi-bin  # for rocking-mpi
-  python3-matplotlib  # for a tutorial
+  python3-matplotlib jq sqlite3  # for tutorials
   mypy  # to check the types of the Python module
 )
 # For `tests/all --release`, too.

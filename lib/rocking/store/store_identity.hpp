@@ -19,7 +19,8 @@ namespace rocking {
 /// 5: labels (m,n) are those of orbits, and exponents in lanes those of the realisation alone.
 /// 6: a block that sticks without contact slips as soon as that presses it on the base, with a sample there or not.
 /// 7: an impact at the strobe doubles no period, and slow orbits of 13 to 24 periods are not quasi-periodic.
-inline constexpr std::uint64_t results_version = 7;
+/// 8: an impact at a wall whose ratio of the rates is 0 leaves no rate.
+inline constexpr std::uint64_t results_version = 8;
 
 /// What a store belongs to. Only realisations of the same experiment and results version may be combined.
 struct Identity {

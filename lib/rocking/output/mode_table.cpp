@@ -243,6 +243,19 @@ ConditionColumns mode_columns(const Report& report, std::size_t most) {
   return columns;
 }
 
+std::string response_line(const Report& report) {
+  const ReportedCondition& only = report.conditions.front();
+  const section::ResponseMode mode = most_frequent_in(only);
+  const AnyShare share = share_of(only, mode);
+  if (report.conditions.size() > 1) return "";
+  const std::string name = mode.kind == section::ResponseKind::periodic ? ' ' + to_string(mode) : "";
+  const std::string response = "the block " + section::meaning_of(mode) + name;
+  if (!share.interval) return response + '\n';
+  return "most likely " + response + ": " + per_cent(share.estimate) + ' ' +
+         per_cent(*share.interval) + " %, " + std::to_string(share.count) + " of " +
+         std::to_string(only.result.realisations) + '\n';
+}
+
 std::string overturning_line(const Report& report) {
   const auto share = [](const ReportedCondition& each) {
     return share_of(each, ResponseMode{.kind = section::ResponseKind::overturned});

@@ -101,7 +101,8 @@ class Session {
   /// Works for about a millisecond; the pairs that are done, as bytes.
   [[nodiscard]] std::string work() {
     std::vector<PairOutcome> done;
-    for (const auto& group : scheduler_.work()) done.push_back({.pair = group->pair(), .summaries = group->summaries()});
+    for (const auto& group : scheduler_.work())
+      done.push_back({.pair = group->pair(), .summaries = group->summaries()});
     if (done.empty()) return {};
     const Bytes bytes = to_bytes(done);
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
@@ -128,7 +129,8 @@ class Session {
   /// What the realisations that have been counted say: at least one.
   [[nodiscard]] std::string result() const {
     const ConditionResult found = reduction_.result();
-    const Report report = report_of(experiment_, {.conditions = {found}, .digest = digest_.value_or(base::Sha256{})}, {});
+    const Report report =
+        report_of(experiment_, {.conditions = {found}, .digest = digest_.value_or(base::Sha256{})}, {});
     Json modes = Json::array();
     for (const auto& [mode, numbers] : modes_) modes.push_back(mode_in(report, mode, numbers));
     return Json({{"realisations", reduction_.realisations()},
@@ -171,7 +173,7 @@ class Session {
     const AnyShare share = share_of(report.conditions.front(), mode);
     const ModeLook look = look_of(mode);
     return {{"name", to_string(mode)},
-            {"meaning", section::meaning_of(mode)},
+            {"meaning", meaning_of(mode)},
             {"count", share.count},
             {"estimate", share.estimate},
             {"text", per_cent(share.estimate) + " %" + (share.interval ? ' ' + per_cent(*share.interval) : "")},

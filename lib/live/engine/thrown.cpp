@@ -12,7 +12,8 @@
 extern "C" {
 
 /// Of the page. Throws an exception of its own, so that it does not return.
-[[noreturn]] __attribute__((import_module("page"), import_name("fail"))) void page_fail(const char* text, std::size_t size);
+[[noreturn]] __attribute__((import_module("page"), import_name("fail"))) void page_fail(const char* text,
+                                                                                        std::size_t size);
 
 void* __cxa_allocate_exception(std::size_t size) noexcept;
 [[noreturn]] void __cxa_throw(void* thrown, std::type_info* type, void (*destroy)(void*));

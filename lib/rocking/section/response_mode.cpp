@@ -23,15 +23,6 @@ constexpr auto named_kinds = std::to_array<NamedKind>(
      {ResponseKind::unresolved, "unresolved", "could not be classified"}});
 static_assert(named_kinds.size() == static_cast<std::size_t>(ResponseKind::unresolved), "a kind has no name");
 
-std::string in_words(int number) {
-  constexpr std::array<const char*, 13> words{"no",    "one",   "two",  "three", "four",   "five",  "six",
-                                              "seven", "eight", "nine", "ten",   "eleven", "twelve"};
-  const auto place = static_cast<std::size_t>(number);
-  return place < words.size() ? words[place] : std::to_string(number);
-}
-
-std::string times(int number) { return number == 1 ? "once" : number == 2 ? "twice" : in_words(number) + " times"; }
-
 }  // namespace
 
 std::string to_string(const ResponseMode& mode) {
@@ -44,12 +35,6 @@ std::string to_string(const ResponseMode& mode) {
 std::string_view meaning_of(ResponseKind kind) {
   const auto found = std::ranges::find(named_kinds, kind, &NamedKind::kind);
   return found == named_kinds.end() ? std::string_view() : found->meaning;
-}
-
-std::string meaning_of(const ResponseMode& mode) {
-  if (mode.kind != ResponseKind::periodic) return std::string(meaning_of(mode.kind));
-  if (mode.periods == 1) return "rocks " + times(mode.rocks) + " in every period";
-  return "rocks " + times(mode.rocks) + " in " + in_words(mode.periods) + " periods";
 }
 
 std::optional<ResponseMode> response_mode_named(std::string_view name) {

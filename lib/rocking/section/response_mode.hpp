@@ -37,9 +37,6 @@ struct ResponseMode {
 /// What a block does with a response of this kind: `overturns`; empty if it is periodic, where the numbers say it.
 [[nodiscard]] std::string_view meaning_of(ResponseKind kind);
 
-/// Explains a response mode to a reader who is new to it: `rocks once in three periods`.
-[[nodiscard]] std::string meaning_of(const ResponseMode& mode);
-
 /// The mode with this name; absent if there is none.
 [[nodiscard]] std::optional<ResponseMode> response_mode_named(std::string_view name);
 

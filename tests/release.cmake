@@ -18,6 +18,15 @@ add_test(NAME Golden.HasTheSameBitsWithEveryCompilerAndProcessor COMMAND ${CMAKE
 set_tests_properties(Golden.HasTheSameBitsWithEveryCompilerAndProcessor PROPERTIES
   SKIP_RETURN_CODE 77 TIMEOUT 1800 LABELS golden PROCESSORS 2 COST 250)
 
+# live.html in Chromium, and its engine without a browser.
+add_test(NAME Live.IsBuilt COMMAND ${CMAKE_COMMAND} --build ${PROJECT_BINARY_DIR} --target live)
+set_tests_properties(Live.IsBuilt PROPERTIES
+  FIXTURES_SETUP live SKIP_REGULAR_EXPRESSION "live.html needs" TIMEOUT 1800 LABELS browser PROCESSORS 2 COST 400)
+add_test(NAME Live.HasTheBitsOfTheProgramInABrowser
+  COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/browser/run $<TARGET_FILE:rocking> ${CMAKE_CURRENT_BINARY_DIR}/live ${PROJECT_BINARY_DIR}/live.html)
+set_tests_properties(Live.HasTheBitsOfTheProgramInABrowser PROPERTIES
+  FIXTURES_REQUIRED live SKIP_RETURN_CODE 77 TIMEOUT 900 LABELS browser COST 120)
+
 # Installs the packages of the set-up on bare systems made by debootstrap. Each takes about two minutes and needs the
 # network. Skipped with a message if debootstrap, the keys of an archive or the network are missing, or if the archive is
 # too slow. The system of the build also gets the packages of the build; the others refuse them.

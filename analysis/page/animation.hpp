@@ -35,6 +35,9 @@ struct Animation {
   std::vector<MotionSample> samples = {};  ///< at least two, at increasing times
 };
 
+/// What the script of a page animates, with numbers in few digits.
+[[nodiscard]] Json motion_json(const Animation& motion);
+
 /// HTML: a place in which the script of the page animates these motions, with a choice between them, and the tilt of
 /// each against time as a drawing for paper and for pages without scripts. There is at least one motion.
 [[nodiscard]] std::string animations_html(const std::vector<Animation>& motions);

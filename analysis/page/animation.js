@@ -64,16 +64,22 @@ var motions = (function () {
   }
 
   function Player(holder) {
-    this.all = JSON.parse(document.getElementById('data-' + holder.dataset.motions).textContent).map(read);
+    var all = JSON.parse(document.getElementById('data-' + holder.dataset.motions).textContent);
     this.still = window.matchMedia('(prefers-reduced-motion: reduce)');
     this.place = 0;
     this.playing = false;
-    this.build(holder);
-    this.choose(0);
+    this.build(holder, all);
+    this.show(all);
     this.listen(holder);
   }
 
-  Player.prototype.build = function (holder) {
+  // Shows the first of these motions from its beginning.
+  Player.prototype.show = function (all) {
+    this.all = all.map(read);
+    this.choose(0);
+  };
+
+  Player.prototype.build = function (holder, all) {
     var player = this;
     this.stage = shapes.make('div', { class: 'stage', tabindex: '0', role: 'group', 'aria-roledescription': 'animation',
       'aria-label': 'Animation of the block. The space bar plays and pauses; ' +
@@ -86,8 +92,8 @@ var motions = (function () {
     this.history = canvas(this.stage, 'Tilt, slip and base acceleration against time');
     this.portrait = canvas(this.stage, 'Phase portrait: tilt rate against tilt');
     this.readout = shapes.make('output', { class: 'readout', 'aria-live': 'off' }, holder);
-    if (this.all.length > 1) {
-      choice(this.bar, 'Response', this.all.map(function (motion, i) { return [i, motion.name]; }), 0,
+    if (all.length > 1) {
+      choice(this.bar, 'Response', all.map(function (motion, i) { return [i, motion.name]; }), 0,
         function (value) { player.choose(Number(value)); });
     }
     this.button = shapes.make('button', { type: 'button', text: 'Play' }, this.bar);

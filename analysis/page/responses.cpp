@@ -11,6 +11,7 @@
 #include "analysis/page/html.hpp"
 #include "analysis/page/sections.hpp"
 #include "analysis/run_figures.hpp"
+#include "rocking/output/mode_look.hpp"
 #include "rocking/output/overview.hpp"
 #include "rocking/output/parameter_text.hpp"
 #include "rocking/text/number_text.hpp"

@@ -1,34 +1,14 @@
 #include "analysis/page/words.hpp"
 
-#include <array>
-
 #include "analysis/page/html.hpp"
 #include "rocking/figures/sweep_view.hpp"
 #include "rocking/output/parameter_text.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking::analysis {
-namespace {
-
-std::string in_words(int number) {
-  constexpr std::array<const char*, 13> words{"no",    "one",   "two",  "three", "four",   "five",  "six",
-                                              "seven", "eight", "nine", "ten",   "eleven", "twelve"};
-  const auto place = static_cast<std::size_t>(number);
-  return place < words.size() ? words[place] : std::to_string(number);
-}
-
-std::string times(int number) { return number == 1 ? "once" : number == 2 ? "twice" : in_words(number) + " times"; }
-
-}  // namespace
 
 std::string probability_text(double probability, const stats::Interval& interval) {
   return per_cent(probability) + " % " + per_cent(interval);
-}
-
-std::string meaning_of(const section::ResponseMode& mode) {
-  if (mode.kind != section::ResponseKind::periodic) return std::string(section::meaning_of(mode.kind));
-  if (mode.periods == 1) return "rocks " + times(mode.rocks) + " in every period";
-  return "rocks " + times(mode.rocks) + " in " + in_words(mode.periods) + " periods";
 }
 
 std::string place_value_html(const Parameter& parameter) {

@@ -11,9 +11,6 @@ namespace rocking::analysis {
 /// `98.5 % [94.4, 99.8]`.
 [[nodiscard]] std::string probability_text(double probability, const stats::Interval& interval);
 
-/// Explains a response mode to a reader who is new to it: `rocks once in three periods`.
-[[nodiscard]] std::string meaning_of(const section::ResponseMode& mode);
-
 /// A value of a swept parameter as HTML, with its unit: `4.5`, `1.05 g`.
 [[nodiscard]] std::string place_value_html(const Parameter& parameter);
 

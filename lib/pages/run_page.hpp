@@ -8,6 +8,7 @@
 
 #include "analysis/draw.hpp"
 #include "analysis/page/page.hpp"
+#include "pages/animation_of.hpp"
 #include "rocking/base/stop_request.hpp"
 #include "rocking/realisation/trajectory.hpp"
 #include "rocking/scene/experiment.hpp"
@@ -15,20 +16,6 @@
 #include "rocking/store/summary.hpp"
 
 namespace rocking::pages {
-
-/// What is shown of a realisation.
-struct AnimationExtent {
-  std::int64_t periods = 1;               ///< computed, from the start; at least 1
-  std::int64_t shown_periods = 1;         ///< the last ones, if the excitation is periodic; otherwise all are shown
-  std::size_t most_samples = 1;           ///< of what is shown
-  std::optional<int> samples_per_period;  ///< absent: as many as the eye needs
-  base::StopRequest stop = {};
-};
-
-/// A realisation as a page animates it, computed again from its seed. Absent if it ends before there are two samples.
-/// Throws base::Stopped if it is asked to stop.
-[[nodiscard]] std::optional<analysis::Animation> animation_of(const Experiment& experiment, const RealisationKey& key,
-                                                              const AnimationExtent& extent);
 
 /// The page of a realisation alone; 0 samples of the history: as many as the eye needs. Absent as animation_of.
 [[nodiscard]] std::optional<std::string> animation_page_of(const Experiment& experiment, const RealisationKey& key,

@@ -45,6 +45,7 @@ release_packages=(
   python3-pandas r-base-core octave  # to load results as in lib/docs/loading.md
   iproute2  # for the test of rocking-mpi between two hosts
   slurm-wlm munge  # for a cluster of one machine
+  clang-19 lld-19 wasi-libc libc++-19-dev-wasm32 libclang-rt-19-dev-wasm32  # for live.html
   g++-aarch64-linux-gnu libc6-dev-arm64-cross qemu-user  # to compare bits with those of another processor
 )
 

@@ -32,7 +32,7 @@ std::vector<std::string> places_of_sweep(const Json& document) {
 
 }  // namespace
 
-QuestionAsRead read_question(const Json& document, GroundMotionFiles* files, Problems& problems,
+QuestionAsRead read_question(const Json& document, RecordFields& records, Problems& problems,
                              std::span<const std::string> written) {
   QuestionAsRead read;
   FieldReader in(document, "", problems);
@@ -40,7 +40,6 @@ QuestionAsRead read_question(const Json& document, GroundMotionFiles* files, Pro
   const std::vector<std::string> swept = places_of_sweep(document);
   in.follow_sweep(swept);
   read_format(in);
-  FiledRecords records(files);
   keys_of(in, read.question, records);
   read.canonical = in.finish();
   return read;

@@ -22,9 +22,16 @@ struct QuestionAsRead {
 };
 
 /// Reads each key by itself; what values demand of each other is for check_relations.
-/// `files`: of recorded motion; null: none is looked at. Throws std::system_error where one is named that cannot be read.
 /// `written`: the keys of the file that the canonical text has; none: all.
-[[nodiscard]] QuestionAsRead read_question(const Json& document, GroundMotionFiles* files, Problems& problems,
+[[nodiscard]] QuestionAsRead read_question(const Json& document, RecordFields& records, Problems& problems,
                                            std::span<const std::string> written = {});
+
+/// The same with the files of recorded motion; null: none is looked at. Throws std::system_error where one is named that
+/// cannot be read.
+[[nodiscard]] inline QuestionAsRead read_question(const Json& document, GroundMotionFiles* files, Problems& problems,
+                                                  std::span<const std::string> written = {}) {
+  FiledRecords records(files);
+  return read_question(document, records, problems, written);
+}
 
 }  // namespace rocking

@@ -25,7 +25,22 @@ ModeLook look_of_periodic(const section::ResponseMode& mode) {
   return looks_of_others[static_cast<std::size_t>(mode.rocks * 3 + mode.periods) % looks_of_others.size()];
 }
 
+std::string in_words(int number) {
+  constexpr std::array<const char*, 13> words{"no",    "one",   "two",  "three", "four",   "five",  "six",
+                                              "seven", "eight", "nine", "ten",   "eleven", "twelve"};
+  const auto place = static_cast<std::size_t>(number);
+  return place < words.size() ? words[place] : std::to_string(number);
+}
+
+std::string times(int number) { return number == 1 ? "once" : number == 2 ? "twice" : in_words(number) + " times"; }
+
 }  // namespace
+
+std::string meaning_of(const section::ResponseMode& mode) {
+  if (mode.kind != section::ResponseKind::periodic) return std::string(section::meaning_of(mode.kind));
+  if (mode.periods == 1) return "rocks " + times(mode.rocks) + " in every period";
+  return "rocks " + times(mode.rocks) + " in " + in_words(mode.periods) + " periods";
+}
 
 ModeLook look_of(const section::ResponseMode& mode) {
   switch (mode.kind) {

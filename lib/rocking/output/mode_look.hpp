@@ -1,8 +1,13 @@
 #pragma once
 
+#include <string>
+
 #include "rocking/section/response_mode.hpp"
 
 namespace rocking {
+
+/// Explains a response mode to a reader who is new to it: `rocks once in three periods`.
+[[nodiscard]] std::string meaning_of(const section::ResponseMode& mode);
 
 /// How a response mode is drawn in all figures.
 struct ModeLook {

@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "rocking/look/text_table.hpp"
+#include "rocking/output/mode_look.hpp"
 #include "rocking/output/overview.hpp"
 #include "rocking/output/parameter_text.hpp"
 #include "rocking/output/shaking_text.hpp"
@@ -241,6 +242,18 @@ ConditionColumns mode_columns(const Report& report, std::size_t most) {
   }
   if (report.occurring().size() > shown.size()) columns.push_back(others_column(shown));
   return columns;
+}
+
+std::string response_line(const Report& report) {
+  const ReportedCondition& only = report.conditions.front();
+  const section::ResponseMode mode = most_frequent_in(only);
+  const AnyShare share = share_of(only, mode);
+  if (report.conditions.size() > 1) return "";
+  const std::string name = mode.kind == section::ResponseKind::periodic ? ' ' + to_string(mode) : "";
+  const std::string response = "the block " + meaning_of(mode) + name;
+  if (!share.interval) return response + '\n';
+  return "most likely " + response + ": " + per_cent(share.estimate) + ' ' + per_cent(*share.interval) + " %, " +
+         std::to_string(share.count) + " of " + std::to_string(only.result.realisations) + '\n';
 }
 
 std::string overturning_line(const Report& report) {

@@ -67,6 +67,10 @@ inline constexpr std::string_view peak_slip_legend = "peak slip: likewise of the
 /// is room, and after it the peak slip where a block slid without rocking.
 [[nodiscard]] std::string mode_table(const Report& report, const TableLook& look = {});
 
+/// A line on the most frequent response of the only condition, in words, with its interval where something is random; empty
+/// for several conditions.
+[[nodiscard]] std::string response_line(const Report& report);
+
 /// A line on overturning: where it is most likely, or the largest upper bound of its probability in any condition.
 [[nodiscard]] std::string overturning_line(const Report& report);
 

@@ -79,8 +79,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 9> unit_endi
 
 /// `centre height` and `m` of `centre_height_m`.
 std::pair<std::string, std::string> words_and_unit(std::string key) {
-  const auto* const unit =
-      std::ranges::find_if(unit_endings, [&key](const auto& each) { return key.ends_with(each.first); });
+  const auto unit = std::ranges::find_if(unit_endings, [&key](const auto& each) { return key.ends_with(each.first); });
   if (unit != unit_endings.end()) key.resize(key.size() - unit->first.size());
   std::ranges::replace(key, '_', ' ');
   return {key, std::string(unit == unit_endings.end() ? "" : unit->second)};

@@ -19,7 +19,7 @@ namespace {
 constexpr int digits_of_a_cell = 4;
 
 const ShakingNumber& entry_of(std::string_view key) {
-  const auto* const found = std::ranges::find(shaking_numbers, key, &ShakingNumber::key);
+  const auto found = std::ranges::find(shaking_numbers, key, &ShakingNumber::key);
   ROCKING_EXPECT(found != shaking_numbers.end());
   return *found;
 }
@@ -46,7 +46,7 @@ Given given_of(const Shaking& shaking) {
 void set_given(const Given& read, const ReadingPlace& place, Shaking& shaking) {
   constexpr std::size_t amplitudes = shaking_numbers.size() / 2;
   const auto key_among = [&](std::size_t first, const std::string& name, std::string_view& key) {
-    const auto* const begin = shaking_numbers.begin() + first;
+    const ShakingNumber* const begin = shaking_numbers.data() + first;
     const auto* const found =
         std::find_if(begin, begin + amplitudes, [&](const auto& each) { return each.key == name; });
     if (found == begin + amplitudes) return place.reject(Json(name), "is not the key of an amplitude or a frequency");

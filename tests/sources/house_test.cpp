@@ -251,11 +251,13 @@ Weight weight_of(const std::set<std::string>& folders) {
 // - The value of a given probability: probability_bands.cpp, 400 lines with what tells it, and 160 of tests.
 // - Floors of buildings and walls: building.cpp, 420 lines with keys and reports, walls 220, and 350 of tests.
 // - Blocks at a wall against an integrator of their own (tests/differential/peer/wall_block.cpp): 370 of tests.
+// - The engine in a browser (lib/live/engine): 480 lines, and 200 of headers where its files part from those that it leaves out.
+// - `archive`, a run as one file: 330 lines and 120 of tests. Names of swept values and the geometry of each option: 170 and 70.
 TEST(TheHouse, WeighsNoMoreThanBefore) {
   const Weight product = weight_of({"lib", "analysis", "experiments"});
-  EXPECT_LE(product.files, 808U);
-  EXPECT_LE(product.lines, 93'670U);
-  EXPECT_LE(weight_of({"tests"}).lines, 60'881U);
+  EXPECT_LE(product.files, 825U);
+  EXPECT_LE(product.lines, 94'853U);
+  EXPECT_LE(weight_of({"tests"}).lines, 61'126U);
 }
 
 TEST(TheHouseRules, FindAnArrowThatGoesUpOrSideways) {

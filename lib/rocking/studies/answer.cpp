@@ -154,9 +154,8 @@ StudyAnswer answer(std::string_view study, std::string_view question, const Stud
                                .processor_seconds = clocks.processor_seconds,
                                .provenance = provenance});
     if (found.write_more) std::ranges::move(found.write_more(execution).notices, std::back_inserter(found.notices));
-    return {.document = std::move(found.document),
-            .table = std::move(found.table),
-            .notices = std::move(found.notices)};
+    return {
+        .document = std::move(found.document), .table = std::move(found.table), .notices = std::move(found.notices)};
   } catch (const base::InputError& error) {
     throw with_names(error, asked.question->fields(), keyword_of);
   } catch (const UnfitQuestion& error) {

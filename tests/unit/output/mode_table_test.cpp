@@ -158,10 +158,10 @@ TEST(OverturningLine, TellsWhereItIsMostLikelyOrHowLikelyItCanBe) {
             "overturning: in 1 of 3 conditions; most likely at amplitude 3: 25.0 [12.5, 25.0] %, 10 of 40\n");
   made.add({{"/excitation/amplitude", 4.0}}, {{section::periodic(1, 1), 30}, {overturned, 10}});
   made.add({{"/excitation/amplitude", 5.0}}, {{section::periodic(1, 1), 31}, {overturned, 9}});
-  EXPECT_EQ(
-      overturning_line(made.report),
-      "overturning: in 3 of 5 conditions; most likely in 2 conditions, first at amplitude 3: 25.0 [12.5, 25.0] %, 10 of "
-      "40\n");
+  EXPECT_EQ(overturning_line(made.report),
+            "overturning: in 3 of 5 conditions; most likely in 2 conditions, first at amplitude 3: 25.0 [12.5, 25.0] "
+            "%, 10 of "
+            "40\n");
 }
 
 TEST(ModeTable, AddsUpWhatDoesNotFitIn120Columns) {

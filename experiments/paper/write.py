@@ -51,7 +51,7 @@ def citation():
 
 
 def headline(friction="0.40/0.35", amplitude="4"):
-    text = read("experiments/headline/README.md")
+    text = read("reports/headline/README.md")
     once, in_three = the(rf"^\| {friction} \| {amplitude} \| (\S+) \[.*?\] \| (\S+) \[", text)
     return {"headline_friction": friction, "headline_amplitude": amplitude, "headline_11": once, "headline_13": in_three,
             "headline_n": the(r"Per cent of (\d+) realisations", text)}

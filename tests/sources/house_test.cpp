@@ -255,7 +255,7 @@ TEST(TheHouse, WeighsNoMoreThanBefore) {
   const Weight product = weight_of({"lib", "analysis", "experiments"});
   EXPECT_LE(product.files, 808U);
   EXPECT_LE(product.lines, 93'670U);
-  EXPECT_LE(weight_of({"tests"}).lines, 60'881U);
+  EXPECT_LE(weight_of({"tests"}).lines, 60'882U);
 }
 
 TEST(TheHouseRules, FindAnArrowThatGoesUpOrSideways) {

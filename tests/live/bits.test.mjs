@@ -4,13 +4,13 @@ import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 
 import { newEngine, run } from './engine.mjs';
-import { headlines, reportOf } from './scenes.mjs';
+import { chaotic, headlines, reportOf } from './scenes.mjs';
 
 describe('the engine as WebAssembly', () => {
-  for (const text of headlines) {
+  for (const text of [...headlines, chaotic]) {
     it(`has the digests, counts and intervals of the program at ${text.match(/"amplitude":[0-9.]+/)[0]}`, () => {
       const report = reportOf(text);
-      const { facts, result } = run(text, (seconds) => console.log(`${seconds.toFixed(2)} s for 200 realisations`));
+      const { facts, result } = run(text, (seconds) => console.log(`${seconds.toFixed(2)} s`));
       assert.equal(facts.sha256, report.input.sha256);
       assert.equal(result.digest, report.result.digest);
       assert.deepEqual(facts.experiment, report.input.experiment);
@@ -20,7 +20,7 @@ describe('the engine as WebAssembly', () => {
         // Boost.Math computes in long double there, and in double here.
         probabilities[name].simultaneous.forEach((end, i) => assert.ok(Math.abs(end - interval[i]) < 1e-12, `${name}: ${end}, ${interval[i]}`));
       }
-      assert.equal(result.modes.reduce((sum, mode) => sum + mode.count, 0), 200);
+      assert.equal(result.modes.reduce((sum, mode) => sum + mode.count, 0), facts.realisations);
     });
   }
 

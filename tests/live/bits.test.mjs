@@ -34,6 +34,15 @@ describe('the engine as WebAssembly', () => {
     }
   });
 
+  it('takes no multiply-add that rounds twice', () => {
+    const twice = Uint8Array.from([0, 97, 115, 109, 1, 0, 0, 0, 1, 8, 1, 96, 3, 124, 124, 124, 1, 124, 3, 2, 1, 0, 7, 9, 1, 5,
+      102, 117, 115, 101, 100, 0, 0, 10, 12, 1, 10, 0, 32, 0, 32, 1, 162, 32, 2, 160, 11]);
+    assert.equal(new WebAssembly.Instance(new WebAssembly.Module(twice)).exports.fused(1 / 3, 3, -1), 0);
+    for (const relaxed of [twice, new Uint8Array(8)]) {
+      assert.equal(newEngine({ relaxed }).fused(1 / 3, 3, -1), -(2 ** -54));
+    }
+  });
+
   it('says what is wrong with an experiment', () => {
     assert.throws(() => newEngine().begin(headlines[0].replace('"width_m":1', '"width_m":-1')), /block\/width_m = -1/);
     assert.throws(() => newEngine().begin('{'), /line 1/);

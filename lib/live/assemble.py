@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Writes live.html: one file with the engine, its workers, the style and the scripts, whose policy allows nothing else.
 
-usage: assemble.py SOURCES ENGINE.wasm VERSION REVISION LIVE.html
+usage: assemble.py SOURCES MODULES VERSION REVISION LIVE.html
 """
 
 import base64
@@ -19,11 +19,15 @@ def policy_hash(text):
     return "'sha256-" + base64.b64encode(hashlib.sha256(text.encode()).digest()).decode() + "'"
 
 
-def main(sources, engine, version, revision, into):
+def main(sources, modules, version, revision, into):
     sources = pathlib.Path(sources)
 
     def text(*names):
         return "".join((sources / name).read_text() for name in names)
+
+    def packed(name):
+        module = (pathlib.Path(modules) / f"{name}.wasm").read_bytes()
+        return base64.b64encode(gzip.compress(module, 9, mtime=0)).decode()
 
     style = text("analysis/page/page.css", "lib/live/live.css")
     script = text("analysis/page/shapes.js", "analysis/page/animation.js", "lib/live/live.js")
@@ -33,7 +37,9 @@ def main(sources, engine, version, revision, into):
         "style": style,
         "script": script,
         "worker": text("lib/live/engine.js", "lib/live/worker.js"),
-        "engine": base64.b64encode(gzip.compress(pathlib.Path(engine).read_bytes(), 9, mtime=0)).decode(),
+        "engine": packed("rocking"),
+        "fused": packed("fused"),
+        "fusedrelaxed": packed("fused_relaxed"),
         "version": version,
         "revision": revision,
     }

@@ -15,11 +15,39 @@ var engines = (function () {
     return calls;
   }
 
-  // Throws what the engine says is wrong; the instance must then be replaced.
-  function Engine(module) {
-    var engine = this;
+  function instanceOf(bytes) { return new WebAssembly.Instance(new WebAssembly.Module(bytes)).exports.fused; }
+
+  // Three numbers whose product and sum need one rounding: digits cancel, are lost, or tie.
+  function operands(i) {
+    function number(k) { return Math.sin(i * 7.1 + k) * Math.pow(2, (i * (k + 3)) % 61 - 30); }
+    var a = number(1), b = number(2);
+    return [a, b, i % 3 === 0 ? -(a * b) : i % 3 === 1 ? -(a * b) * (1 + Math.pow(2, -(i % 53))) : number(4)];
+  }
+
+  // The fused multiply-add: that of relaxed SIMD where a browser has it and it gives the bits of the one in software, whose
+  // proof is in fused.hpp. The standard allows a browser to round twice, but then always.
+  function fusedOf(parts) {
+    var software = instanceOf(parts.fused), relaxed = null;
+    try {
+      relaxed = instanceOf(parts.relaxed);
+    } catch (unknown) {
+      return software;
+    }
+    for (var i = 0; i < 3000; ++i) {
+      var given = operands(i);
+      if (!Object.is(software.apply(null, given), relaxed.apply(null, given))) return software;
+    }
+    return relaxed;
+  }
+
+  // `parts`: the compiled `module`, and the bytes of `fused` and `relaxed`. Throws what the engine says is wrong; the
+  // instance must then be replaced.
+  function Engine(parts) {
+    var engine = this, module = parts.module;
     function fail(place, size) { throw new Error(engine.text(place, size)); }
-    this.calls = new WebAssembly.Instance(module, { page: { fail: fail }, wasi_snapshot_preview1: system(module) }).exports;
+    this.fused = parts.operation = parts.operation || fusedOf(parts);
+    this.calls = new WebAssembly.Instance(module, { page: { fail: fail, fused: parts.operation },
+      wasi_snapshot_preview1: system(module) }).exports;
     this.calls._initialize();
   }
 

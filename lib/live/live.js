@@ -39,24 +39,24 @@
     return JSON.stringify(Object.assign(experiment, { realisations: values.realisations, seed: '0x2012' }), null, 2) + '\n';
   }
 
-  function Page(module) {
+  function Page(parts) {
     this.id = 0;
     this.result = null;
     this.chosen = null;  // name of a response mode
     this.turns = {};     // realisations that were shown, by response mode
-    this.addWorkers(module);
+    this.addWorkers(parts);
     this.addPresets(document.querySelector('.presets'));
     this.addSliders(document.querySelector('.sliders'));
     this.listen();
     this.take(presets[0]);
   }
 
-  Page.prototype.addWorkers = function (module) {
+  Page.prototype.addWorkers = function (parts) {
     var page = this, code = new Blob([element('worker').textContent], { type: 'text/javascript' });
     var address = URL.createObjectURL(code), number = Math.max(1, Math.min(4, navigator.hardwareConcurrency || 2));
     function add() {
       var worker = new Worker(address);
-      worker.postMessage({ module: module });
+      worker.postMessage({ parts: parts });
       worker.onmessage = function (event) { if (event.data.id === page.id) page.hear(event.data); };
       return worker;
     }
@@ -288,17 +288,19 @@
     pen.textAlign = 'left';
   };
 
-  // The module is packed: base64 of gzip.
-  function unpacked(text) {
-    var bytes = Uint8Array.from(atob(text), function (letter) { return letter.charCodeAt(0); });
+  // A module is packed: base64 of gzip.
+  function unpacked(id) {
+    var bytes = Uint8Array.from(atob(element(id).textContent), function (letter) { return letter.charCodeAt(0); });
     var stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'));
     return new Response(stream).arrayBuffer();
   }
 
   if (typeof WebAssembly === 'undefined' || typeof DecompressionStream === 'undefined') return;
-  unpacked(element('engine').textContent).then(function (bytes) { return WebAssembly.compile(bytes); }).then(function (module) {
-    document.querySelector('div.live').hidden = false;
-    element('answer').textContent = '\u2026';
-    window.live = new Page(module);
+  Promise.all(['engine', 'fused', 'fused-relaxed'].map(unpacked)).then(function (modules) {
+    return WebAssembly.compile(modules[0]).then(function (module) {
+      document.querySelector('div.live').hidden = false;
+      element('answer').textContent = '\u2026';
+      window.live = new Page({ module: module, fused: modules[1], relaxed: modules[2] });
+    });
   });
 }());

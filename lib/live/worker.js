@@ -4,7 +4,7 @@
   'use strict';
 
   var betweenResults = 80;  // ms
-  var module = null, engine = null, question = null, isTold = false;
+  var parts = null, engine = null, question = null, isTold = false;
   var turn = new MessageChannel();  // to itself: a question that has come meanwhile is heard first
 
   function tell(message, moved) { self.postMessage(Object.assign({ id: question.id }, message), moved || []); }
@@ -42,11 +42,11 @@
 
   self.onmessage = function (event) {
     var message = event.data;
-    if (message.module) module = message.module;
+    if (message.parts) parts = message.parts;
     if (message.text) {
       question = { id: message.id, workers: message.workers, next: 2 * message.place };
       attempt(function () {
-        if (!engine) engine = new engines.Engine(module);
+        if (!engine) engine = new engines.Engine(parts);
         question.facts = engine.begin(message.text);
         tell({ facts: question.facts, counts: message.counts });
         if (!message.counts) simulate();

@@ -7,9 +7,10 @@ const page = readFileSync(process.env.LIVE, 'utf8');
 const textOf = (id) => page.match(new RegExp(`id="${id}">([^<]*(?:<(?!/script>)[^<]*)*)</script>`))[1];
 class NoChannel { port1 = {}; port2 = {}; }  // an open one would keep Node.js running
 const engines = new Function('self', 'MessageChannel', `${textOf('worker')}; return engines;`)({}, NoChannel);
-const module = new WebAssembly.Module(gunzipSync(Buffer.from(textOf('engine'), 'base64')));
+const unpacked = (id) => gunzipSync(Buffer.from(textOf(id), 'base64'));
+const parts = { module: new WebAssembly.Module(unpacked('engine')), fused: unpacked('fused'), relaxed: unpacked('fused-relaxed') };
 
-export const newEngine = () => new engines.Engine(module);
+export const newEngine = (others = {}) => new engines.Engine({ ...parts, ...others });
 
 /// Runs an experiment in one engine, and counts in another one as the page does. The last argument takes the time [s].
 export function run(text, onTime = () => {}) {

@@ -33,7 +33,8 @@ void expect_two_tables(const Database& database) {
   const std::string code = writer.step() ? writer.text(0) : "unknown";
   throw UnusableFile(database.path() + ": was written by rocking " + code + " in layout " + std::to_string(layout) +
                      ", but this program reads layout " + std::to_string(current_layout) +
-                     "; use the program that wrote it, or run the experiment again");
+                     "; use the program that wrote it, or run the experiment again. Its numbers: sqlite3 " +
+                     database.path() + " 'SELECT * FROM realisations'");
 }
 
 }  // namespace

@@ -99,6 +99,20 @@ TEST_F(RunFolder, IsResumedByAnotherVersionWhereItsResultsAreTheSame) {
   EXPECT_EQ(rocking("resume out -q").exit_code, 0);
 }
 
+TEST_F(RunFolder, IsReadInEveryLayoutThatARunWasPublishedIn) {
+  const std::filesystem::path runs = ROCKING_SOURCE_DIR "/tests/reference/runs";
+  ASSERT_TRUE(std::filesystem::exists(runs / ("layout_" + std::to_string(rocking::current_layout))));
+  for (const auto& run : std::filesystem::directory_iterator(runs)) {
+    std::filesystem::copy(run.path(), folder_ / run.path().filename());
+    const std::string folder = run.path().filename().string();
+    const auto drawn = rocking("report " + folder + " --format text");
+    EXPECT_EQ(drawn.exit_code, 0) << drawn.errors;
+    EXPECT_THAT(drawn.output, HasSubstr("66.7 [13.1, 98.4]"));
+    const auto curve = rocking("fragility " + folder + " -q");
+    EXPECT_EQ(curve.exit_code, 0) << curve.errors;
+  }
+}
+
 TEST_F(RunFolder, OfShardsGivesTheBytesOfOneRun) {
   ASSERT_EQ(rocking("run quick.json -q -o whole").exit_code, 0);
   for (const char* part : {"1", "2", "3"}) {

@@ -13,12 +13,14 @@
 #include "analysis/page/words.hpp"
 #include "rocking/figures/sweep_view.hpp"
 #include "rocking/input/quantities_in_text.hpp"
+#include "rocking/output/mode_look.hpp"
 #include "rocking/output/report.hpp"
 #include "support/sample_report.hpp"
 
 namespace {
 
 using rocking::Json;
+using rocking::meaning_of;
 using rocking::Report;
 using rocking::report_in;
 using ::testing::AllOf;

@@ -35,30 +35,32 @@ GroundMotion random_line(support::SplitMix& random, const dynamics::Geometry& bl
   return motion;
 }
 
-/// A sine, half of them with a vertical sine; one cycle of a sine; or a broken line.
-Excitation random_motion(support::SplitMix& random, const Scene& scene, std::int64_t periods) {
+/// A sine, half of them with a vertical sine.
+void shake(support::SplitMix& random, double psi, double frequency, Harmonic& sine) {
+  sine.amplitude = support::spread(random, 0.5, 12.0);
+  sine.frequency_ratio = frequency;
+  sine.phase = random.below(4) == 0 ? 0.0 : random.uniform(0.0, 6.0);
+  if (random.below(2) != 0) return;
+  VerticalHarmonic& vertical = sine.vertical.emplace();
+  vertical.amplitude = random.uniform(0.1, 0.6) / psi;
+  vertical.frequency_ratio = frequency * static_cast<double>(1 + random.below(3));
+  vertical.phase = random.uniform(0.0, 6.0);
+}
+
+/// The base moves in a sine, in one cycle of a sine, or along a broken line.
+void shake(support::SplitMix& random, std::int64_t periods, Scene& scene) {
   const double frequency = support::spread(random, 2.0, 20.0);
   const dynamics::Geometry block = dynamics::geometry_of(mean_block(scene));
-  switch (random.below(3)) {
-    case 0: {
-      Harmonic sine{.amplitude = support::spread(random, 0.5, 12.0),
-                    .frequency_ratio = frequency,
-                    .phase = random.below(4) == 0 ? 0.0 : random.uniform(0.0, 6.0)};
-      if (random.below(2) == 0) {
-        sine.vertical = VerticalHarmonic{.amplitude = random.uniform(0.1, 0.6) / block.shape_angle,
-                                         .frequency_ratio = frequency * static_cast<double>(1 + random.below(3)),
-                                         .phase = random.uniform(0.0, 6.0)};
-      }
-      return sine;
-    }
-    case 1:
-      return Pulse{.amplitude = support::spread(random, 1.0 + frequency, 2.0 + 2.0 * frequency * frequency),
-                   .frequency_ratio = frequency};
-    default: {
-      const double period = 2.0 * std::numbers::pi / frequency;
-      return support::recorded_by(random_line(random, block, period, static_cast<double>(periods)), frequency);
-    }
+  const int kind = random.below(3);
+  if (kind == 0) return shake(random, block.shape_angle, frequency, scene.excitation.emplace<Harmonic>());
+  if (kind == 1) {
+    auto& pulse = scene.excitation.emplace<Pulse>();
+    pulse.amplitude = support::spread(random, 1.0 + frequency, 2.0 + 2.0 * frequency * frequency);
+    pulse.frequency_ratio = frequency;
+    return;
   }
+  const double period = 2.0 * std::numbers::pi / frequency;
+  scene.excitation = support::recorded_by(random_line(random, block, period, static_cast<double>(periods)), frequency);
 }
 
 }  // namespace
@@ -104,7 +106,7 @@ Question random_wall_question(std::uint64_t number) {
   scene.block.wall = random.below(2) == 0 ? dynamics::Side::left : dynamics::Side::right;
   scene.restitution = WallRatio{random.below(8) == 0 ? 0.0 : random.uniform(0.05, 0.95)};
   if (random.below(3) == 0) scene.fluctuation.restitution = support::spread(random, 0.001, 0.1);
-  scene.excitation = random_motion(random, scene, question.periods);
+  shake(random, question.periods, scene);
   if (std::holds_alternative<Harmonic>(scene.excitation) && random.below(3) == 0)
     scene.fluctuation.amplitude = support::spread(random, 0.001, 0.1);
   const double open_side = mean_block(scene).open_side;

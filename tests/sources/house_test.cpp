@@ -257,7 +257,7 @@ TEST(TheHouse, WeighsNoMoreThanBefore) {
   const Weight product = weight_of({"lib", "analysis", "experiments"});
   EXPECT_LE(product.files, 825U);
   EXPECT_LE(product.lines, 94'853U);
-  EXPECT_LE(weight_of({"tests"}).lines, 61'127U);
+  EXPECT_LE(weight_of({"tests"}).lines, 61'130U);
 }
 
 TEST(TheHouseRules, FindAnArrowThatGoesUpOrSideways) {

@@ -61,9 +61,10 @@ inline void choose_start(Scene& scene, SplitMix& random) {
 inline Scene random_scene(SplitMix& random, double squattest = 1.2, double tallest = 12.0) {
   Scene scene;
   scene.block = {.width = 1.0, .height = spread(random, squattest, tallest)};
-  scene.excitation = Harmonic{.amplitude = spread(random, 0.5, 12.0),
-                              .frequency_ratio = spread(random, 2.0, 20.0),
-                              .phase = random.below(4) == 0 ? 0.0 : random.uniform(-7.0, 14.0)};
+  auto& sine = scene.excitation.emplace<Harmonic>();
+  sine.amplitude = spread(random, 0.5, 12.0);
+  sine.frequency_ratio = spread(random, 2.0, 20.0);
+  sine.phase = random.below(4) == 0 ? 0.0 : random.uniform(-7.0, 14.0);
   scene::choose_formulation(scene, random);
   scene::choose_friction(scene, random);
   scene::choose_fluctuation(scene, random);

@@ -70,6 +70,17 @@ std::optional<std::string> velocity_at_end(const std::vector<dynamics::GroundMot
          "and long periods are not those of the earthquake";
 }
 
+/// That a record ends in strong shaking, in a sentence; absent: its last sample is below a tenth of its PGA, or it is a pulse.
+std::optional<std::string> acceleration_at_end(const std::vector<dynamics::GroundMotionSample>& samples) {
+  constexpr double tolerable = 0.1, longest_pulse = 5.0;  // [s]
+  if (samples.back().time - samples.front().time <= longest_pulse) return std::nullopt;
+  const double peak = peak_acceleration(samples), last = std::abs(samples.back().horizontal);
+  if (!(last > tolerable * peak)) return std::nullopt;
+  return "ends with an acceleration of " + base::significant(last, 3) + " g, " +
+         std::to_string(std::lround(100.0 * last / peak)) +
+         " % of its PGA: it is cut in mid-motion; give the whole record, or taper its end";
+}
+
 /// What a motion has that records have not, and that another unit than the one that is taken would explain.
 void warn_of_units(GroundMotion& motion) {
   constexpr double most_usual_g = 5.0;                                     // the strongest records reach 4.4 g
@@ -126,7 +137,9 @@ GroundMotionFiles::Reading GroundMotionFiles::read(const GroundMotionReading& ho
   }
   if (!motion) return reading;
   warn_of_units(*motion);
-  if (const auto why = velocity_at_end(motion->samples, how.gravity)) motion->warnings.push_back(*why);
+  for (const auto& why : {velocity_at_end(motion->samples, how.gravity), acceleration_at_end(motion->samples)}) {
+    if (why) motion->warnings.push_back(*why);
+  }
   samples_ += motion->samples.size();
   if (samples_ > most_samples_held) {
     reading.problems.push_back({how.name, "",

@@ -147,7 +147,7 @@ void keys_of_formulation(FieldVisitor& in, Scene& scene) {
             "abs(w2/w1) of the tilt rates across an impact without slip, from which e follows; a list of two: where "
             "the left "
             "and where the right edge lands"},
-           restitution, restitution_type(), follows);
+           restitution, restitution_type(), in.follows_from({"/formulation", "/block/wall"}));
   scene.restitution = restitution_of(std::move(restitution));
   in.choice({"impact_slip_rule", "when an impact slips"}, scene.impact_slip_rule, impact_slip_rule_names, follows);
 }

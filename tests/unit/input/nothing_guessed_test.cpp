@@ -322,6 +322,12 @@ TEST_F(Records, ThatEndInMotionAreToldAndHaveNoPgvToSweep) {
   EXPECT_THAT(warnings({"offset.txt"}, 0), Contains(HasSubstr("% of its PGV")));
   EXPECT_THAT(complaint({"offset.txt"}, R"(, "pgv_m_s": 0.4)"),
               HasSubstr("needs the PGV of offset.txt, which ends with"));
+  cut.back() = 0.5 * *std::ranges::max_element(cut);
+  files_["cut.txt"] = timed(cut, 0.01);
+  EXPECT_THAT(warnings({"cut.txt"}, 0), Contains(HasSubstr("% of its PGA: it is cut in mid-motion")));
+  cut.back() = 0.0;
+  files_["cut.txt"] = timed(cut, 0.01);
+  EXPECT_THAT(warnings({"cut.txt"}, 0), Not(Contains(HasSubstr("% of its PGA"))));
 }
 
 }  // namespace

@@ -132,6 +132,17 @@ TEST(Sweep, GivesItsValuesTheirNames) {
   EXPECT_EQ(extended.conditions[3].parameters.front().name, "high");
 }
 
+TEST(Sweep, OfBlocksWithAndWithoutAWallReadsBack) {
+  const auto experiment = experiment_in(R"({"format": "rocking.experiment/1",
+    "block": {"width_m": 1, "height_m": 4}, "excitation": {"amplitude": 2, "frequency_ratio": 10},
+    "sweep": [{"parameter": "/block", "values": [{"width_m": 1, "height_m": 4},
+      {"width_m": 1, "height_m": 4, "wall": {"side": "left", "rate_ratio": 0.5}}]}]})");
+  ASSERT_EQ(experiment.conditions.size(), 2U);
+  EXPECT_EQ(experiment.conditions[0].scene.restitution, Restitution(0.0));
+  EXPECT_TRUE(experiment.conditions[1].scene.block.wall);
+  EXPECT_EQ(experiment_in(experiment.canonical_text).conditions[1].scene, experiment.conditions[1].scene);
+}
+
 TEST(Sweep, TellsForWhichOfItsValuesAConditionIsBad) {
   const auto problems = problems_with_sweep(R"([{"parameter": "/friction/kinetic", "values": [0.3, 0.4, -0.1]}])");
   ASSERT_EQ(problems.size(), 2U);

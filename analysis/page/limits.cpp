@@ -35,7 +35,8 @@ constexpr Limit limits[] = {
      "Friction has a static and a kinetic coefficient. They may fluctuate, but they do not depend on speed, pressure "
      "or wear. Whether a block slides or rocks depends on them (Shenton 1996)."},
     {"No anchorage",
-     "No bolts, restrainers, ties or neighbours; a wall is rigid, holds one side, and the block does not slide from "
+     "No bolts, restrainers, ties or neighbours; a wall is rigid, moves with the floor, holds one side, and the block "
+     "does not slide from "
      "it. Anchorage is not favourable under every shaking (Makris &amp; Zhang 2001)."},
     {"No flight",
      "An edge always touches the floor. A block that hops or bounces is outside the model (Ishiyama 1982); "

@@ -270,7 +270,7 @@ TEST(Page, AsksForALookWhereMoreThanOnePerCentOfADistributionIsClamped) {
   validity["clamped_draws"]["kinetic_friction_at_static"] = 1001;
   const Finding check = check_named(report, "clamped random numbers");
   EXPECT_EQ(check.rating, Rating::look);
-  EXPECT_THAT(check.remedy, HasSubstr("difference between /friction/static and /friction/kinetic"));
+  EXPECT_THAT(check.remedy, HasSubstr("reduce the sigma of the friction"));
   validity["clamped_draws"]["kinetic_friction_at_static"] = 10;
   validity["clamped"] = 11;
   EXPECT_EQ(check_named(report, "clamped random numbers").rating, Rating::look) << "1.1 % of the realisations";

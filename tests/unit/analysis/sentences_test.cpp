@@ -13,6 +13,7 @@
 #include "analysis/page/words.hpp"
 #include "rocking/figures/sweep_view.hpp"
 #include "rocking/input/quantities_in_text.hpp"
+#include "rocking/output/mode_look.hpp"
 #include "rocking/output/report.hpp"
 #include "support/sample_report.hpp"
 
@@ -228,9 +229,9 @@ TEST(Sentences, SummariseOverturningWhereTheSweepHasManyCombinations) {
 
 TEST(Sentences, SpeakOfResponsesInWords) {
   using rocking::section::periodic;
-  EXPECT_EQ(meaning_of(periodic(1, 1)), "rocks once in every period");
-  EXPECT_EQ(meaning_of(periodic(2, 3)), "rocks twice in three periods");
-  EXPECT_EQ(meaning_of(periodic(3, 14)), "rocks three times in 14 periods");
+  EXPECT_EQ(rocking::meaning_of(periodic(1, 1)), "rocks once in every period");
+  EXPECT_EQ(rocking::meaning_of(periodic(2, 3)), "rocks twice in three periods");
+  EXPECT_EQ(rocking::meaning_of(periodic(3, 14)), "rocks three times in 14 periods");
 }
 
 TEST(Sentences, SetSymbolsLow) {

@@ -249,13 +249,13 @@ Weight weight_of(const std::set<std::string>& folders) {
 // - `threshold`, a study: 8 files, 900 lines and 580 of tests.
 // - Pulses, blocks, losses and the end of a motion as papers give them: pulse.cpp, 320 lines, and 360 of tests by closed forms.
 // - The value of a given probability: probability_bands.cpp, 400 lines with what tells it, and 160 of tests.
-// - The engine in a browser: lib/live/engine, 10 files and 500 lines with what it shares, and 80 of tests.
+// - The engine in a browser: lib/live/engine, 10 files and 500 lines with what it shares, and 100 of tests.
 // - Floors of buildings and walls: building.cpp, 420 lines with keys and reports, walls 220, and 350 of tests.
 TEST(TheHouse, WeighsNoMoreThanBefore) {
   const Weight product = weight_of({"lib", "analysis", "experiments"});
   EXPECT_LE(product.files, 820U);
   EXPECT_LE(product.lines, 94'190U);
-  EXPECT_LE(weight_of({"tests"}).lines, 60'597U);
+  EXPECT_LE(weight_of({"tests"}).lines, 60'611U);
 }
 
 TEST(TheHouseRules, FindAnArrowThatGoesUpOrSideways) {

@@ -27,6 +27,10 @@ add_test(NAME Live.HasTheBitsOfTheProgramInABrowser
 set_tests_properties(Live.HasTheBitsOfTheProgramInABrowser PROPERTIES
   FIXTURES_REQUIRED live SKIP_RETURN_CODE 77 TIMEOUT 900 LABELS browser COST 120)
 
+add_test(NAME Live.HasACopyWithTheBitsOfTheProgram
+  COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/live/run $<TARGET_FILE:rocking> ${PROJECT_SOURCE_DIR}/reports/live.html)
+set_tests_properties(Live.HasACopyWithTheBitsOfTheProgram PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 300 LABELS browser COST 20)
+
 # Installs the packages of the set-up on bare systems made by debootstrap. Each takes about two minutes and needs the
 # network. Skipped with a message if debootstrap, the keys of an archive or the network are missing, or if the archive is
 # too slow. The system of the build also gets the packages of the build; the others refuse them.

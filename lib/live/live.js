@@ -16,11 +16,11 @@
   var presets = [
     ['The headline scene', { width: 1, height: 4, kind: 'harmonic', amplitude: 0.98, frequency: 3.01, fixed: 0.4, kinetic: 0.35,
       scatter: 0.03, realisations: 200 }],
-    ['A bookcase', { width: 0.35, height: 1.9, kind: 'harmonic', amplitude: 0.45, frequency: 2, fixed: 0.5, kinetic: 0.4,
-      scatter: 0.015, realisations: 200 }],
-    ['A rack', { width: 1.1, height: 5, kind: 'harmonic', amplitude: 0.6, frequency: 1.5, fixed: 0.35, kinetic: 0.3,
+    ['A bookcase', { width: 0.35, height: 1.9, kind: 'harmonic', amplitude: 0.55, frequency: 2.5, fixed: 0.25, kinetic: 0.2,
       scatter: 0.03, realisations: 200 }],
-    ['A statue on a pulse', { width: 0.6, height: 2, kind: 'pulse', amplitude: 0.7, frequency: 1.2, fixed: 0.5, kinetic: 0.4,
+    ['A rack', { width: 1.1, height: 5, kind: 'harmonic', amplitude: 0.9, frequency: 1.5, fixed: 0.35, kinetic: 0.3,
+      scatter: 0.03, realisations: 200 }],
+    ['A statue on a pulse', { width: 0.6, height: 1.8, kind: 'pulse', amplitude: 0.8, frequency: 1.5, fixed: 0.35, kinetic: 0.3,
       scatter: 0.05, realisations: 1000 }]
   ];
   var make = shapes.make;

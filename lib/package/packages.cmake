@@ -73,6 +73,9 @@ add_custom_target(packages
   COMMAND ${CMAKE_CPACK_COMMAND} -G DEB -B ${folder}
   COMMAND ${CMAKE_COMMAND} -E rm -rf ${folder}/_CPack_Packages)
 add_dependencies(packages installation)
+if(ROCKING_WASM_COMPILER AND ROCKING_WASM_LINKER AND ROCKING_WASM_LIBRARY)
+  add_dependencies(packages live)  # lib/live
+endif()
 if(TARGET rocking_python)
   add_dependencies(packages rocking_python)
   add_custom_command(TARGET packages POST_BUILD COMMAND ${CMAKE_COMMAND} -E env ROCKING_BUILD_FOLDER=${PROJECT_BINARY_DIR}

@@ -51,10 +51,16 @@ describe('live.html', () => {
 
   it('restarts within 50 ms of a change, and ends with the answer in words', async () => {
     const { page, close } = await openLive();
-    await ask(page, { amplitude: 0.9 });
-    const began = await page.evaluate(() => window.live.began);
-    console.log(`restarted after ${began.toFixed(1)} ms; ${await page.locator('#progress').textContent()}`);
-    assert.ok(began < 50 * (Number(process.env.SLOWNESS) || 4), `${began} ms`);
+    const times = [];
+    for (let i = 0; i < 15; ++i) {
+      await page.locator('.sliders [name=amplitude]').fill(String((50 + i) / 100));
+      await page.waitForFunction(() => window.live.began !== null);
+      times.push(await page.evaluate(() => window.live.began));
+    }
+    times.sort((a, b) => a - b);
+    await finished(page);
+    console.log(`restarts: median ${times[7].toFixed(1)} ms, slowest ${times[14].toFixed(1)} ms; ${await page.locator('#progress').textContent()}`);
+    assert.ok(times[7] < 50, `${times}`);  // the median: other processes run at the same time
     assert.match(await page.locator('#answer').textContent(), /^most likely the block .*overturning: /);
     await close();
   });

@@ -230,9 +230,9 @@ TEST(Sentences, SummariseOverturningWhereTheSweepHasManyCombinations) {
 
 TEST(Sentences, SpeakOfResponsesInWords) {
   using rocking::section::periodic;
-  EXPECT_EQ(meaning_of(periodic(1, 1)), "rocks once in every period");
-  EXPECT_EQ(meaning_of(periodic(2, 3)), "rocks twice in three periods");
-  EXPECT_EQ(meaning_of(periodic(3, 14)), "rocks three times in 14 periods");
+  EXPECT_EQ(rocking::meaning_of(periodic(1, 1)), "rocks once in every period");
+  EXPECT_EQ(rocking::meaning_of(periodic(2, 3)), "rocks twice in three periods");
+  EXPECT_EQ(rocking::meaning_of(periodic(3, 14)), "rocks three times in 14 periods");
 }
 
 TEST(Sentences, SetSymbolsLow) {

@@ -47,6 +47,20 @@ TEST(FusedInSoftware, HasThemWhereDigitsCancelOrAreHardlyFelt) {
   }
 }
 
+/// The exact sum is next to the middle between two numbers: a second rounding of the rest would put it there.
+TEST(FusedInSoftware, HasThemNextToTies) {
+  for (int k = 1; k < 100; ++k) {
+    for (int j = 0; j < 8; ++j) {
+      for (const double sign : {1.0, -1.0}) {
+        const double more = 1.0 + k * 0x1p-52, less = 1.0 - k * 0x1p-52;
+        expect_fused(more, less, sign * (0x1p53 + 2.0 * j));
+        expect_fused(sign * more, more, 0x1p53 + 2.0 * j);
+        expect_fused(0x1p-300 * more, less, sign * 0x1p-300 * (0x1p53 + 2.0 * j));
+      }
+    }
+  }
+}
+
 TEST(FusedInSoftware, HasThemAtTheEdgesOfItsRange) {
   using Limits = std::numeric_limits<double>;
   const std::array numbers{0.0,

@@ -69,6 +69,8 @@ TEST(ModeTable, RoundsNoRareModeAwayAndCountsIt) {
   EXPECT_EQ(made.lines()[1], "      4.2  300000  99.984 [99.979, 99.988] (299952)  0.016 [0.012, 0.021] (48)");
   EXPECT_EQ(overturning_line(made.report),
             "overturning: in 1 of 1 condition; most likely at amplitude 4.2: 0.016 [0.012, 0.021] %, 48 of 300000\n");
+  EXPECT_EQ(response_line(made.report),
+            "most likely the block rocks once in every period (1,1): 99.984 [99.979, 99.988] %, 299952 of 300000\n");
 }
 
 TEST(ModeTable, StaysWithinItsWidthWithCounts) {
@@ -152,6 +154,7 @@ TEST(OverturningLine, TellsWhereItIsMostLikelyOrHowLikelyItCanBe) {
   made.add({{"/excitation/amplitude", 1.0}}, {{section::periodic(1, 1), 40}, {overturned, 0}});
   made.add({{"/excitation/amplitude", 2.0}}, {{section::periodic(1, 1), 40}, {overturned, 0}});
   made.interval(1, 1).high = 0.05;
+  EXPECT_EQ(response_line(made.report), "") << "of several conditions";
   EXPECT_EQ(overturning_line(made.report), "overturning: none in 80 realisations; at most 5.0 % in each condition\n");
   made.add({{"/excitation/amplitude", 3.0}}, {{section::periodic(1, 1), 30}, {overturned, 10}});
   EXPECT_EQ(overturning_line(made.report),

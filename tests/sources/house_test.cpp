@@ -255,9 +255,9 @@ Weight weight_of(const std::set<std::string>& folders) {
 // - `archive`, a run as one file: 330 lines and 120 of tests. Names of swept values and the geometry of each option: 170 and 70.
 TEST(TheHouse, WeighsNoMoreThanBefore) {
   const Weight product = weight_of({"lib", "analysis", "experiments"});
-  EXPECT_LE(product.files, 827U);
-  EXPECT_LE(product.lines, 94'887U);
-  EXPECT_LE(weight_of({"tests"}).lines, 61'180U);
+  EXPECT_LE(product.files, 829U);
+  EXPECT_LE(product.lines, 94'917U);
+  EXPECT_LE(weight_of({"tests"}).lines, 61'179U);
 }
 
 TEST(TheHouseRules, FindAnArrowThatGoesUpOrSideways) {

@@ -1,14 +1,12 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <limits>
 #include <string_view>
 #include <variant>
 
+#include "rocking/ensemble/law_in_force.hpp"
 #include "rocking/output/findings.hpp"
 #include "rocking/plan/plan.hpp"
-#include "rocking/scene/restitution.hpp"
-#include "rocking/stats/normal_law.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking {
@@ -71,27 +69,15 @@ constexpr std::array<ClampedNumber, clamp_kinds.size()> meanings{{
 }};
 static_assert(std::ranges::equal(meanings, clamp_kinds, {}, &ClampedNumber::count, &ClampKind::count));
 
-/// Mean and standard deviation of a number with this normal law as it is in force, after clamps of a kind
-/// (lib/docs/model.md, section 5). Absent where they are not known.
-std::optional<stats::MeanAndSigma> law_in_force(const Scene& scene, std::size_t kind,
-                                                const stats::MeanAndSigma& given) {
-  const std::uint64_t Clamps::*const clamp = meanings[kind].count;
-  if (clamp == &Clamps::kinetic_at_static) {
-    const auto limit = law_of_static(scene);
-    if (!limit) return std::nullopt;
-    return stats::smaller_of_normals(given, *limit, scene.fluctuation.friction_correlation);
-  }
-  if (clamp == &Clamps::restitution) return stats::clamped_normal(given, least_restitution, largest_restitution);
-  return stats::clamped_normal(given, 0.0, std::numeric_limits<double>::infinity());
-}
-
 /// What clamps of a kind mean, with what they leave of the law: `kinetic friction below 0, which leaves a mean of 0.348 and
 /// a sigma of 0.0274, not 0.35 and 0.03`.
 std::string meaning_of(const Scene& scene, std::size_t kind) {
   const ClampedNumber& number = meanings[kind];
   const auto given = number.law == nullptr ? std::nullopt : number.law(scene);
   if (!given) return number.what;
-  const auto in_force = law_in_force(scene, kind, *given);
+  const auto in_force = law_in_force(
+      {.law = *given, .limit = law_of_static(scene), .correlation = scene.fluctuation.friction_correlation},
+      clamp_kinds[kind].key);
   if (!in_force) return number.what;
   return std::string(number.what) + ", which leaves a mean of " + significant(in_force->mean, 3) + " and a sigma of " +
          significant(in_force->sigma, 3) + ", not " + significant(given->mean, 3) + " and " +

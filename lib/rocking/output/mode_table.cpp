@@ -263,6 +263,7 @@ std::string overturning_line(const Report& report) {
   const ReportedCondition& where =
       *std::ranges::max_element(report.conditions, {}, [&share](const auto& each) { return share(each).estimate; });
   const AnyShare most = share(where);
+  const bool is_one = report.conditions.size() == 1;
   if (most.count == 0) {
     std::uint64_t without_answer = 0;
     double bound = 0.0;
@@ -272,8 +273,13 @@ std::string overturning_line(const Report& report) {
     }
     return "overturning: none in " + counted(realisations_of(report), "realisation") +
            (without_answer > 0 ? ", of which " + std::to_string(without_answer) + " ended without an answer" : "") +
-           (bound > 0.0 ? "; at most " + per_cent(bound) + " % in each condition" : "") + '\n';
+           (bound > 0.0 ? "; at most " + per_cent(bound) + (is_one ? " %" : " % in each condition") : "") + '\n';
   }
+  const auto in_numbers = [&] {
+    return per_cent(most.estimate) + ' ' + per_cent(*most.interval) + " %, " + std::to_string(most.count) + " of " +
+           std::to_string(where.result.realisations) + '\n';
+  };
+  if (is_one) return "overturning: " + (most.interval ? in_numbers() : "the block overturns\n");
   const auto overturning =
       std::ranges::count_if(report.conditions, [&share](const auto& each) { return share(each).count > 0; });
   const auto equal =
@@ -282,9 +288,7 @@ std::string overturning_line(const Report& report) {
       "in " + std::to_string(overturning) + " of " + counted(report.conditions.size(), "condition") + "; ";
   if (!most.interval) return "overturning: " + among + "first at " + name_of(where) + '\n';
   const std::string place = equal == 1 ? "at " : "in " + std::to_string(equal) + " conditions, first at ";
-  return "overturning: " + among + "most likely " + place + name_of(where) + ": " + per_cent(most.estimate) + ' ' +
-         per_cent(*most.interval) + " %, " + std::to_string(most.count) + " of " +
-         std::to_string(where.result.realisations) + '\n';
+  return "overturning: " + among + "most likely " + place + name_of(where) + ": " + in_numbers();
 }
 
 std::string mode_table(const Report& report, const TableLook& look) {

@@ -42,7 +42,7 @@ void add_archive(CLI::App& app, Action& action) {
       "you "
       "publish it.");
   command->add_option("DIR", request->folder, "Folder of the run")->required()->transform(run_folder());
-  command->add_option("-o", request->file, "The archive to be written")->required()->type_name("FILE.zip");
+  command->add_option("-o,--output", request->file, "The archive to be written")->required()->type_name("FILE.zip");
   command->add_flag("--with-records", request->with_records,
                     "Include the ground motions that the experiment names, where they may be published");
   add_loudness(*command, request->loudness);

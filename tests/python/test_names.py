@@ -22,6 +22,7 @@ FUNCTIONS = {
     "trajectory": (rocking.trajectory, rocking.Trajectory.text),
     "fragility": (rocking.fragility, rocking.write_sheet),
     "completion": (),
+    "archive": (),
 }
 # Words of a command line that have another place in Python.
 POSITIONALS = {"EXPERIMENT": "source", "PATH": "source", "FILE": "source", "SHARD": "shards", "DIR_A": "first",
@@ -31,7 +32,7 @@ OTHER_POSITIONALS = {("resume", "DIR"): "folder", ("motion", "FILE"): "files", (
 # Flags without a keyword: what they say is about files that commands write and text that they print.
 OF_COMMANDS = {
     "--help": "help()",
-    "--json": "documents have `text` and `data`",
+    "--json": "documents have `json` and `data`",
     "--quiet": "a call prints nothing",
     "--verbose": "a call prints nothing",
     "--no-progress": "`progress` is called where it is given",
@@ -48,7 +49,7 @@ OF_COMMANDS = {
     "--per-record": "the document has the records",
     "--keys": "help(rocking.documents.Report) and the like",
 }
-OF_ONE_COMMAND = {("report", "--format"): "a function for each",
+OF_ONE_COMMAND = {("report", "--format"): "a function for each", ("archive", "--with-records"): "of the program alone",
                   **{(command, flag): "draw()" for command in ("motion", "fragility", "threshold")
                      for flag in ("--pictures", "--style", "--width")}}
 # Keywords without a flag.

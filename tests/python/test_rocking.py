@@ -324,8 +324,7 @@ class AgainstTheProgram(ProgramTest):
             rocking.run(SLAB, progress=rocking.show_progress)
         lines = shown.getvalue().split("\n")
         self.assertEqual((len(lines), lines[-1]), (2, ""))
-        realisations = rocking.validate(SLAB)["realisations"]
-        self.assertTrue(lines[0].endswith(f"[{'#' * 20}] {realisations} of {realisations}"))
+        self.assertTrue(lines[0].endswith(f"[{'#' * 20}] 60 of 60"), lines[0][-60:])
 
     def test_a_range_is_a_list_of_values(self):
         swept = {**SLAB, "sweep": [{"parameter": "/excitation/amplitude", "values": range(2, 5)}]}
@@ -335,8 +334,10 @@ class AgainstTheProgram(ProgramTest):
         found = rocking.check_normal(500)
         self.assertEqual(found.table(), self.program("check-normal", "--n", "500"))
         self.assertTrue(found.table().startswith(found.answer + "\n"))
-        amplitudes = changed(sweep=[{"parameter": "/excitation/amplitude", "values": [1.5, 2.0, 3.0]}])
-        self.assertTrue(rocking.fragility(amplitudes).answer.startswith(("median", "no law", "separated", "too few")))
+        amplitudes = changed(sweep=[{"parameter": "/excitation/amplitude", "values": [1.5, 2.0, 3.0]}], title="three")
+        found = rocking.fragility(amplitudes)
+        self.assertTrue(found.table().startswith("three\n"))
+        self.assertIn("no function is fitted", found.answer)
         with self.assertRaisesRegex(AttributeError, "use json"):
             found.text
 

@@ -16,7 +16,11 @@ using look::whole;
 constexpr std::size_t most_ranges = 30;     ///< of conditions with the same stable orbits, on one screen
 constexpr std::size_t most_not_backed = 5;  ///< conditions that are listed there
 
-std::string mode_of(const Orbit& orbit) { return to_string(section::periodic(orbit.cycles, orbit.period)); }
+/// As runs call it.
+std::string mode_of(const Orbit& orbit) {
+  const bool is_at_rest = orbit.points.front().contact == dynamics::ContactState::rest && orbit.cycles == 0;
+  return is_at_rest ? "rest" : to_string(section::periodic(orbit.cycles, orbit.period));
+}
 
 /// Modulus of the largest multiplier.
 look::Cell largest_multiplier(const Stability& stability) {

@@ -204,7 +204,8 @@ void compare(const Files& files, std::vector<std::string>& faults) {
   std::map<std::string, std::string> stated;
   if (metadata.is_object() && metadata.contains("@graph")) {
     for (const Json& entity : metadata["@graph"]) {
-      if (entity.is_object() && entity.contains("sha256")) stated[entity.value("@id", "")] = entity.value("sha256", "");
+      const auto has_text = [&entity](const char* key) { return entity.contains(key) && entity[key].is_string(); };
+      if (has_text("@id") && has_text("sha256")) stated[entity["@id"]] = entity["sha256"];
     }
   }
   for (const auto& [name, bytes] : files) {
@@ -234,6 +235,7 @@ void read_records_from(const fs::path& store, const fs::path& folder) {
 }  // namespace
 
 std::vector<std::string> write_archive(const fs::path& folder, const fs::path& archive, bool with_records) {
+  if (fs::is_directory(archive)) throw UsageError(archive.string() + ": is a folder; give the name of a file");
   const RunFolder run(folder);
   run.expect_installed();
   if (!run.has_report() || !run.has_store()) {
@@ -278,9 +280,10 @@ UnpackedArchive::UnpackedArchive(const fs::path& archive) {
     }
     if (auto bytes = entry_of(zip.get(), i, name, faults_)) files[name] = *std::move(bytes);
   }
-  if (faults_.empty() && !files.contains(metadata_name)) {
+  for (const char* needed : {metadata_name, "report.json", "realisations.sqlite"}) {
+    if (!faults_.empty() || files.contains(needed)) continue;
     throw base::InputError(
-        {archive.string(), "", std::string("has no ") + metadata_name, "give an archive of `rocking archive`"});
+        {archive.string(), "", std::string("has no ") + needed, "give an archive of `rocking archive`"});
   }
   if (faults_.empty()) compare(files, faults_);
   if (!faults_.empty()) return;

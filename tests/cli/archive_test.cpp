@@ -59,6 +59,11 @@ TEST_F(AnArchive, TellsWhichFileIsNotAsItWas) {
   write("changed.zip", "no archive");
   EXPECT_EQ(rocking("verify changed.zip").exit_code, 65);
   EXPECT_EQ(rocking("verify absent.zip").exit_code, 66);
+  replace("ro-crate-metadata.json", "b\"{\\\"@graph\\\": [{\\\"@id\\\": 3, \\\"sha256\\\": 4}]}\"");
+  verified = rocking("verify changed.zip");
+  EXPECT_EQ(verified.exit_code, 1);
+  EXPECT_THAT(verified.output, HasSubstr("report.json: is not in ro-crate-metadata.json"));
+  EXPECT_EQ(rocking("archive out -o out").exit_code, 64) << "a folder";
 }
 
 TEST_F(AnArchive, KeepsTheRulesOfRoCrate) {

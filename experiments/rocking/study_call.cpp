@@ -31,6 +31,8 @@ template <class Ask>
 auto in_flags(const Study& study, const Ask& ask) {
   try {
     return ask();
+  } catch (const UnfitQuestion&) {
+    throw;  // see carry_out
   } catch (const base::InputError& error) {
     throw with_flags(error, *study.question);
   }
@@ -107,11 +109,11 @@ Answer answer_of(StudyCommand& command, const Subject& subject) {
                     std::string(study.progress), std::string(then));
   Circumstances circumstances{
       .execution = watched(command.execution, progress),
-      .elapsed_seconds = seconds_from_now(),
-      .processor_seconds = thread_seconds,
       .provenance = {.machine = system.machine, .start = system.start, .threads = system.threads},
       .extent = command.execution.extent,
       .draws = !command.figures.empty()};
+  circumstances.execution.elapsed_seconds = seconds_from_now();
+  circumstances.execution.processor_seconds = thread_seconds;
   if (!study.kept.empty()) {
     circumstances.keep = [&](const std::function<std::string()>& document) { command.file.keep(document); };
   }
@@ -159,7 +161,7 @@ ExitCode carry_out(StudyCommand& command) {
   try {
     return answered(command);
   } catch (const UnfitQuestion& error) {
-    throw UsageError(error.what());
+    throw UsageError(with_flags(error, *command.study.question).what());
   }
 }
 

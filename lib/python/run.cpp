@@ -152,11 +152,10 @@ py::tuple resume_watched(const std::string& folder, std::optional<std::string> r
 std::pair<std::string, std::string> plan_watched(const Experiment& experiment, unsigned threads,
                                                  std::optional<std::pair<std::uint64_t, std::uint64_t>> shard,
                                                  bool timed) {
-  std::function<double()> clock;
-  if (timed) clock = seconds_from_now();
   return watch(threads, py::none(), [&](Execution execution) {
     if (shard) execution.shard = Shard{.part = shard->first, .parts = shard->second};
-    const Plan planned = plan(experiment, clock, execution);
+    if (!timed) execution.elapsed_seconds = {};
+    const Plan planned = plan(experiment, execution);
     return std::pair(describe(planned), describe_as_json(planned));
   });
 }

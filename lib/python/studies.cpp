@@ -36,10 +36,10 @@ py::tuple answer_of(const std::string& study, const std::string& question, const
     subject.runs.push_back({of_run, run});
     subject.run_names.push_back(name);
   }
-  const Clocks clocks{.elapsed_seconds = seconds_from_now(), .processor_seconds = seconds_of_this_thread};
   const Provenance provenance{.machine = std::move(machine), .start = std::move(start), .threads = threads};
-  StudyAnswer found = watch(threads, std::move(on_progress), [&](const Execution& execution) {
-    return answer(study, question, subject, clocks, execution, provenance);
+  StudyAnswer found = watch(threads, std::move(on_progress), [&](Execution execution) {
+    execution.processor_seconds = seconds_of_this_thread;
+    return answer(study, question, subject, execution, provenance);
   });
   return py::make_tuple(std::move(found.document), std::move(found.table), std::move(found.notices));
 }

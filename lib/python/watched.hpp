@@ -39,6 +39,7 @@ class Watched {
   template <class Compute>
   std::optional<Result> run(Execution execution, const Compute& compute) {
     execution.stop = &stop_;
+    execution.elapsed_seconds = elapsed_;
     execution.on_progress = [this](std::uint64_t done, std::uint64_t all) {
       if (all == 0) return Decision::proceed;  // how many there will be is not known
       done_.store(done, std::memory_order_relaxed);

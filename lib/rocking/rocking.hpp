@@ -46,13 +46,6 @@ struct StudySubject {
   std::string earlier = {};                       ///< document from which a study goes on, such as `rare`; empty: none
 };
 
-/// Clocks of the caller, which the library does not have: wall-clock time since some instant, which several threads ask
-/// for, and processor time of the calling thread [s].
-struct Clocks {
-  std::function<double()> elapsed_seconds;
-  std::function<double()> processor_seconds;
-};
-
 /// The answer of a study.
 struct StudyAnswer {
   std::string document;              ///< JSON text, with the bytes that the program writes
@@ -64,8 +57,8 @@ struct StudyAnswer {
 /// lists them; absent ones have their default. Throws base::InputError with the keyword where a question is wrong or does
 /// not fit its subject, base::Stopped if it is asked to stop, and std::invalid_argument for a study that does not exist.
 [[nodiscard]] ROCKING_API StudyAnswer answer(std::string_view study, std::string_view question,
-                                             const StudySubject& subject, const Clocks& clocks,
-                                             const Execution& execution = {}, const Provenance& provenance = {});
+                                             const StudySubject& subject, const Execution& execution = {},
+                                             const Provenance& provenance = {});
 
 /// The studies as JSON text: name, sentence, subject, document, whether a seed and what number of realisations may replace
 /// those of an experiment, and the keywords of a question with their sentence, schema and default.

@@ -136,7 +136,7 @@ void print(const Case& scene, std::size_t sets) {
   double points = 0.0;
   for (std::size_t set = 0; set < sets; ++set) {
     const std::uint64_t seed = 1 + 4 * set / sets;
-    const InferenceQuestion question{
+    const InferenceSetting question{
         .unknowns = block.unknowns(), .tests = block.made_up_tests(set), .seed = seed, .simulate = [&](const auto& at) {
           return block.simulated(at, seed);
         }};

@@ -17,7 +17,11 @@
 #include "rocking/api/run.hpp"
 #include "rocking/base/stop_request.hpp"
 #include "rocking/rocking.hpp"
-#include "rocking/studies/infer/question.hpp"
+#include "rocking/studies/cost/study.hpp"
+#include "rocking/studies/fragility/study.hpp"
+#include "rocking/studies/infer/study.hpp"
+#include "rocking/studies/orbits/study.hpp"
+#include "rocking/studies/rare/study.hpp"
 
 /// Questions of the public calls, whose values are chosen by bytes.
 namespace rocking::fuzz {
@@ -201,7 +205,7 @@ class QuestionTarget {
     for (const ShownCurve& shown : found.curves) {
       if (shown.rate) expect_rate(*shown.rate, *question.hazard);
     }
-    static_cast<void>(fragility_text(found));
+    static_cast<void>(fragility_document().text(fragility_report({found})));
   }
 
   static void expect_rate(const AnnualRate& rate, const HazardCurve& hazard) {
@@ -211,11 +215,11 @@ class QuestionTarget {
 
   void ask_rare() {
     const Experiment& experiment = small_run(0).experiment;
-    RareRequest request{.question = {.event = event()}};
-    request.question.relative_error = choose_.number();
+    RareQuestion request{.event = event()};
+    request.relative_error = choose_.number();
     request.particles = choose_.whole();
     request.seconds = choose_.maybe([&] { return choose_.number(); });
-    if (choose_.yes()) request.elapsed_seconds = [] { return 0.0; };
+    if (choose_.yes()) execution_.elapsed_seconds = [] { return 0.0; };
     request.earlier = choose_.list(3, [&] {
       const std::vector<rare::Repetition> some = choose_.list(3, [&] {
         return rare::Repetition{.estimate = choose_.number(), .ancestors = choose_.whole(), .work = choose_.number()};
@@ -225,8 +229,8 @@ class QuestionTarget {
       for (std::size_t i = 0; i < many && !some.empty(); ++i) all.repetitions.push_back(some[i % some.size()]);
       return all;
     });
-    check_request(experiment, request);
-    request.question.relative_error = std::max(request.question.relative_error, 0.5);
+    check_question(experiment, request);
+    request.relative_error = std::max(request.relative_error, 0.5);
     request.particles = 20;
     for (const RareEstimate& found : rare_probabilities(experiment, request, execution_)) {
       demand(!found.probability || *found.probability >= 0.0, "a probability is not negative");
@@ -247,13 +251,13 @@ class QuestionTarget {
     if (choose_.byte() == 255) experiment.canonical_text.clear();
     if (choose_.byte() == 255) experiment.unknowns.resize(choose_.below(5), experiment.unknowns.front());
     if (choose_.byte() == 255) experiment.unknowns.push_back({.pointer = choose_.text(), .from = choose_.number()});
-    InferRequest request;
+    InferQuestion request;
     request.tests.groups = choose_.list(3, [&] { return ModeGroup{.name = "other", .modes = {}}; });
     request.tests.conditions = choose_.list(2, [&] { return tested(); });
     request.tests.candidates = choose_.list(1, [&] { return tested(); });
     request.next_tests = choose_.whole();
     request.seconds = choose_.maybe([&] { return choose_.number(); });
-    if (choose_.yes()) request.elapsed_seconds = [] { return 0.0; };
+    if (choose_.yes()) execution_.elapsed_seconds = [] { return 0.0; };
     request.earlier = choose_.list(2, [&] {
       const auto counts = [&] { return choose_.list(3, [&] { return choose_.whole(); }); };
       return infer::DesignPoint{.at = choose_.list(2, [&] { return choose_.number(); }),
@@ -267,12 +271,12 @@ class QuestionTarget {
   void ask_orbits() {
     const Experiment& experiment = small_run(2).experiment;
     const auto number = [&] { return choose_.number(); };
-    OrbitsRequest request{.longest = choose_.small(), .branches = choose_.yes()};
+    OrbitsQuestion request{.longest = choose_.small(), .branches = choose_.yes()};
     request.from = choose_.maybe(number);
     request.to = choose_.maybe(number);
     request.most_points = choose_.whole();
     request.most_branches = choose_.whole();
-    check_request(experiment, request);
+    static_cast<void>(checked(experiment, request));
   }
 
   void ask_others() {
@@ -284,25 +288,27 @@ class QuestionTarget {
         return static_cast<void>(trajectory(of.experiment, request, execution_));
       }
       case 1: {
-        CostRequest request{.elapsed_seconds = [] { return 0.0; }, .processor_seconds = [] { return 0.0; }};
+        CostQuestion request;
         request.seconds = number();
         request.sample = choose_.maybe([&] { return choose_.whole(); });
         request.tolerances = choose_.list(4, number);
-        return check_request(of.experiment, request);
+        return check_question(of.experiment, request);
       }
       case 2: {
-        GroundMotionRequest request{.files = {}, .vertical = choose_.maybe([&] { return choose_.text(); })};
+        MotionQuestion request{.files = {}, .vertical = choose_.maybe([&] { return choose_.text(); })};
         request.format = choose_.text();
         request.units = choose_.maybe([&] { return choose_.text(); });
         request.time_step = choose_.maybe(number);
-        request.question = {.gravity = number(), .damping = number(), .periods = choose_.list(3, number)};
+        request.gravity = number();
+        request.damping = number();
+        request.periods = choose_.list(3, number);
         return static_cast<void>(motion(request));
       }
       case 3: {
         const Shard shard{.part = choose_.whole(), .parts = choose_.whole()};
         Execution execution{.threads = static_cast<unsigned>(choose_.whole())};
         if (choose_.yes()) execution.shard = shard;
-        return static_cast<void>(plan(of.experiment, {}, execution));
+        return static_cast<void>(plan(of.experiment, execution));
       }
       case 4: return static_cast<void>(replay(of, {.condition = choose_.whole(), .realisation = choose_.whole()}));
       default: {

@@ -34,10 +34,9 @@ Experiment experiment_of(const Condition& condition) {
 TEST(RareProbabilities, AreTheSameOnAnyNumberOfThreads) {
   const Experiment experiment = experiment_of(fluctuating());
   const auto on = [&](unsigned threads) {
-    return rare_probabilities(
-               experiment,
-               {.question = {.event = {rocking::EventName::tilt, 0.4}, .relative_error = 0.5}, .particles = 20},
-               {.threads = threads})
+    return rare_probabilities(experiment,
+                              {.event = {rocking::EventName::tilt, 0.4}, .relative_error = 0.5, .particles = 20},
+                              {.threads = threads})
         .front();
   };
   const RareEstimate one = on(1);
@@ -48,16 +47,15 @@ TEST(RareProbabilities, AreTheSameOnAnyNumberOfThreads) {
 
 // lib/docs/draws.md: what is drawn under a record of a suite follows its seed.
 TEST(RareProbabilities, FollowTheSeedOfTheRecord) {
-  const rocking::RareQuestion question{.event = {rocking::EventName::tilt, 0.4}, .relative_error = 0.5};
+  const rocking::RareQuestion question{
+      .event = {rocking::EventName::tilt, 0.4}, .relative_error = 0.5, .particles = 20};
   Experiment experiment = experiment_of(fluctuating());
-  const RareEstimate plain = rare_probabilities(experiment, {.question = question, .particles = 20}).front();
+  const RareEstimate plain = rare_probabilities(experiment, question).front();
   constexpr std::uint64_t stream = 0xfedcba9876543210;
   experiment.conditions.front().record_stream = stream;
-  EXPECT_NE(rare_probabilities(experiment, {.question = question, .particles = 20}).front().probability,
-            plain.probability);
+  EXPECT_NE(rare_probabilities(experiment, question).front().probability, plain.probability);
   experiment.seed ^= stream;
-  EXPECT_EQ(rare_probabilities(experiment, {.question = question, .particles = 20}).front().probability,
-            plain.probability);
+  EXPECT_EQ(rare_probabilities(experiment, question).front().probability, plain.probability);
 }
 
 // The pilot runs of this seed give a grid that takes motions from rest for likely to overturn: of 1000 particles, none, one
@@ -69,7 +67,7 @@ TEST(RareGrid, IsDrawnAnewWhereFewAncestorsHaveTheEvent) {
           "fluctuation": {"amplitude": {"sigma": 0.7067029}},
           "horizon": {"transient_periods": 10, "sampled_periods": 30}, "realisations": 100, "seed": "0x2"})",
       "");
-  const RareEstimate found = rare_probabilities(experiment, {.question = {.event = {}, .relative_error = 0.2}}).front();
+  const RareEstimate found = rare_probabilities(experiment, {.event = {}, .relative_error = 0.2}).front();
   EXPECT_GE(found.ancestors, 40U);
   EXPECT_EQ(found.diagnosis, rocking::RareDiagnosis::none);
   EXPECT_LE(found.repetitions.size(), 20U);
@@ -83,27 +81,26 @@ TEST(RareProbabilities, AreEstimatedUnderAVerticalMotionOfAnyFrequency) {
   rocking::support::harmonic(condition.scene).vertical =
       rocking::VerticalHarmonic{.amplitude = 0.5, .frequency_ratio = 7.3};
   const RareEstimate found =
-      rare_probabilities(
-          experiment_of(condition),
-          {.question = {.event = {rocking::EventName::tilt, 0.4}, .relative_error = 0.5}, .particles = 20})
+      rare_probabilities(experiment_of(condition),
+                         {.event = {rocking::EventName::tilt, 0.4}, .relative_error = 0.5, .particles = 20})
           .front();
   EXPECT_GT(*found.probability, 0.0);
 }
 
 // A block that always reaches the tilt: 1, and no error.
 TEST(RareProbabilities, AreOneWhereTheEventIsCertain) {
-  const auto found = rare_probabilities(experiment_of(drawn_once()),
-                                        {.question = {.event = {rocking::EventName::tilt, 0.0}}, .particles = 20});
+  const auto found =
+      rare_probabilities(experiment_of(drawn_once()), {.event = {rocking::EventName::tilt, 0.0}, .particles = 20});
   EXPECT_EQ(found.front().probability, 1.0);
   EXPECT_EQ(found.front().interval.high, 1.0);
 }
 
 // Large weights are rare: fewer repetitions may be without one, and their spread too small.
 TEST(RareProbabilities, HaveAtLeast64RepetitionsOfImportanceSamplingThatHasSeenTheEvent) {
-  const rocking::RareQuestion question{.event = {rocking::EventName::tilt, 0.6}, .relative_error = 1.0};
+  const rocking::RareQuestion question{
+      .event = {rocking::EventName::tilt, 0.6}, .relative_error = 1.0, .particles = 20};
   for (const auto& [condition, least] : {std::pair{fluctuating(), 16U}, std::pair{drawn_once(), 64U}}) {
-    const RareEstimate found =
-        rare_probabilities(experiment_of(condition), {.question = question, .particles = 20}).front();
+    const RareEstimate found = rare_probabilities(experiment_of(condition), question).front();
     EXPECT_GT(found.probability, 0.0);
     EXPECT_EQ(found.repetitions.size(), least);
     EXPECT_EQ(found.end, rocking::RareEnd::precise);
@@ -146,7 +143,7 @@ TEST(RarePaths, AreMadeAgainByTheirDraws) {
     const Experiment experiment = experiment_of(condition);
     const rocking::ResponseEvent event{rocking::EventName::tilt, 0.8};
     const RareEstimate found =
-        rare_probabilities(experiment, {.question = {.event = event, .relative_error = 0.9}, .particles = 60}).front();
+        rare_probabilities(experiment, {.event = event, .relative_error = 0.9, .particles = 60}).front();
     EXPECT_LT(*found.probability, 0.05);
     EXPECT_GE(found.paths.size(), 3U);
     const rocking::rare::BlockPaths paths{.condition = &condition, .seed = rare_seed, .event = event, .halt = {}};
@@ -165,8 +162,7 @@ TEST(RareCommittor, IsNearTheProbabilityAtTheStart) {
   condition.scene.friction.reset();
   condition.scene.fluctuation = {.amplitude = 0.4};
   const RareEstimate found =
-      rare_probabilities(experiment_of(condition),
-                         {.question = {.event = {rocking::EventName::tilt, 0.8}}, .particles = 100})
+      rare_probabilities(experiment_of(condition), {.event = {rocking::EventName::tilt, 0.8}, .particles = 100})
           .front();
   ASSERT_TRUE(found.committor);
   const double from_rest = found.committor->rows.at(30).at(30);
@@ -179,9 +175,8 @@ TEST(RareCommittor, IsNearTheProbabilityAtTheStart) {
 TEST(RarePlainSampling, IsChosenWhereTheEventIsFrequent) {
   const Condition condition = fluctuating();
   const RareEstimate found =
-      rare_probabilities(
-          experiment_of(condition),
-          {.question = {.event = {rocking::EventName::tilt, 0.5}, .relative_error = 0.5}, .particles = 50})
+      rare_probabilities(experiment_of(condition),
+                         {.event = {rocking::EventName::tilt, 0.5}, .relative_error = 0.5, .particles = 50})
           .front();
   EXPECT_EQ(found.method, rocking::RareMethod::plain_sampling);
   EXPECT_FALSE(found.committor);
@@ -200,24 +195,24 @@ TEST(RarePlainSampling, IsChosenWhereTheEventIsFrequent) {
 // A clock that advances at each look.
 struct Looks {
   std::atomic<int> count{0};
-  rocking::RareRequest request(const rocking::RareQuestion& question, double seconds) {
-    return {.question = question, .particles = 20, .seconds = seconds, .elapsed_seconds = [this] {
-              return static_cast<double>(count++);
-            }};
+  rocking::Execution on_threads(unsigned threads) {
+    return {.threads = threads, .elapsed_seconds = [this] { return static_cast<double>(count++); }};
   }
 };
 
 TEST(RareTimeLimit, HoldsForAllConditionsTogetherAndKeepsWhatIsFinished) {
   Experiment experiment = experiment_of(fluctuating());
   experiment.conditions.assign(3, experiment.conditions.front());
-  const rocking::RareQuestion question{.event = {rocking::EventName::tilt, 0.4}, .relative_error = 0.05};
+  rocking::RareQuestion question{
+      .event = {rocking::EventName::tilt, 0.4}, .relative_error = 0.05, .particles = 20, .seconds = 1e9};
   Looks unhurried;
-  const auto all = rare_probabilities(experiment, unhurried.request(question, 1e9));
+  const auto all = rare_probabilities(experiment, question, unhurried.on_threads(1));
   for (const unsigned threads : {1U, 3U}) {
     for (const double share : {1e-9, 0.001, 0.01, 0.1, 0.3, 0.9}) {
       Looks looks;
       const double seconds = share * unhurried.count;
-      const auto found = rare_probabilities(experiment, looks.request(question, seconds), {.threads = threads});
+      question.seconds = seconds;
+      const auto found = rare_probabilities(experiment, question, looks.on_threads(threads));
       // Each thread sees the end a few times in each condition.
       EXPECT_LE(looks.count, seconds + 1.0 + 4.0 * 3.0 * threads) << share;
       ASSERT_EQ(found.size(), 3U);
@@ -242,11 +237,13 @@ TEST(RareTimeLimit, HoldsForAllConditionsTogetherAndKeepsWhatIsFinished) {
 TEST(RareProbabilities, GoOnFromEarlierRepetitions) {
   for (const Condition& condition : {fluctuating(), drawn_once()}) {
     const Experiment experiment = experiment_of(condition);
-    const rocking::RareQuestion question{.event = {rocking::EventName::tilt, 0.6}, .relative_error = 0.05};
-    const RareEstimate all = rare_probabilities(experiment, {.question = question, .particles = 20}).front();
-    rocking::RareRequest request{.question = question, .particles = 20, .earlier = {all}};
-    request.earlier.front().repetitions.resize(5);
-    const RareEstimate resumed = rare_probabilities(experiment, request).front();
+    const rocking::RareQuestion question{
+        .event = {rocking::EventName::tilt, 0.6}, .relative_error = 0.05, .particles = 20};
+    const RareEstimate all = rare_probabilities(experiment, question).front();
+    rocking::RareQuestion more = question;
+    more.earlier = {all};
+    more.earlier.front().repetitions.resize(5);
+    const RareEstimate resumed = rare_probabilities(experiment, more).front();
     EXPECT_EQ(resumed.probability, all.probability);
     EXPECT_EQ(resumed.repetitions.size(), all.repetitions.size());
     EXPECT_EQ(resumed.work, all.work);

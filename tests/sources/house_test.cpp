@@ -256,8 +256,8 @@ Weight weight_of(const std::set<std::string>& folders) {
 TEST(TheHouse, WeighsNoMoreThanBefore) {
   const Weight product = weight_of({"lib", "analysis", "experiments"});
   EXPECT_LE(product.files, 829U);
-  EXPECT_LE(product.lines, 94'923U);
-  EXPECT_LE(weight_of({"tests"}).lines, 61'184U);
+  EXPECT_LE(product.lines, 94'836U);
+  EXPECT_LE(weight_of({"tests"}).lines, 61'178U);
 }
 
 TEST(TheHouseRules, FindAnArrowThatGoesUpOrSideways) {

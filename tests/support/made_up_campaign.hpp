@@ -63,9 +63,9 @@ struct Campaign {
 };
 
 /// Tests counted at the truth, and the simulator with numbers of its own.
-inline InferenceQuestion made_up_question(const Campaign& campaign, SplitMix& random) {
+inline InferenceSetting made_up_question(const Campaign& campaign, SplitMix& random) {
   constexpr std::size_t conditions = 3;
-  InferenceQuestion question;
+  InferenceSetting question;
   question.seed = random.bits();
   for (std::size_t k = 0; k < campaign.truth.size(); ++k) question.unknowns.push_back({.pointer = "/x"});
   question.tests.groups.resize(3);

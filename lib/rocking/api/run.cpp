@@ -128,15 +128,15 @@ std::string table(const Experiment& experiment, const RunResult& run, std::size_
 
 std::string digest_of(const RunResult& run) { return base::to_hex(complete_result(run).digest); }
 
-Plan plan(const Experiment& experiment, const std::function<double()>& elapsed_seconds, const Execution& execution) {
+Plan plan(const Experiment& experiment, const Execution& execution) {
   check_experiment(experiment);
   check_strobe(experiment);
   if (execution.shard) check_shard(experiment, *execution.shard);
   const OptionsOfExecution asked(execution);
   const Means means{.threads = asked.options().threads, .shard = execution.shard};
   Plan found = plan_of(experiment, means);
-  if (!elapsed_seconds) return found;
-  found.time = estimate_time(experiment, means, {.elapsed_seconds = elapsed_seconds, .stop = asked.stop()});
+  if (!execution.elapsed_seconds) return found;
+  found.time = estimate_time(experiment, means, {.elapsed_seconds = execution.elapsed_seconds, .stop = asked.stop()});
   asked.stop().check();
   return found;
 }

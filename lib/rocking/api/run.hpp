@@ -35,6 +35,10 @@ struct Execution {
   /// A flag that stops the run when it is set, by any thread or a signal handler; looked at within realisations too. It
   /// must outlive the run, which sets it where on_progress says stop. Null: none.
   std::atomic<bool>* stop = nullptr;
+  /// Clocks of the caller, since the library reads none: wall-clock time since some instant, which several threads ask for,
+  /// and processor time of the calling thread [s]. A study that needs one says so.
+  std::function<double()> elapsed_seconds = {};
+  std::function<double()> processor_seconds = {};
   /// Folder for the store of the realisations, `realisations.sqlite`, which the program reads and resumes; created if
   /// necessary. A run in a folder that has realisations of the same experiment continues it, also of one with fewer
   /// realisations as long as no report of it is there. Runs in one folder exclude each other. Empty: in memory.
@@ -139,12 +143,10 @@ struct Provenance {
 [[nodiscard]] ROCKING_API std::string digest_of(const RunResult& run);
 
 /// Numbers of conditions, realisations and periods of a run, its disk space and memory, which effects are on and, with a
-/// clock, its time: from a sample of the realisations, which takes at most two seconds. `elapsed_seconds` gives the time
-/// since some instant [s] and is called by two threads; the library reads no clock itself. Uses `threads`, `shard` and
-/// `stop` of the execution; writes nothing. Throws base::InputError if a condition or the shard is not valid, and
-/// base::Stopped if it is asked to stop.
-[[nodiscard]] ROCKING_API Plan plan(const Experiment& experiment, const std::function<double()>& elapsed_seconds = {},
-                                    const Execution& execution = {});
+/// clock, its time: from a sample of the realisations, which takes at most two seconds. Uses `threads`, `shard`, `stop` and
+/// `elapsed_seconds` of the execution; writes nothing. Throws base::InputError if a condition or the shard is not valid,
+/// and base::Stopped if it is asked to stop.
+[[nodiscard]] ROCKING_API Plan plan(const Experiment& experiment, const Execution& execution = {});
 
 /// A plan in words, as `rocking run --dry-run` prints it.
 [[nodiscard]] ROCKING_API std::string describe(const Plan& plan);

@@ -39,6 +39,13 @@ base::InputError with_names(const base::InputError& error, const std::vector<Fie
                             std::string (*name)(const Field& field)) {
   std::vector<base::Problem> problems = error.problems();
   for (base::Problem& problem : problems) {
+    for (const Field& each : fields) {
+      for (std::string* text : {&problem.reason, &problem.remedy}) {
+        const std::string quoted = '`' + std::string(each.key) + '`';
+        const std::size_t at = each.flag.names.empty() ? std::string::npos : text->find(quoted);
+        if (at != std::string::npos) text->replace(at, quoted.size(), name(each));
+      }
+    }
     const std::string key = problem.place.substr(0, problem.place.find('/'));
     const auto field =
         std::ranges::find_if(fields, [&key](const Field& each) { return each.key == key && !each.flag.names.empty(); });

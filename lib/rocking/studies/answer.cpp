@@ -130,7 +130,7 @@ Json keywords_of(const Study& study) {
 
 }  // namespace
 
-StudyAnswer answer(std::string_view study, std::string_view question, const StudySubject& about, const Clocks& clocks,
+StudyAnswer answer(std::string_view study, std::string_view question, const StudySubject& about,
                    const Execution& execution, const Provenance& provenance) {
   const Study& asked = study_named(study);
   const std::shared_ptr<void> wanted = asked.of_call();
@@ -148,18 +148,12 @@ StudyAnswer answer(std::string_view study, std::string_view question, const Stud
   try {
     asked.check(subject, wanted.get());
     if (!about.earlier.empty()) asked.resume(subject, wanted.get(), parse_json(about.earlier));
-    Answer found = asked.find(subject, wanted.get(),
-                              {.execution = execution,
-                               .elapsed_seconds = clocks.elapsed_seconds,
-                               .processor_seconds = clocks.processor_seconds,
-                               .provenance = provenance});
+    Answer found = asked.find(subject, wanted.get(), {.execution = execution, .provenance = provenance});
     if (found.write_more) std::ranges::move(found.write_more(execution).notices, std::back_inserter(found.notices));
     return {
         .document = std::move(found.document), .table = std::move(found.table), .notices = std::move(found.notices)};
   } catch (const base::InputError& error) {
     throw with_names(error, asked.question->fields(), keyword_of);
-  } catch (const UnfitQuestion& error) {
-    throw base::InputError({error.place().empty() ? std::string(study) : error.place(), "", error.what(), ""});
   }
 }
 

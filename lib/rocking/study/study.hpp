@@ -28,17 +28,12 @@ namespace rocking {
 
 class Store;
 
-/// What is asked contradicts itself, or its subject cannot answer it; the text says so in the words of a command line.
-class UnfitQuestion : public std::runtime_error {
+/// What is asked contradicts itself, or its subject cannot answer it.
+class UnfitQuestion : public base::InputError {
  public:
-  /// `place`: of what contradicts, where it is not the question.
-  explicit UnfitQuestion(const std::string& text, std::string place = "")
-      : std::runtime_error(text), place_(std::move(place)) {}
-
-  [[nodiscard]] const std::string& place() const { return place_; }
-
- private:
-  std::string place_;
+  /// `place`: key of the question; or of its subject what contradicts it.
+  UnfitQuestion(std::string place, std::string value, std::string reason, std::string remedy = "")
+      : InputError({std::move(place), std::move(value), std::move(reason), std::move(remedy)}) {}
 };
 
 /// What a study is about.
@@ -63,14 +58,12 @@ struct Subject {
   std::vector<NamedRun> runs = {};         ///< of a study about runs
 };
 
-/// How a question is answered: with the clocks, facts and wishes of the caller. The library reads no clock itself.
+/// How a question is answered: with the facts and wishes of the caller.
 struct Circumstances {
   Execution execution = {};
-  std::function<double()> elapsed_seconds = {};    ///< wall-clock time since some instant [s]; several threads call it
-  std::function<double()> processor_seconds = {};  ///< processor time of the calling thread [s]
-  Provenance provenance = {};                      ///< without the duration
-  Extent extent = Extent::one_screen;              ///< of the table
-  bool draws = false;                              ///< whether figures are asked for
+  Provenance provenance = {};          ///< without the duration
+  Extent extent = Extent::one_screen;  ///< of the table
+  bool draws = false;                  ///< whether figures are asked for
   /// Of a study that can be resumed: called with what is finished, as a document. Null: a stop gives nothing.
   std::function<void(const std::function<std::string()>& document)> keep = {};
 };
@@ -160,7 +153,7 @@ struct Study {
   /// A question as a command line begins with it, or as a caller in Python does.
   std::shared_ptr<void> (*of_command)() = nullptr;
   std::shared_ptr<void> (*of_call)() = nullptr;
-  /// Throws base::InputError and UnfitQuestion where the question does not fit the subject, before any work is done.
+  /// Throws base::InputError where the question does not fit the subject, before any work is done.
   void (*check)(const Subject& subject, void* question) = nullptr;
   Answer (*find)(const Subject& subject, const void* question, const Circumstances& circumstances) = nullptr;
   /// Takes what an earlier call has finished from its document.
@@ -198,7 +191,7 @@ struct StudyFunctions {
   std::string (*document_of_run)(const RunShown& run) = nullptr;
 };
 
-/// The study with these functions: `study_of<OrbitsRequest, functions>({.name = "orbits", ...})`.
+/// The study with these functions: `study_of<OrbitsQuestion, functions>({.name = "orbits", ...})`.
 template <class Question, const StudyFunctions<Question>& functions>
 [[nodiscard]] Study study_of(Study facts) {
   facts.question = &fields_of(static_cast<const Question*>(nullptr));

@@ -114,13 +114,13 @@ TEST(InferredFit, HasAPValueThatIsAboutUniform) {
   EXPECT_GT(at_least(large, all, 0.6), alarms.level()) << large;
 }
 
-InferenceQuestion question(const Campaign& campaign, std::uint64_t seed) {
+InferenceSetting question(const Campaign& campaign, std::uint64_t seed) {
   SplitMix random(seed);
   return support::made_up_question(campaign, random);
 }
 
 TEST(InferredFit, IsBadWhereNoValueExplainsTheCounts) {
-  InferenceQuestion impossible = question({.truth = {0.35}, .dependence = Dependence::sharp}, 3);
+  InferenceSetting impossible = question({.truth = {0.35}, .dependence = Dependence::sharp}, 3);
   for (TestedCondition& condition : impossible.tests.conditions) condition.counts = {0, 0, 10};
   const Inference found = infer_unknowns(impossible, {});
   EXPECT_EQ(found.answer.value().fit.p_value, 0.001);
@@ -128,7 +128,7 @@ TEST(InferredFit, IsBadWhereNoValueExplainsTheCounts) {
 
 TEST(InferredFit, IsPerfectWhereTheCountsAreTheOnlyOnes) {
   for (std::uint64_t tests = 3; tests < 11; ++tests) {
-    InferenceQuestion certain = question({.truth = {0.35}}, 4);
+    InferenceSetting certain = question({.truth = {0.35}}, 4);
     for (TestedCondition& condition : certain.tests.conditions) condition.counts = {tests, 0, 0};
     certain.simulate = [](const std::vector<std::vector<double>>& points) {
       return CountsAtPoints(points.size(), std::vector<std::vector<std::uint64_t>>(3, {400, 0, 0}));
@@ -163,8 +163,8 @@ std::vector<double> numbers(const Inference& found) {
   return numbers;
 }
 
-InferenceQuestion of_two_unknowns() {
-  InferenceQuestion two = question({.truth = {0.35, 0.6}}, 6);
+InferenceSetting of_two_unknowns() {
+  InferenceSetting two = question({.truth = {0.35, 0.6}}, 6);
   two.unknowns[1].prior = Normal{.mean = 0.5, .sigma = 0.2};
   two.tests.candidates.push_back(std::move(two.tests.conditions.back()));
   two.tests.conditions.pop_back();
@@ -173,12 +173,12 @@ InferenceQuestion of_two_unknowns() {
 }
 
 TEST(InferredAnswer, HasTheSameBitsOverThreads) {
-  const InferenceQuestion two = of_two_unknowns();
+  const InferenceSetting two = of_two_unknowns();
   EXPECT_EQ(numbers(infer_unknowns(two, {}, {.threads = 1})), numbers(infer_unknowns(two, {}, {.threads = 3})));
 }
 
 TEST(InferredAnswer, IsTheSameAfterInterruptions) {
-  InferenceQuestion two = of_two_unknowns();
+  InferenceSetting two = of_two_unknowns();
   const Inference whole = infer_unknowns(two, {});
   std::atomic<bool> stop = false;
   int calls = 0;
@@ -191,7 +191,7 @@ TEST(InferredAnswer, IsTheSameAfterInterruptions) {
   for (int part = 0; part < 100; ++part) {
     stop = false;
     const std::size_t before = found.design.size();
-    found = infer_unknowns(two, {.tests = {}, .earlier = found.design}, {.stop = base::StopRequest(&stop)});
+    found = infer_unknowns(two, {.earlier = found.design}, {.stop = base::StopRequest(&stop)});
     if (found.end == InferEnd::settled) break;
     EXPECT_EQ(found.end, InferEnd::stopped);
     EXPECT_GT(found.design.size(), before);
@@ -201,7 +201,7 @@ TEST(InferredAnswer, IsTheSameAfterInterruptions) {
 }
 
 TEST(InferredAnswer, IsTheSameAfterAnInterruptionWhileItIsWorkedOut) {
-  const InferenceQuestion two = of_two_unknowns();
+  const InferenceSetting two = of_two_unknowns();
   std::atomic<bool> stop = false;
   std::uint64_t made_up = 0;
   const Inference part = infer_unknowns(
@@ -210,21 +210,21 @@ TEST(InferredAnswer, IsTheSameAfterAnInterruptionWhileItIsWorkedOut) {
   EXPECT_FALSE(part.answer.has_value());
   EXPECT_LE(made_up, 21U) << "two threads";
   made_up = 0;
-  const Inference whole = infer_unknowns(two, {.tests = {}, .earlier = part.design}, {.on_part = [&] { ++made_up; }});
+  const Inference whole = infer_unknowns(two, {.earlier = part.design}, {.on_part = [&] { ++made_up; }});
   EXPECT_EQ(made_up, made_up_sets(two));
   EXPECT_EQ(whole.design.size(), part.design.size());
   EXPECT_EQ(numbers(whole), numbers(infer_unknowns(two, {})));
 }
 
 TEST(InferredAnswer, StopsWhenTheTimeIsOver) {
-  InferenceQuestion one = question({.truth = {0.35}}, 7);
+  InferenceSetting one = question({.truth = {0.35}}, 7);
   double now = 0.0;
   const auto simulate = one.simulate;
   one.simulate = [&](const std::vector<std::vector<double>>& points) {
     now += 10.0;
     return simulate(points);
   };
-  const auto found = infer_unknowns(one, {.tests = {}, .seconds = 35.0, .elapsed_seconds = [&] { return now; }});
+  const auto found = infer_unknowns(one, {.seconds = 35.0, .elapsed_seconds = [&] { return now; }});
   EXPECT_EQ(found.end, InferEnd::out_of_time);
   EXPECT_EQ(found.design.size(), 16U);  // of 8, 4 and 4 points
   EXPECT_TRUE(found.answer.has_value());

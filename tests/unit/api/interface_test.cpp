@@ -290,8 +290,7 @@ TEST_F(Interface, VerifiesAFolderWithItsReport) {
 TEST_F(Interface, EstimatesRareEventsAgain) {
   Experiment experiment = small_experiment();
   experiment.conditions[0].horizon = {.transient_periods = 1, .sampled_periods = 2};
-  const RareRequest request{.question = {.event = {rocking::EventName::tilt, 0.1}, .relative_error = 0.5},
-                            .particles = 20};
+  const RareQuestion request{.event = {rocking::EventName::tilt, 0.1}, .relative_error = 0.5, .particles = 20};
   std::uint64_t last = 0;
   std::uint64_t known = 0;
   const Execution execution{.on_progress = [&](std::uint64_t done, std::uint64_t all) {
@@ -315,9 +314,9 @@ TEST_F(Interface, EstimatesRareEventsAgain) {
 
 TEST_F(Interface, InfersUnknownsFromCountedTests) {
   Experiment experiment = small_experiment(R"(, "unknown": [{"parameter": "/restitution", "from": 0.8, "to": 0.95}])");
-  InferRequest request{.tests = {.groups = {{.name = "overturned", .modes = {{section::ResponseKind::overturned}}},
-                                            {.name = "other", .modes = {}}},
-                                 .conditions = {{.parameters = {{"/excitation/amplitude", 4.0}}, .counts = {1, 4}}}}};
+  InferQuestion request{.tests = {.groups = {{.name = "overturned", .modes = {{section::ResponseKind::overturned}}},
+                                             {.name = "other", .modes = {}}},
+                                  .conditions = {{.parameters = {{"/excitation/amplitude", 4.0}}, .counts = {1, 4}}}}};
   const Inference found = infer_unknowns(experiment, request, {.threads = 2});
   ASSERT_TRUE(found.answer);
   const std::vector<double>& shares = found.answer->predicted.at(0).shares;
@@ -392,20 +391,19 @@ TEST_F(Interface, WritesTrajectoriesPagesAndFigures) {
 }
 
 TEST_F(Interface, MeasuresCostByTheClocksOfItsCaller) {
-  EXPECT_THROW(static_cast<void>(cost(small_experiment(), {})), std::invalid_argument);
+  EXPECT_THROW(static_cast<void>(cost(small_experiment(), {}, {})), std::invalid_argument);
   double time = 0.0;
   double processor_time = 0.0;
-  const CostRequest request{.elapsed_seconds = [&time] { return time += 0.05; },
-                            .processor_seconds = [&processor_time] { return processor_time += 1.0; },
-                            .seconds = 0.1,
-                            .sample = 3,
-                            .tolerances = {1e-6, 1e-14}};
-  const Cost found = cost(small_experiment(), request);
+  Execution with_clocks{.elapsed_seconds = [&time] { return time += 0.05; },
+                        .processor_seconds = [&processor_time] { return processor_time += 1.0; }};
+  const CostQuestion question{.seconds = 0.1, .sample = 3, .tolerances = {1e-6, 1e-14}};
+  const Cost found = cost(small_experiment(), question, with_clocks);
   EXPECT_EQ(found.sample, 3U);
   EXPECT_EQ(found.curve.size(), 3U) << "with the experiment's own tolerance";
   EXPECT_GT(found.timing.seconds_per_period.front(), 0.0);
   std::atomic<bool> stop{true};
-  EXPECT_THROW(static_cast<void>(cost(small_experiment(), request, {.stop = &stop})), base::Stopped);
+  with_clocks.stop = &stop;
+  EXPECT_THROW(static_cast<void>(cost(small_experiment(), question, with_clocks)), base::Stopped);
 }
 
 }  // namespace

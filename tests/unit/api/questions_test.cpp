@@ -9,6 +9,10 @@
 #include <gmock/gmock.h>
 
 #include "rocking/rocking.hpp"
+#include "rocking/studies/cost/study.hpp"
+#include "rocking/studies/infer/study.hpp"
+#include "rocking/studies/orbits/study.hpp"
+#include "rocking/studies/rare/study.hpp"
 
 namespace rocking {
 namespace {
@@ -39,13 +43,9 @@ std::string refusal(const Act& act) {
   return "";
 }
 
-/// Of a question with one change.
-template <class Question>
-using Change = std::function<void(Question&)>;
-
 template <class Question>
 struct Refused {
-  Change<Question> change;
+  std::function<void(Question&)> change;
   const char* place_and_value;
 };
 
@@ -127,10 +127,10 @@ TEST_F(Questions, AboutFragilityHaveNumbersInRange) {
 }
 
 TEST_F(Questions, AboutRareEventsHaveRepetitionsThatCanBe) {
-  RareRequest good{.question = {.event = {rocking::EventName::tilt, 0.1}, .relative_error = 0.5}, .particles = 20};
+  RareQuestion good{.event = {rocking::EventName::tilt, 0.1}, .relative_error = 0.5, .particles = 20};
   good.earlier.emplace_back().repetitions.assign(16, {.estimate = 0.5, .ancestors = 10, .work = 20.0});
-  const auto ask = [&](const RareRequest& request) { check_request(experiment_, request); };
-  expect_refused<RareRequest>(
+  const auto ask = [&](const RareQuestion& request) { check_question(experiment_, request); };
+  expect_refused<RareQuestion>(
       good, ask,
       {{[](auto& r) { r.earlier[0].repetitions[3].estimate = nan; }, "earlier/0/repetitions/3/estimate = nan"},
        {[](auto& r) { r.earlier[0].repetitions[3].estimate = -0.1; }, "earlier/0/repetitions/3/estimate = -0.1"},
@@ -140,23 +140,25 @@ TEST_F(Questions, AboutRareEventsHaveRepetitionsThatCanBe) {
         "earlier/0 = 100000 repetitions: must be fewer than 20000"},
        {[](auto& r) { r.earlier.resize(3); }, "earlier = 3 entries: must be at most one for each condition"},
        {[](auto& r) { r.particles = 19; }, "particles = 19: must be at least 20 and at most 100000"},
-       {[](auto& r) { r.question.relative_error = nan; }, "relative_error = nan"},
+       {[](auto& r) { r.relative_error = nan; }, "relative_error = nan"},
        {[](auto& r) {
-          r.question.event = {EventName::tilt, nan};
+          r.event = {EventName::tilt, nan};
         },
         "event = \"nan\""},
-       {[](auto& r) { r.seconds = nan; }, "seconds = nan"},
-       {[](auto& r) { r.seconds = 1.0; }, "seconds = : needs a clock"}});
+       {[](auto& r) { r.seconds = nan; }, "seconds = nan"}});
+  good.seconds = 1.0;
+  EXPECT_THAT(refusal([&] { static_cast<void>(rare_probabilities(experiment_, good)); }),
+              StartsWith("seconds = : needs"));
 }
 
 TEST_F(Questions, AboutCountedTestsHaveListsThatFit) {
-  InferRequest good{.tests = {.groups = {{.name = "overturned", .modes = {{section::ResponseKind::overturned}}},
-                                         {.name = "other", .modes = {}}},
-                              .conditions = {{.parameters = {{"/excitation/amplitude", 4.0}}, .counts = {1, 4}}}}};
+  InferQuestion good{.tests = {.groups = {{.name = "overturned", .modes = {{section::ResponseKind::overturned}}},
+                                          {.name = "other", .modes = {}}},
+                               .conditions = {{.parameters = {{"/excitation/amplitude", 4.0}}, .counts = {1, 4}}}}};
   good.tests.candidates = {{.parameters = {{"/excitation/amplitude", 3.0}}, .counts = {}}};
   good.earlier = {{.at = {0.8}, .counts = {{2, 10}, {0, 12}}}};
-  const auto ask = [&](const InferRequest& request) { check_request(experiment_, request); };
-  expect_refused<InferRequest>(
+  const auto ask = [&](const InferQuestion& request) { check_question(experiment_, request); };
+  expect_refused<InferQuestion>(
       good, ask,
       {{[](auto& r) { r.tests.groups.clear(); }, "tests/groups = 0 groups"},
        {[](auto& r) { r.tests.conditions.clear(); }, "tests = 0 conditions"},
@@ -194,7 +196,7 @@ TEST_F(Questions, AboutCountedTestsHaveListsThatFit) {
         "earlier/0/counts/1 = 3 realisations: must be those of the"},
        {[](auto& r) { r.next_tests = 1001; }, "next_tests = 1001"},
        {[](auto& r) { r.seconds = infinite; }, "seconds = inf"}});
-  InferRequest bad_value = good;
+  InferQuestion bad_value = good;
   bad_value.earlier.clear();
   bad_value.tests.conditions[0].parameters[0].value = -4;
   EXPECT_THAT(refusal([&] { static_cast<void>(infer_unknowns(experiment_, bad_value)); }), HasSubstr("/amplitude"));
@@ -220,33 +222,23 @@ TEST_F(Questions, OfOtherStudiesHaveNumbersInRange) {
                                      {[](auto& r) { r.realisation = 1'000'000'000; }, "realisation = 1000000000"},
                                      {[](auto& r) { r.periods = 0; }, "periods = 0"},
                                      {[](auto& r) { r.samples_per_period = -1; }, "samples_per_period = -1"}});
-  expect_refused<OrbitsRequest>({}, [&](const auto& request) { check_request(still, request); },
-                                {{[](auto& r) { r.longest = 13; }, "longest = 13"},
-                                 {[](auto& r) { r.from = nan; }, "from = nan"},
-                                 {[](auto& r) { r.to = infinite; }, "to = inf"},
-                                 {[](auto& r) { r.most_points = 0; }, "most_points = 0"}});
-  const CostRequest clocks{.elapsed_seconds = [] { return 0.0; }, .processor_seconds = [] { return 0.0; }};
-  expect_refused<CostRequest>(clocks, [&](const auto& request) { check_request(still, request); },
-                              {{[](auto& r) { r.seconds = nan; }, "seconds = nan"},
-                               {[](auto& r) { r.sample = 0; }, "sample = 0"},
-                               {[](auto& r) {
-                                  r.tolerances = {1e-8, nan};
-                                },
-                                "tolerances/1 = nan"}});
-  expect_refused<GroundMotionRequest>({}, [](const auto& request) { static_cast<void>(motion(request)); },
-                                      {{[](auto& r) { r.format = "xls"; }, "format = xls: must be one of columns"},
-                                       {[](auto& r) { r.units = "gal"; }, "units = gal: must be one of"},
-                                       {[](auto& r) { r.time_step = infinite; }, "time_step = inf"},
-                                       {[](auto& r) { r.question.gravity = nan; }, "gravity = nan"},
-                                       {[](auto& r) { r.question.damping = 1.0; }, "damping = 1"},
-                                       {[](auto& r) {
-                                          r.question.periods = {0.1, -1.0};
-                                        },
-                                        "periods/1 = -1"},
-                                       {[](auto& r) {
-                                          r.question.block = {nan, 1.0};
-                                        },
-                                        "block = nan"}});
+  expect_refused<OrbitsQuestion>({}, [&](const auto& request) { static_cast<void>(checked(still, request)); },
+                                 {{[](auto& r) { r.longest = 13; }, "longest = 13"},
+                                  {[](auto& r) { r.from = nan; }, "from = nan"},
+                                  {[](auto& r) { r.to = infinite; }, "to = inf"},
+                                  {[](auto& r) { r.most_points = 0; }, "most_points = 0"}});
+  expect_refused<CostQuestion>({}, [&](const auto& request) { check_question(still, request); },
+                               {{[](auto& r) { r.seconds = nan; }, "seconds = nan"},
+                                {[](auto& r) { r.sample = 0; }, "sample = 0"},
+                                {[](auto& r) { r.tolerances.push_back(nan); }, "tolerances/0 = nan"}});
+  expect_refused<MotionQuestion>({}, [](const auto& request) { static_cast<void>(motion(request)); },
+                                 {{[](auto& r) { r.format = "xls"; }, "format = xls: must be one of columns"},
+                                  {[](auto& r) { r.units = "gal"; }, "units = gal: must be one of"},
+                                  {[](auto& r) { r.time_step = infinite; }, "time_step = inf"},
+                                  {[](auto& r) { r.gravity = nan; }, "gravity = nan"},
+                                  {[](auto& r) { r.damping = 1.0; }, "damping = 1"},
+                                  {[](auto& r) { r.periods.back() = -1.0; }, "periods/9 = -1"},
+                                  {[](auto& r) { r.block.emplace(2, -1.0); }, "block = -1"}});
   expect_refused<SamplerQuestion>({.n = 20}, [](const auto& question) { static_cast<void>(check_normal(question)); },
                                   {{[](auto& q) { q.n = 19; }, "n = 19"},
                                    {[](auto& q) { q.mean = nan; }, "mean = nan"},
@@ -275,10 +267,10 @@ TEST_F(Questions, AboutAReportHaveADurationThatCanBe) {
 }
 
 TEST_F(Questions, TellTwentyProblemsAtMost) {
-  RareRequest request{.question = {.event = {rocking::EventName::tilt, 0.1}}};
+  RareQuestion request{.event = {rocking::EventName::tilt, 0.1}};
   request.earlier.emplace_back().repetitions.assign(1000, {.estimate = nan});
   try {
-    check_request(experiment_, request);
+    check_question(experiment_, request);
     FAIL();
   } catch (const base::InputError& error) {
     EXPECT_EQ(error.problems().size(), 20U);

@@ -52,7 +52,7 @@ void expect_same(const Json& written, const Orbit& orbit) {
 // The text is read again, and the values of a branch are checked by following the motion.
 TEST(OrbitStudies, HaveTheBranchesOfTheirTextAsValues) {
   const Experiment experiment = swept_experiment();
-  const OrbitStudy study = orbits(experiment, {.longest = 1, .branches = true});
+  const OrbitStudy study = orbits(experiment, {.longest = 1});
   ASSERT_TRUE(study.branches);
   EXPECT_EQ(study.branches->pointer, "/excitation/amplitude");
   const std::string document = orbits_document().text(orbits_report(experiment, study));
@@ -86,7 +86,7 @@ TEST(OrbitStudies, TellOfThePointsOfBranchesWhoseNumberIsNotKnown) {
     told.emplace_back(done, all);
     return Decision::proceed;
   }};
-  const OrbitStudy study = orbits(experiment, {.longest = 1, .branches = true, .most_branches = 2}, execution);
+  const OrbitStudy study = orbits(experiment, {.longest = 1, .most_branches = 2}, execution);
   std::size_t points = 0;
   for (const OrbitBranch& branch : study.branches->study.branches) points += branch.points.size();
   ASSERT_GE(told.size(), 3U);
@@ -95,7 +95,7 @@ TEST(OrbitStudies, TellOfThePointsOfBranchesWhoseNumberIsNotKnown) {
   EXPECT_GT(told.size() - 2, points / 2);
   // A caller may stop there.
   std::size_t calls = 0;
-  EXPECT_THROW(static_cast<void>(orbits(experiment, {.longest = 1, .branches = true},
+  EXPECT_THROW(static_cast<void>(orbits(experiment, {.longest = 1},
                                         {.on_progress =
                                              [&calls](std::uint64_t, std::uint64_t all) {
                                                ++calls;
@@ -108,7 +108,7 @@ TEST(OrbitStudies, TellOfThePointsOfBranchesWhoseNumberIsNotKnown) {
 // The state of an orbit returns after its period: the motion is that of trajectory(), which knows nothing of orbits.
 TEST(OrbitStudies, HaveOrbitsWhoseMotionReturns) {
   const Experiment experiment = swept_experiment();
-  const auto found = orbits(experiment, {.longest = 1}).conditions;
+  const auto found = orbits(experiment, {.longest = 1, .branches = false}).conditions;
   ASSERT_EQ(found.size(), 2U);
   for (std::size_t i = 0; i < found.size(); ++i) {
     ASSERT_FALSE(found[i].orbits.empty());
@@ -133,14 +133,14 @@ TEST(Plans, HaveTheSizeOfARunAndItsTimeByTheClockOfTheCaller) {
   EXPECT_FALSE(alone.time);
   std::atomic<int> looks{0};
   const auto clock = [&looks] { return 1e-4 * ++looks; };
-  const Plan timed = plan(experiment, clock);
+  const Plan timed = plan(experiment, {.elapsed_seconds = clock});
   ASSERT_TRUE(timed.time);
   EXPECT_GT(timed.time->seconds, 0.0);
   EXPECT_THAT(describe(timed), HasSubstr("from a sample of"));
   EXPECT_THAT(describe_as_json(timed), HasSubstr("\"sampled_realisations\""));
   std::atomic<bool> stop{true};
-  EXPECT_THROW(static_cast<void>(plan(experiment, clock, {.stop = &stop})), base::Stopped);
-  EXPECT_THROW(static_cast<void>(plan(experiment, {}, {.shard = Shard{.part = 3, .parts = 2}})), base::InputError);
+  EXPECT_THROW(static_cast<void>(plan(experiment, {.stop = &stop, .elapsed_seconds = clock})), base::Stopped);
+  EXPECT_THROW(static_cast<void>(plan(experiment, {.shard = Shard{.part = 3, .parts = 2}})), base::InputError);
 }
 
 TEST(Tables, OfARunAreThoseOfACompleteOne) {

@@ -129,7 +129,7 @@ void check(const Subject& subject, NoQuestion&) {
   const NamedRun& second = subject.runs[1];
   const auto found =
       why_not_comparable({first.stored.experiment, first.folder}, {second.stored.experiment, second.folder});
-  if (found) throw UnfitQuestion(found->reason, found->place);
+  if (found) throw UnfitQuestion(found->place, "", found->reason);
 }
 
 Answer find(const Subject& subject, const NoQuestion&, const Circumstances& circumstances) {

@@ -9,10 +9,7 @@
 namespace rocking {
 
 /// How the cost of an experiment's accuracy is measured.
-struct CostRequest {
-  /// Clocks, which the library does not read itself; both are needed. The first is called by all threads.
-  std::function<double()> elapsed_seconds;    ///< wall-clock time since some instant [s]
-  std::function<double()> processor_seconds;  ///< processor time of the calling thread [s]
+struct CostQuestion {
   /// Wall-clock time to spend [s]. With `sample`, for measuring the speed alone.
   double seconds = 60.0;
   /// Realisations to measure, from 1 to 100000: gives the same numbers again, except times. Absent: as many as the time
@@ -23,14 +20,12 @@ struct CostRequest {
   std::vector<double> tolerances = {};
 };
 
-/// Throws base::InputError for a number out of range or too few tolerances, std::invalid_argument without clocks.
-ROCKING_API void check_request(const Experiment& experiment, const CostRequest& request);
-
 /// Runs a sample of the realisations at several tolerances with common random numbers: error, changed response modes
 /// and processor time by tolerance, half-widths and time by number of realisations, and a recommended tolerance. Uses
-/// `threads`, `on_progress` and `stop` of the execution; progress counts realisations of the sample. Throws as
-/// check_request, and base::Stopped if it is asked to stop.
-[[nodiscard]] ROCKING_API Cost cost(const Experiment& experiment, const CostRequest& request,
-                                    const Execution& execution = {});
+/// `threads`, `on_progress`, `stop` and both clocks of the execution; progress counts realisations of the sample. Throws
+/// base::InputError for a number out of range or too few tolerances, std::invalid_argument without clocks, and
+/// base::Stopped if it is asked to stop.
+[[nodiscard]] ROCKING_API Cost cost(const Experiment& experiment, const CostQuestion& question,
+                                    const Execution& execution);
 
 }  // namespace rocking

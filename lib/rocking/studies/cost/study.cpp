@@ -25,11 +25,11 @@ constexpr double timing_share = 1.0 / 3.0;
 constexpr double few_seconds = 5.0;
 
 /// Wall-clock time for the sample [s], where the number of its realisations is not given.
-double time_for_sample(const CostRequest& request) { return request.seconds / (1.0 + timing_share); }
+double time_for_sample(const CostQuestion& question) { return question.seconds / (1.0 + timing_share); }
 
 /// Realisations that a measurement will reach in its time, judged by those that are done.
-std::uint64_t expected_sample(const CostRequest& request, std::uint64_t done, double elapsed_seconds) {
-  const double all = static_cast<double>(done) * time_for_sample(request) / std::max(elapsed_seconds, 1e-9);
+std::uint64_t expected_sample(const CostQuestion& question, std::uint64_t done, double elapsed_seconds) {
+  const double all = static_cast<double>(done) * time_for_sample(question) / std::max(elapsed_seconds, 1e-9);
   return std::max(done, static_cast<std::uint64_t>(std::min(all, static_cast<double>(largest_cost_sample))));
 }
 
@@ -45,61 +45,61 @@ std::vector<double> cost_tolerances(const Experiment& experiment, std::span<cons
 
 }  // namespace
 
-void check_request(const Experiment& experiment, const CostRequest& request) {
-  if (!request.elapsed_seconds || !request.processor_seconds) {
-    throw std::invalid_argument("a measurement of cost needs both clocks: elapsed_seconds and processor_seconds");
-  }
+void check_question(const Experiment& experiment, const CostQuestion& question) {
   check_has_conditions(experiment);
   check_strobe(experiment);
-  check_fields(request);
-  if (cost_tolerances(experiment, request.tolerances).size() < 3) {
+  check_fields(question);
+  if (cost_tolerances(experiment, question.tolerances).size() < 3) {
     refuse("tolerances", "",
            "are fewer than three with the experiment's own; the tightest is the reference and the second tightest the "
            "floor, so give at least three, for example 1e-8, 1e-11, 1e-14");
   }
 }
 
-Cost cost(const Experiment& experiment, const CostRequest& request, const Execution& execution) {
-  check_request(experiment, request);
+Cost cost(const Experiment& experiment, const CostQuestion& question, const Execution& execution) {
+  check_question(experiment, question);
+  if (!execution.elapsed_seconds || !execution.processor_seconds) {
+    throw std::invalid_argument("a measurement of cost needs both clocks: elapsed_seconds and processor_seconds");
+  }
   const OptionsOfExecution asked(execution);
   const RunOptions& options = asked.options();
-  const double start = request.elapsed_seconds();
-  const auto elapsed = [&] { return request.elapsed_seconds() - start; };
-  CostPlan plan{.tolerances = cost_tolerances(experiment, request.tolerances),
-                .sample = request.sample.value_or(largest_cost_sample)};
-  if (!request.sample) plan.is_enough = [&] { return elapsed() >= time_for_sample(request); };
+  const double start = execution.elapsed_seconds();
+  const auto elapsed = [&] { return execution.elapsed_seconds() - start; };
+  CostPlan plan{.tolerances = cost_tolerances(experiment, question.tolerances),
+                .sample = question.sample.value_or(largest_cost_sample)};
+  if (!question.sample) plan.is_enough = [&] { return elapsed() >= time_for_sample(question); };
   RunOptions sampling = options;
-  if (options.on_progress && !request.sample) {
+  if (options.on_progress && !question.sample) {
     sampling.on_progress = [&](std::uint64_t done, std::uint64_t all) {
-      options.on_progress(done, std::min(all, expected_sample(request, done, elapsed())));
+      options.on_progress(done, std::min(all, expected_sample(question, done, elapsed())));
     };
   }
   const auto sample = measure_cost(experiment, plan, sampling);
   const double spent = elapsed();
-  const double spare = std::min(few_seconds, request.sample ? request.seconds : request.seconds - spent);
+  const double spare = std::min(few_seconds, question.sample ? question.seconds : question.seconds - spent);
   const double end = spent + std::max(timing_share * spent, spare);
   auto timing = time_cost(
       experiment, plan.tolerances,
-      {.processor_seconds = request.processor_seconds, .seconds_left = [&] { return end - elapsed(); }}, options);
+      {.processor_seconds = execution.processor_seconds, .seconds_left = [&] { return end - elapsed(); }}, options);
   asked.stop().check();
   return cost_of(experiment, plan.tolerances, sample, std::move(timing));
 }
 
-const StructType& fields_of(const CostRequest*) {
+const StructType& fields_of(const CostQuestion*) {
   static const StructType fields{
-      "CostRequest",
-      asked(field<&CostRequest::seconds>(
+      "CostQuestion",
+      asked(field<&CostQuestion::seconds>(
                 "seconds", "Measure as many realisations as possible in about this time, e.g. 5min, and at least one",
                 rule::positive),
             {.names = "--max-time,--time", .letter = "T", .kind = FlagKind::duration}),
-      asked(field<&CostRequest::sample>(
+      asked(field<&CostQuestion::sample>(
                 "sample", "Measure N realisations; the same experiment gives the same numbers again, except times",
                 Rule{.least = 1.0, .most = static_cast<double>(largest_cost_sample)}),
             {.names = "--sample", .letter = "N", .excludes = "--max-time"}),
-      asked(field<&CostRequest::tolerances>("tolerances",
-                                            "These tolerances instead of 1e-4, 1e-5, ... 1e-14; the experiment's own "
-                                            "is added, and the tightest is the reference",
-                                            Rule{.least = 1e-16, .most = 1e-2}),
+      asked(field<&CostQuestion::tolerances>("tolerances",
+                                             "These tolerances instead of 1e-4, 1e-5, ... 1e-14; the experiment's own "
+                                             "is added, and the tightest is the reference",
+                                             Rule{.least = 1e-16, .most = 1e-2}),
             {.names = "--tolerances", .letter = "T,T,T", .kind = FlagKind::commas}),
   };
   return fields;
@@ -122,23 +122,15 @@ std::string fixed_horizon_note(const Experiment& experiment) {
          significant(most, 3) + " times as many periods; `rocking run --dry-run` estimates how many go on\n";
 }
 
-CostRequest with_clocks(CostRequest request, const Circumstances& circumstances) {
-  request.elapsed_seconds = circumstances.elapsed_seconds;
-  request.processor_seconds = circumstances.processor_seconds;
-  return request;
-}
+void check(const Subject& subject, CostQuestion& question) { check_question(subject.experiment, question); }
 
-void check(const Subject& subject, CostRequest& request) {
-  const auto no_clock = [] { return 0.0; };
-  check_request(subject.experiment, with_clocks(request, {.elapsed_seconds = no_clock, .processor_seconds = no_clock}));
-}
-
-Answer find(const Subject& subject, const CostRequest& request, const Circumstances& circumstances) {
-  const double start = circumstances.elapsed_seconds();
+Answer find(const Subject& subject, const CostQuestion& question, const Circumstances& circumstances) {
+  const Execution& execution = circumstances.execution;
+  const double start = execution.elapsed_seconds();
   MeasuredCost measured{.experiment = &subject.experiment,
-                        .cost = cost(subject.experiment, with_clocks(request, circumstances), circumstances.execution),
+                        .cost = cost(subject.experiment, question, execution),
                         .system = facts_of(circumstances.provenance)};
-  measured.system.duration_s = circumstances.elapsed_seconds() - start;
+  measured.system.duration_s = execution.elapsed_seconds() - start;
   return {.document = cost_document().text(cost_report(measured)),
           .table = cost_table(measured) + fixed_horizon_note(subject.experiment)};
 }
@@ -147,12 +139,12 @@ std::vector<analysis::Figure> figures(const Json& document, std::span<const Json
   return analysis::cost_figures(cost_document().read(document));
 }
 
-constexpr StudyFunctions<CostRequest> functions{.check = check, .find = find, .figures = figures};
+constexpr StudyFunctions<CostQuestion> functions{.check = check, .find = find, .figures = figures};
 
 }  // namespace
 
 const Study& cost_study() {
-  static const Study study = study_of<CostRequest, functions>({
+  static const Study study = study_of<CostQuestion, functions>({
       .name = "cost",
       .sentence = "Measure the cost of accuracy in time, on a sample of an experiment",
       .example = "experiments/headline/headline.json --max-time 5min -o out",

@@ -43,7 +43,10 @@ struct CostReport {
 /// The recommendation and its reason: one paragraph.
 [[nodiscard]] std::string cost_recommendation(const MeasuredCost& measured);
 
-[[nodiscard]] const StructType& fields_of(const CostRequest*);
+[[nodiscard]] const StructType& fields_of(const CostQuestion*);
+
+/// Throws as cost() where the question cannot be answered.
+void check_question(const Experiment& experiment, const CostQuestion& question);
 
 [[nodiscard]] const Study& cost_study();
 

@@ -59,8 +59,8 @@ MeasureElsewhere measure_elsewhere(const std::string& measure) {
     const std::string period = measure.substr(spectral.size(), measure.size() - spectral.size() - 1);
     return {.nrml = "SA(" + period + ')', .pelicun = "Spectral Acceleration|" + period, .unit = "g"};
   }
-  throw UnfitQuestion("--export: " + measure +
-                      " is no measure of intensity of this format; sweep pga_g, pgv_m_s or sa_g, or write --as csv");
+  throw UnfitQuestion("export", "", measure + " is no measure of intensity of this format",
+                      "sweep pga_g, pgv_m_s or sa_g, or give csv as `export_as`");
 }
 
 /// Letters, digits, points and `_`: pelicun parts an ID at `-`.
@@ -76,7 +76,7 @@ std::string id_of(const std::string& title, const std::vector<Parameter>& others
 }
 
 [[noreturn]] void refuse_curve(const LimitState& state, const std::string& reason) {
-  throw UnfitQuestion("--export: the curve of " + words_of(state.event) + ' ' + reason);
+  throw UnfitQuestion("export", "", "the curve of " + words_of(state.event) + ' ' + reason);
 }
 
 double probability_of(const FragilityLevel& level) {
@@ -288,7 +288,7 @@ std::string csv_of(const std::vector<ExportedFunction>& functions) {
 ExportedFragility exported(const std::vector<RunFragility>& runs, ExportFormat format) {
   const std::vector<ExportedFunction> functions = functions_of(runs);
   ExportedFragility found;
-  if (functions.empty()) throw UnfitQuestion("--export: there is no curve");
+  if (functions.empty()) throw UnfitQuestion("export", "", "there is no curve");
   switch (format) {
     case ExportFormat::nrml: found.text = nrml_of(functions, runs.front().experiment.title); break;
     case ExportFormat::pelicun: found.text = pelicun_of(functions, found.notices); break;

@@ -6,7 +6,7 @@ namespace rocking {
 
 Written write_sheet(const StoredRun&, const RunFragility&, const HazardCurve&, const std::filesystem::path&,
                     const SheetNotes&, const Execution&) {
-  throw UnfitQuestion("--sheet: this library was built without pages");
+  throw UnfitQuestion("sheet", "", "this library was built without pages");
 }
 
 }  // namespace rocking

@@ -149,9 +149,6 @@ struct FragilityQuestion {
                                                  const FragilityQuestion& question = {},
                                                  const Execution& execution = {});
 
-/// The same as JSON text (`rocking.fragility/1`).
-[[nodiscard]] ROCKING_API std::string fragility_text(const RunFragility& found);
-
 /// Reads a hazard curve: a line with an intensity and its annual rate, or probability, of exceedance for each point; the
 /// first line names both (lib/docs/formats.md). `reading`: what the file leaves open. Throws base::InputError with the
 /// line of a fault, and std::system_error where the file cannot be read.

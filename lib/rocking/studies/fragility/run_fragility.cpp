@@ -271,8 +271,6 @@ RunFragility fragility(const Experiment& experiment, const RunResult& run, const
                        OptionsOfExecution(execution).options());
 }
 
-std::string fragility_text(const RunFragility& found) { return fragility_document().text(fragility_report({found})); }
-
 HazardCurve hazard_curve(const std::filesystem::path& file, const HazardReading& reading) {
   return hazard_curve_in(read_file(file, most_hazard_bytes), file.string(), reading);
 }

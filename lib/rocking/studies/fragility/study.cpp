@@ -29,25 +29,25 @@ ExportFormat export_format(const RunsQuestion& question) {
                                               : ending.substr(ending.empty() ? 0 : 1);
   const auto* const found = std::ranges::find(export_format_names, name);
   if (found != export_format_names.end()) return static_cast<ExportFormat>(found - export_format_names.begin());
-  throw UnfitQuestion("--export " + *question.export_file +
-                      ": must end with .xml or .csv, or add --as nrml, pelicun or csv");
+  throw UnfitQuestion("export", *question.export_file, "must end with .xml or .csv",
+                      "or give `export_as`: nrml, pelicun or csv");
 }
 
 /// What flags cannot say of each other.
 void expect_sensible(const Subject& subject, const RunsQuestion& question) {
   if (question.hazards.size() > 1 && !question.survived) {
-    throw UnfitQuestion("--hazard: several hazard curves are branches of --survived T; give one, or add it");
+    throw UnfitQuestion("hazard", "", "several hazard curves are branches of `survived`", "give one, or add it");
   }
   if (question.export_file) static_cast<void>(export_format(question));
   const std::vector<std::string>& measures = question.question.surface;
   if (!measures.empty() && (measures.size() != 2 || measures[0] == measures[1])) {
-    throw UnfitQuestion("--surface: must be two different measures");
+    throw UnfitQuestion("surface", "", "must be two different measures");
   }
   if (!question.sheet) return;
-  if (subject.runs.size() > 1) throw UnfitQuestion("--sheet: is about one run; name one folder");
+  if (subject.runs.size() > 1) throw UnfitQuestion("sheet", "", "is about one run", "name one folder");
   const std::string ending = std::filesystem::path(*question.sheet).extension().string();
   if (ending != ".pdf" && ending != ".html") {
-    throw UnfitQuestion("--sheet " + *question.sheet + ": must end with .pdf or .html");
+    throw UnfitQuestion("sheet", *question.sheet, "must end with .pdf or .html");
   }
 }
 
@@ -89,8 +89,8 @@ RunFragility curves_of(const NamedRun& run, const RunsQuestion& asked, const Fil
   } catch (const base::InputError& error) {
     const base::Problem& problem = error.problems().front();
     const bool is_of_question = problem.place.starts_with('/') || problem.place == "events";
-    if (!is_of_question) throw;                                         // of the hazard curve
-    throw UnfitQuestion(run.folder + ": " + base::to_string(problem));  // the run answers another question
+    if (!is_of_question) throw;                                     // of the hazard curve
+    throw UnfitQuestion(run.folder, "", base::to_string(problem));  // the run answers another question
   }
 }
 
@@ -126,7 +126,7 @@ Survival survival_of(const Subject& subject, const RunsQuestion& question, const
     blocks.insert(blocks.end(), of_run.begin(), of_run.end());
   }
   if (blocks.size() > 1 && question.rare) {
-    throw UnfitQuestion("--survived: takes rare estimates of one block, not of several; omit --rare");
+    throw UnfitQuestion("survived", "", "takes rare estimates of one block, not of several", "omit `rare_file`");
   }
   const OptionsOfExecution options(execution);
   return survival(blocks, *question.survived, question.branches, subject.runs.front().stored.experiment.seed,
@@ -135,7 +135,7 @@ Survival survival_of(const Subject& subject, const RunsQuestion& question, const
 
 /// A command for a run that its suites need more levels of; empty: none is needed.
 std::string suggestions(const RunFragility& found, const std::string& folder) {
-  if (found.suites.empty()) throw UnfitQuestion("--suggest: " + folder + " has no suite of ground motions");
+  if (found.suites.empty()) throw UnfitQuestion("suggest", "", folder + " has no suite of ground motions");
   std::set<double> levels;
   std::set<double> rare;  // sampling would not see the event
   for (const ShownSuite& suite : found.suites) {

@@ -23,15 +23,15 @@ std::vector<std::vector<std::uint64_t>> counts_of(const CountedTests& tests) {
 
 class Answering {
  public:
-  Answering(const InferenceQuestion& question, const std::vector<ShareModel>& models, const Survey& found,
+  Answering(const InferenceSetting& setting, const std::vector<ShareModel>& models, const Survey& found,
             const base::ManyParts& how)
-      : question_(&question),
+      : setting_(&setting),
         models_(&models),
         found_(&found),
-        scale_(question.unknowns),
-        counts_(counts_of(question.tests)),
+        scale_(setting.unknowns),
+        counts_(counts_of(setting.tests)),
         posterior_(posterior_of({models.begin(), models.begin() + static_cast<std::ptrdiff_t>(counts_.size())},
-                                in_one_row(counts_), question.unknowns, found, how)),
+                                in_one_row(counts_), setting.unknowns, found, how)),
         threads_(how.threads) {
     for (const auto& counts : counts_) {
       tests_.push_back(std::accumulate(counts.begin(), counts.end(), std::uint64_t{0}));
@@ -49,8 +49,8 @@ class Answering {
 
   [[nodiscard]] InferenceAnswer answer() const {
     InferenceAnswer answer;
-    answer.unknowns.resize(question_->unknowns.size());
-    answer.candidates.resize(question_->tests.candidates.size());
+    answer.unknowns.resize(setting_->unknowns.size());
+    answer.candidates.resize(setting_->tests.candidates.size());
     answer.log_likelihood = found_->logarithms[static_cast<Eigen::Index>(best_)] + log_coefficients(counts_);
     answer.predicted = predicted();
     std::vector<std::function<void()>> parts;
@@ -60,7 +60,7 @@ class Answering {
     for (std::size_t i = 0; i < answer.candidates.size(); ++i) {
       parts.emplace_back([&, i] {
         answer.candidates[i] =
-            gain_of((*models_)[tests_.size() + i], question_->next_tests, posterior_, question_->seed, each_set_);
+            gain_of((*models_)[tests_.size() + i], setting_->next_tests, posterior_, setting_->seed, each_set_);
       });
     }
     parts.emplace_back([&] { answer.fit = fit(); });
@@ -81,14 +81,14 @@ class Answering {
 
   [[nodiscard]] Eigen::MatrixXd make_up(const Eigen::VectorXd& point, std::size_t sets,
                                         ErrorsOfConditions errors = ErrorsOfConditions::bounded) const {
-    return made_up_tests(tested(), tests_, point, {.seed = question_->seed, .first = 0, .sets = sets, .errors = errors},
+    return made_up_tests(tested(), tests_, point, {.seed = setting_->seed, .first = 0, .sets = sets, .errors = errors},
                          each_set_);
   }
 
   [[nodiscard]] UnknownAnswer of_unknown(std::size_t k) const {
     const Eigen::VectorXd limits = profile_limits(
         found_->likelihood, k, found_->deviances,
-        [this](const Eigen::VectorXd& point) { return make_up(point, sets_for_limits); }, question_->confidence);
+        [this](const Eigen::VectorXd& point) { return make_up(point, sets_for_limits); }, setting_->confidence);
     const Eigen::VectorXd profile = profile_on(lattice(), k, found_->deviances);
     const stats::Interval inside = interval_below(lattice(), k, profile, limits);
     UnknownAnswer answer{.estimate = value_at(k, lattice().place(best_, k)),
@@ -102,12 +102,12 @@ class Answering {
     else if (reaches_to)
       answer.reaches = ReachedBound::to;
     const bool has_prior =
-        std::ranges::any_of(question_->unknowns, [](const Unknown& u) { return u.prior.has_value(); });
+        std::ranges::any_of(setting_->unknowns, [](const Unknown& u) { return u.prior.has_value(); });
     for (std::size_t place = 0; place < lattice().points_on_axis(); place += places_apart()) {
       answer.profile.push_back(
           {.at = value_at(k, place), .likelihood_ratio = std::exp(-0.5 * profile[static_cast<Eigen::Index>(place)])});
     }
-    if (has_prior) answer.posterior = summary(posterior_, question_->unknowns, k, question_->confidence);
+    if (has_prior) answer.posterior = summary(posterior_, setting_->unknowns, k, setting_->confidence);
     return answer;
   }
 
@@ -120,7 +120,7 @@ class Answering {
       of_condition.shares.assign(shares.begin(), shares.end());
       for (const std::uint64_t count : counts_[c]) {
         of_condition.intervals.push_back(
-            stats::clopper_pearson({.successes = count, .trials = tests_[c]}, question_->confidence));
+            stats::clopper_pearson({.successes = count, .trials = tests_[c]}, setting_->confidence));
       }
       all.push_back(std::move(of_condition));
     }
@@ -153,7 +153,7 @@ class Answering {
   /// Points of every second or so place of the lattice, and the best one.
   void add_region(InferenceAnswer& answer) const {
     const Eigen::MatrixXd sets = make_up(lattice().point(best_), sets_for_region);
-    const double limit = region_limit(found_->likelihood.logarithms_of_sets(sets), best_, question_->confidence);
+    const double limit = region_limit(found_->likelihood.logarithms_of_sets(sets), best_, setting_->confidence);
     answer.region_limit = std::exp(-0.5 * limit);
     for (std::size_t i = 0; i < lattice().size(); ++i) {
       bool is_shown = true;
@@ -165,7 +165,7 @@ class Answering {
     }
   }
 
-  const InferenceQuestion* question_;
+  const InferenceSetting* setting_;
   const std::vector<ShareModel>* models_;
   const Survey* found_;
   Scale scale_;
@@ -180,14 +180,14 @@ class Answering {
 
 }  // namespace
 
-std::uint64_t sets_of_answer(const InferenceQuestion& question) {
-  return question.unknowns.size() * places_of_limits * sets_for_limits + sets_for_fit + sets_for_region +
-         question.tests.candidates.size() * sets_of_candidate;
+std::uint64_t sets_of_answer(const InferenceSetting& setting) {
+  return setting.unknowns.size() * places_of_limits * sets_for_limits + sets_for_fit + sets_for_region +
+         setting.tests.candidates.size() * sets_of_candidate;
 }
 
-InferenceAnswer answer_of(const InferenceQuestion& question, const std::vector<ShareModel>& models, const Survey& found,
+InferenceAnswer answer_of(const InferenceSetting& setting, const std::vector<ShareModel>& models, const Survey& found,
                           const base::ManyParts& how) {
-  return Answering(question, models, found, how).answer();
+  return Answering(setting, models, found, how).answer();
 }
 
 }  // namespace rocking::infer

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "rocking/api/question_check.hpp"
+#include "rocking/api/refuse.hpp"
 #include "rocking/api/run_store.hpp"
 #include "rocking/base/error.hpp"
 #include "rocking/base/number_text.hpp"
@@ -62,17 +63,17 @@ void check_tests(const Experiment& experiment, const CountedTests& tests, Questi
 }
 
 /// Points of an earlier answer to the same question.
-void check_earlier(const Experiment& experiment, const InferRequest& request, QuestionCheck& check) {
+void check_earlier(const Experiment& experiment, const InferQuestion& question, QuestionCheck& check) {
   const std::uint64_t realisations = experiment.conditions.front().realisations;
-  const std::size_t conditions = request.tests.conditions.size() + request.tests.candidates.size();
-  for (std::size_t i = 0; i < request.earlier.size(); ++i) {
-    const infer::DesignPoint& point = request.earlier[i];
+  const std::size_t conditions = question.tests.conditions.size() + question.tests.candidates.size();
+  for (std::size_t i = 0; i < question.earlier.size(); ++i) {
+    const infer::DesignPoint& point = question.earlier[i];
     const std::string place = "earlier/" + std::to_string(i);
     check.expect_size(point.at.size(), experiment.unknowns.size(), place + "/at", "unknown");
     check.expect_size(point.counts.size(), conditions, place + "/counts", "condition");
     for (std::size_t c = 0; c < point.counts.size(); ++c) {
       const std::string of_condition = place + "/counts/" + std::to_string(c);
-      check.expect_size(point.counts[c].size(), request.tests.groups.size(), of_condition, "group");
+      check.expect_size(point.counts[c].size(), question.tests.groups.size(), of_condition, "group");
       const auto sum = std::accumulate(point.counts[c].begin(), point.counts[c].end(), std::uint64_t{0});
       check.expect(sum == realisations, of_condition, std::to_string(sum) + " realisations",
                    "must be those of the experiment, " + std::to_string(realisations));
@@ -82,18 +83,14 @@ void check_earlier(const Experiment& experiment, const InferRequest& request, Qu
 
 }  // namespace
 
-CountedTests counted_tests(const Experiment& experiment, const FileSource& files, const std::string& tests,
-                           const std::optional<std::string>& candidates, const std::filesystem::path& folder) {
-  CountedTests read = read_tests(files(tests, most_tests_bytes + 1), tests, experiment, folder);
-  if (candidates) read_candidates(files(*candidates, most_tests_bytes + 1), *candidates, experiment, folder, read);
-  return read;
-}
-
-CountedTests counted_tests(const Experiment& experiment, const std::filesystem::path& tests,
-                           const std::optional<std::filesystem::path>& candidates,
-                           const std::filesystem::path& folder) {
-  const std::optional<std::string> others = candidates ? std::optional(candidates->string()) : std::nullopt;
-  return counted_tests(experiment, files_seen_from(""), tests.string(), others, folder);
+InferQuestion with_tests(const Experiment& experiment, InferQuestion question, const FileSource& files) {
+  const auto text_of = [&files](const std::string& name) { return files(name, most_tests_bytes + 1); };
+  check_infer(experiment);
+  question.tests = read_tests(text_of(question.tests_file), question.tests_file, experiment, question.folder);
+  if (const auto& file = question.candidates_file) {
+    read_candidates(text_of(*file), *file, experiment, question.folder, question.tests);
+  }
+  return question;
 }
 
 void check_infer(const Experiment& experiment) {
@@ -129,26 +126,36 @@ void check_infer(const Experiment& experiment) {
   check_priors(experiment.unknowns);
 }
 
-void check_request(const Experiment& experiment, const InferRequest& request) {
+void check_question(const Experiment& experiment, const InferQuestion& question) {
   check_infer(experiment);
-  QuestionCheck check(request);
-  check.expect(!request.seconds || request.elapsed_seconds, "seconds", "", "needs a clock: `elapsed_seconds`");
-  check_tests(experiment, request.tests, check);
-  check_earlier(experiment, request, check);
+  QuestionCheck check(question);
+  check_tests(experiment, question.tests, check);
+  check_earlier(experiment, question, check);
   check.finish();
 }
 
-Inference infer_unknowns(const Experiment& experiment, const InferRequest& request, const Execution& execution) {
-  check_request(experiment, request);
+Inference infer_unknowns(const Experiment& experiment, const InferQuestion& question, const Execution& execution,
+                         const KeepDesign& keep) {
+  check_question(experiment, question);
+  if (question.seconds && !execution.elapsed_seconds) refuse("seconds", "", "needs a clock: `elapsed_seconds`");
   const OptionsOfExecution asked(execution);
-  InferSimulation simulation(experiment, request.tests, seen_from(request.folder), asked.options());
-  const InferenceQuestion question = inference_question(experiment, request.tests, request.next_tests, simulation);
-  simulation.expect_sets(made_up_sets(question));
+  InferSimulation simulation(experiment, question.tests, seen_from(question.folder), asked.options());
+  const InferenceSetting setting = inference_setting(experiment, question.tests, question.next_tests, simulation);
+  simulation.expect_sets(made_up_sets(setting));
   Inference found = infer_unknowns(
-      question, request,
+      setting,
+      {.seconds = question.seconds,
+       .elapsed_seconds = execution.elapsed_seconds,
+       .earlier = question.earlier,
+       .keep = keep},
       {.threads = asked.options().threads, .stop = asked.stop(), .on_part = [&simulation] { simulation.tell_set(); }});
-  if (found.end == InferEnd::stopped && !request.keeps_when_stopped) throw base::Stopped();
+  if (found.end == InferEnd::stopped && !keep) throw base::Stopped();
   return found;
+}
+
+Inference infer_unknowns(const Experiment& experiment, const InferQuestion& question, const Execution& execution) {
+  if (question.tests_file.empty()) return infer_unknowns(experiment, question, execution, {});
+  return infer_unknowns(experiment, with_tests(experiment, question, files_seen_from("")), execution, {});
 }
 
 }  // namespace rocking

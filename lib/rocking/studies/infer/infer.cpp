@@ -36,24 +36,24 @@ std::vector<ShareModel> models_of(const std::vector<Eigen::VectorXd>& points, co
   return models;
 }
 
-Survey survey_of(const InferenceQuestion& question, const std::vector<ShareModel>& models, const base::ManyParts& how) {
-  const auto tested = static_cast<std::ptrdiff_t>(question.tests.conditions.size());
+Survey survey_of(const InferenceSetting& setting, const std::vector<ShareModel>& models, const base::ManyParts& how) {
+  const auto tested = static_cast<std::ptrdiff_t>(setting.tests.conditions.size());
   std::vector<std::vector<std::uint64_t>> counts;
-  for (const TestedCondition& condition : question.tests.conditions) counts.push_back(condition.counts);
+  for (const TestedCondition& condition : setting.tests.conditions) counts.push_back(condition.counts);
   return survey({models.begin(), models.begin() + tested}, in_one_row(counts), how);
 }
 
 class Study {
  public:
-  Study(const InferenceQuestion& question, const InferRequest& request, const base::ManyParts& how)
-      : question_(&question), request_(&request), how_(how), scale_(question.unknowns) {}
+  Study(const InferenceSetting& setting, const DesignLimits& limits, const base::ManyParts& how)
+      : setting_(&setting), limits_(&limits), how_(how), scale_(setting.unknowns) {}
 
   [[nodiscard]] Inference inference() {
     try {
-      if (extend(first_design(question_->unknowns.size()))) refine();
-      return inference_from(*question_, design_, end_, how_);
+      if (extend(first_design(setting_->unknowns.size()))) refine();
+      return inference_from(*setting_, design_, end_, how_);
     } catch (const base::Stopped&) {
-      return inference_from(*question_, std::move(design_), InferEnd::stopped, how_);
+      return inference_from(*setting_, std::move(design_), InferEnd::stopped, how_);
     }
   }
 
@@ -64,7 +64,7 @@ class Study {
     look();
     for (;;) {
       const std::vector<stats::Interval> before = intervals();
-      if (points_.size() >= most_points(question_->unknowns.size())) {
+      if (points_.size() >= most_points(setting_->unknowns.size())) {
         end_ = InferEnd::most_points;
         return;
       }
@@ -101,37 +101,37 @@ class Study {
         return false;
       }
       const double start = elapsed();
-      found = question_->simulate(missing);
+      found = setting_->simulate(missing);
       longest_ = std::max(longest_, elapsed() - start);
     }
     auto next = found.begin();
     for (const std::vector<double>& at : values) {
       const std::size_t place = design_.size();
-      design_.push_back({.at = at, .counts = is_known(place, at) ? request_->earlier[place].counts : *next++});
+      design_.push_back({.at = at, .counts = is_known(place, at) ? limits_->earlier[place].counts : *next++});
       points_.push_back(scale_.point(at));
     }
-    if (request_->keep && !missing.empty()) request_->keep(design_);
+    if (limits_->keep && !missing.empty()) limits_->keep(design_);
     return true;
   }
 
   [[nodiscard]] bool is_known(std::size_t place, const std::vector<double>& at) const {
-    return place < request_->earlier.size() && request_->earlier[place].at == at;
+    return place < limits_->earlier.size() && limits_->earlier[place].at == at;
   }
 
-  [[nodiscard]] double elapsed() const { return request_->elapsed_seconds ? request_->elapsed_seconds() : 0.0; }
+  [[nodiscard]] double elapsed() const { return limits_->elapsed_seconds ? limits_->elapsed_seconds() : 0.0; }
 
-  [[nodiscard]] bool has_time() const { return !request_->seconds || elapsed() + longest_ < *request_->seconds; }
+  [[nodiscard]] bool has_time() const { return !limits_->seconds || elapsed() + longest_ < *limits_->seconds; }
 
   /// Fits the models to the design.
   void look() {
     models_ = models_of(points_, design_, models_, how_);
-    found_.emplace(survey_of(*question_, models_, how_));
+    found_.emplace(survey_of(*setting_, models_, how_));
   }
 
   /// In the unit cube, by the asymptotic limit.
   [[nodiscard]] std::vector<stats::Interval> intervals() const {
     const Lattice& lattice = found_->likelihood.lattice();
-    const double limit = boost::math::quantile(boost::math::chi_squared(1.0), question_->confidence);
+    const double limit = boost::math::quantile(boost::math::chi_squared(1.0), setting_->confidence);
     const Eigen::VectorXd limits =
         Eigen::VectorXd::Constant(static_cast<Eigen::Index>(lattice.points_on_axis()), limit);
     std::vector<stats::Interval> intervals;
@@ -152,8 +152,8 @@ class Study {
     return largest;
   }
 
-  const InferenceQuestion* question_;
-  const InferRequest* request_;
+  const InferenceSetting* setting_;
+  const DesignLimits* limits_;
   base::ManyParts how_;
   Scale scale_;
   std::vector<Eigen::VectorXd> points_;  ///< of the design, in the unit cube
@@ -167,31 +167,31 @@ class Study {
 }  // namespace
 }  // namespace infer
 
-Inference inference_from(const InferenceQuestion& question, std::vector<infer::DesignPoint> design, InferEnd end,
+Inference inference_from(const InferenceSetting& setting, std::vector<infer::DesignPoint> design, InferEnd end,
                          const base::ManyParts& how) {
   Inference result{.design = std::move(design), .answer = {}, .end = end};
   std::vector<Eigen::VectorXd> points;
-  const infer::Scale scale(question.unknowns);
+  const infer::Scale scale(setting.unknowns);
   for (const infer::DesignPoint& point : result.design) {
     points.push_back(scale.point(point.at));
     for (const auto& of_condition : point.counts) {
       for (const std::uint64_t count : of_condition) result.realisations += count;
     }
   }
-  const bool has_first_design = points.size() >= infer::first_design(question.unknowns.size()).size();
+  const bool has_first_design = points.size() >= infer::first_design(setting.unknowns.size()).size();
   if (!has_first_design || end == InferEnd::stopped) return result;
   const std::vector<infer::ShareModel> models = infer::models_of(points, result.design, {}, how);
-  result.answer = infer::answer_of(question, models, infer::survey_of(question, models, how), how);
+  result.answer = infer::answer_of(setting, models, infer::survey_of(setting, models, how), how);
   return result;
 }
 
-std::uint64_t made_up_sets(const InferenceQuestion& question) { return infer::sets_of_answer(question); }
+std::uint64_t made_up_sets(const InferenceSetting& setting) { return infer::sets_of_answer(setting); }
 
 void check_priors(const std::vector<Unknown>& unknowns) { static_cast<void>(infer::reach_of_priors(unknowns)); }
 
-Inference infer_unknowns(const InferenceQuestion& question, const InferRequest& request, const base::ManyParts& how) {
-  check_priors(question.unknowns);
-  return infer::Study(question, request, how).inference();
+Inference infer_unknowns(const InferenceSetting& setting, const DesignLimits& limits, const base::ManyParts& how) {
+  check_priors(setting.unknowns);
+  return infer::Study(setting, limits, how).inference();
 }
 
 }  // namespace rocking

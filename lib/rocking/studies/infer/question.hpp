@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -114,47 +113,24 @@ struct Inference {
 };
 
 /// Counted tests of an experiment's block, and how its unknowns are inferred from them.
-struct InferRequest {
-  CountedTests tests;
+struct InferQuestion {
+  std::string tests_file = {};  ///< CSV (lib/docs/formats.md), read into `tests`; empty: they are given
+  std::optional<std::string> candidates_file = {};  ///< conditions that may be tested next
+  CountedTests tests = {};
   std::uint64_t next_tests = 5;        ///< tests of a candidate condition; 1 to 1000
   std::filesystem::path folder = ".";  ///< from which the files of the experiment are seen
-  /// Time [s] on the clock of `elapsed_seconds`, after which no points are added. Absent: no limit.
-  std::optional<double> seconds = {};
-  std::function<double()> elapsed_seconds = {};
+  std::optional<double> seconds =
+      {};  ///< [s] on a clock of the execution; no points are added after it. Absent: no limit
   std::vector<infer::DesignPoint> earlier = {};  ///< of an earlier answer to the same question; not simulated again
-  /// When it is asked to stop, it returns the finished points without an answer. Else it throws.
-  bool keeps_when_stopped = false;
-  /// Called with the design so far when some of its points have been simulated.
-  std::function<void(const std::vector<infer::DesignPoint>& design)> keep = {};
 };
 
-/// Reads a file of counted tests and one of candidate conditions (lib/docs/formats.md). Files of the experiment are
-/// seen from `folder`. Throws base::InputError with the line of each fault, and std::system_error where a file cannot
-/// be read.
-[[nodiscard]] ROCKING_API CountedTests counted_tests(const Experiment& experiment, const std::filesystem::path& tests,
-                                                     const std::optional<std::filesystem::path>& candidates = {},
-                                                     const std::filesystem::path& folder = ".");
-
-/// Throws base::InputError if the experiment has no text, no unknowns, no fixed number of realisations, a suite, or a prior
-/// without weight in the range of its unknown.
-ROCKING_API void check_infer(const Experiment& experiment);
-
-/// Throws as check_infer, and base::InputError with every number of the request that is out of range, every list of
-/// another length, and every parameter that is not in the experiment.
-ROCKING_API void check_request(const Experiment& experiment, const InferRequest& request);
-
 /// Estimates the unknowns of an experiment from counted tests, with intervals and a joint region. Uses `threads`,
-/// `on_progress` and `stop` of the execution; progress counts realisations, whose number grows until the intervals
-/// settle, and the data sets that are made up for the answer. Throws as check_request, and base::Stopped if it is asked to stop.
-/// Source: lib/docs/infer.md.
-[[nodiscard]] ROCKING_API Inference infer_unknowns(const Experiment& experiment, const InferRequest& request,
+/// `on_progress`, `stop` and `elapsed_seconds` of the execution; progress counts realisations, whose number grows until the
+/// intervals settle, and the data sets that are made up for the answer. Throws base::Stopped if it is asked to stop, and
+/// base::InputError if the experiment has no text, no unknowns, no fixed number of realisations, a suite, or a prior without
+/// weight in the range of its unknown, with every number of the question that is out of range, every list of another length
+/// and every parameter that is not in the experiment, and with each line of a file that is wrong. Source: lib/docs/infer.md.
+[[nodiscard]] ROCKING_API Inference infer_unknowns(const Experiment& experiment, const InferQuestion& question,
                                                    const Execution& execution = {});
-
-/// Checks the `infer.json` of a folder, whose answer must follow from its design: makes about `sample` points of the
-/// design again, evenly spaced; absent: eight. `checked` and `different` count points. Which points a design has is not
-/// checked. Uses the execution as verify() and throws as it does.
-[[nodiscard]] ROCKING_API RunCheck verify_infer(const std::filesystem::path& folder,
-                                                std::optional<std::uint64_t> sample = {},
-                                                const Execution& execution = {});
 
 }  // namespace rocking

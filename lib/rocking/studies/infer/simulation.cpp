@@ -73,8 +73,8 @@ std::vector<std::uint64_t> InferSimulation::counts_of(const ConditionResult& res
   return counts;
 }
 
-InferenceQuestion inference_question(const Experiment& experiment, const CountedTests& tests, std::uint64_t next_tests,
-                                     InferSimulation& simulation) {
+InferenceSetting inference_setting(const Experiment& experiment, const CountedTests& tests, std::uint64_t next_tests,
+                                   InferSimulation& simulation) {
   return {.unknowns = experiment.unknowns,
           .tests = tests,
           .confidence = experiment.conditions.front().confidence,

@@ -30,10 +30,16 @@ const StructType& design_point_fields() {
 
 }  // namespace
 
-const StructType& fields_of(const InferRequest*) {
-  using Type = InferRequest;
+const StructType& fields_of(const InferQuestion*) {
+  using Type = InferQuestion;
   static const StructType fields{
-      "InferRequest",
+      "InferQuestion",
+      asked(field<&Type::tests_file>("tests_file", "Counted tests, CSV: a line for each condition"),
+            {.names = "--tests", .letter = "FILE", .is_required = true}),
+      asked(field<&Type::candidates_file>(
+                "candidates_file",
+                "Conditions that may be tested next, CSV without counts: how much each would narrow the region"),
+            {.names = "--candidates", .letter = "FILE"}),
       field<&Type::tests, &CountedTests::conditions>("tests", "by tested condition",
                                                      list_of<TestedCondition, tested_condition_fields>()),
       asked(
@@ -52,41 +58,17 @@ const StructType& fields_of(const InferRequest*) {
 
 namespace {
 
-/// A request, and the files of its tests.
-struct InferQuestion {
-  std::string tests;
-  std::optional<std::string> candidates;
-  InferRequest request;
-};
-
-const StructType& fields_of(const InferQuestion*) {
-  using Type = InferQuestion;
-  static const StructType fields{
-      "InferQuestion",
-      asked(field<&Type::tests>("tests_file", "Counted tests, CSV: a line for each condition"),
-            {.names = "--tests", .letter = "FILE", .is_required = true}),
-      asked(field<&Type::candidates>(
-                "candidates_file",
-                "Conditions that may be tested next, CSV without counts: how much each would narrow the region"),
-            {.names = "--candidates", .letter = "FILE"}),
-      inlined<&Type::request>(),
-  };
-  return fields;
-}
-
-InferReport report_on(const Subject& subject, const InferRequest& request, const Inference& found) {
-  return infer_report(subject.experiment, request.tests, request.next_tests, found);
+InferReport report_on(const Subject& subject, const InferQuestion& question, const Inference& found) {
+  return infer_report(subject.experiment, question.tests, question.next_tests, found);
 }
 
 void check(const Subject& subject, InferQuestion& question) {
-  check_infer(subject.experiment);
-  question.request.folder = subject.folder;
-  question.request.tests =
-      counted_tests(subject.experiment, subject.files, question.tests, question.candidates, subject.folder);
+  question.folder = subject.folder;
+  question = with_tests(subject.experiment, std::move(question), subject.files);
 }
 
 void resume(const Subject& subject, InferQuestion& question, const Json& earlier) {
-  question.request.earlier = design_for(report_on(subject, question.request, {}), infer_document().read(earlier));
+  question.earlier = design_for(report_on(subject, question, {}), infer_document().read(earlier));
 }
 
 /// Numbers of the tested conditions that have another unit than their column more likely than not.
@@ -103,22 +85,20 @@ std::vector<std::string> doubts_of(const Subject& subject, const CountedTests& t
 }
 
 Answer find(const Subject& subject, const InferQuestion& question, const Circumstances& circumstances) {
-  InferRequest request = question.request;
-  request.elapsed_seconds = circumstances.elapsed_seconds;
+  KeepDesign keep;
   if (circumstances.keep) {
-    request.keeps_when_stopped = true;
-    request.keep = [&](const std::vector<infer::DesignPoint>& design) {
+    keep = [&](const std::vector<infer::DesignPoint>& design) {
       circumstances.keep([&] {
         return infer_document().text(
-            report_on(subject, request, {.design = design, .answer = {}, .end = InferEnd::stopped}));
+            report_on(subject, question, {.design = design, .answer = {}, .end = InferEnd::stopped}));
       });
     };
   }
-  const Inference found = infer_unknowns(subject.experiment, request, circumstances.execution);
-  const InferReport report = report_on(subject, request, found);
+  const Inference found = infer_unknowns(subject.experiment, question, circumstances.execution, keep);
+  const InferReport report = report_on(subject, question, found);
   return {.document = infer_document().text(report),
           .table = infer_table(report),
-          .warnings = doubts_of(subject, request.tests),
+          .warnings = doubts_of(subject, question.tests),
           .end = found.end == InferEnd::stopped ? AnswerEnd::stopped : AnswerEnd::complete};
 }
 

@@ -5,7 +5,7 @@
 #include "rocking/fields/value_type.hpp"
 #include "rocking/figures/figure.hpp"
 #include "rocking/output/provenance.hpp"
-#include "rocking/studies/infer/question.hpp"
+#include "rocking/studies/infer/infer.hpp"
 #include "rocking/study/study.hpp"
 
 namespace rocking {
@@ -104,12 +104,25 @@ namespace rocking {
 /// Whether the tests can tell the unknowns: `no, these tests cannot tell: ...`.
 [[nodiscard]] std::string identified_in_words(const InferReport& report);
 
-[[nodiscard]] const StructType& fields_of(const InferRequest*);
+[[nodiscard]] const StructType& fields_of(const InferQuestion*);
 
-/// The same as counted_tests of question.hpp, of `files` with these names.
-[[nodiscard]] CountedTests counted_tests(const Experiment& experiment, const FileSource& files,
-                                         const std::string& tests, const std::optional<std::string>& candidates,
-                                         const std::filesystem::path& folder);
+/// Throws as infer_unknowns() where an experiment, or a question about it, cannot be answered.
+void check_infer(const Experiment& experiment);
+void check_question(const Experiment& experiment, const InferQuestion& question);
+
+/// The question with the tests of its files.
+[[nodiscard]] InferQuestion with_tests(const Experiment& experiment, InferQuestion question, const FileSource& files);
+
+/// The same as in question.hpp, of tests that have been read; where it may keep points, it returns those that are finished
+/// when it is asked to stop, without an answer.
+[[nodiscard]] Inference infer_unknowns(const Experiment& experiment, const InferQuestion& question,
+                                       const Execution& execution, const KeepDesign& keep);
+
+/// Checks the `infer.json` of a folder, whose answer must follow from its design: makes about `sample` points of the
+/// design again, evenly spaced; absent: eight. `checked` and `different` count points. Which points a design has is not
+/// checked. Uses the execution as verify() and throws as it does.
+[[nodiscard]] RunCheck verify_infer(const std::filesystem::path& folder, std::optional<std::uint64_t> sample,
+                                    const Execution& execution);
 
 [[nodiscard]] const Study& infer_study();
 

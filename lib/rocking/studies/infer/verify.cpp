@@ -62,8 +62,8 @@ RunCheck check_of(const InferReport& claimed, const std::string& text, const std
     point.counts = std::move(counts[k]);
   }
   check.checked = indices.size();
-  const InferenceQuestion question = inference_question(*experiment, tests, claimed.next_tests, simulation);
-  const Inference right = inference_from(question, std::move(design), claimed.end,
+  const InferenceSetting setting = inference_setting(*experiment, tests, claimed.next_tests, simulation);
+  const Inference right = inference_from(setting, std::move(design), claimed.end,
                                          {.threads = asked.options().threads, .stop = asked.stop()});
   check.findings =
       report_differences(text, infer_document().text(infer_report(*experiment, tests, claimed.next_tests, right)));

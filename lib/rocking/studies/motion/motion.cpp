@@ -151,8 +151,10 @@ MeasuredMotion measured(std::shared_ptr<const GroundMotion> motion, std::string 
   for (const double period : question.periods) {
     found.spectrum.push_back(spectral_point(motion->samples, question.gravity, period, question.damping));
   }
-  if (question.block)
-    found.uplift_scale = least_uplift_scale(motion->samples, dynamics::geometry_of(*question.block).tangents());
+  if (const auto& block = question.block) {
+    const dynamics::Block of_lengths{block->front(), block->back(), question.gravity};
+    found.uplift_scale = least_uplift_scale(motion->samples, dynamics::geometry_of(of_lengths).tangents());
+  }
   found.motion = std::move(motion);
   found.sha256 = std::move(sha256);
   return found;

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "rocking/api/experiment.hpp"
-#include "rocking/dynamics/block.hpp"
 #include "rocking/scene/excitation.hpp"
 
 /// Ground motions and their intensity measures.
@@ -35,15 +34,6 @@ struct IntensityMeasures {
   double vertical_pga_g = 0.0;      ///< 0 without a vertical component
 };
 
-/// What is asked about ground motions.
-struct MotionQuestion {
-  double gravity = 9.81;                                ///< [m/s^2]: 1 g
-  double damping = 0.05;                                ///< of the response spectrum, in [0, 1)
-  std::vector<double> periods;                          ///< of the response spectrum [s]
-  std::optional<dynamics::Block> block = std::nullopt;  ///< whose least scale of uplift is wanted
-  std::optional<Building> building = std::nullopt;      ///< of a floor of which the motion is wanted, too
-};
-
 /// A ground motion and its intensity measures.
 struct MeasuredMotion {
   std::shared_ptr<const GroundMotion> motion;
@@ -54,8 +44,8 @@ struct MeasuredMotion {
   std::optional<double> floor_peak_g = std::nullopt;  ///< of the ground: that of the floor, which is the next motion
 };
 
-/// Files with recorded accelerations, and how to read them.
-struct GroundMotionRequest {
+/// Files with recorded accelerations, how to read them, and what is measured.
+struct MotionQuestion {
   std::vector<std::string> files;
   std::optional<std::string> component = {};           ///< of files that hold several; absent: the only one
   std::optional<std::string> vertical = std::nullopt;  ///< file with the vertical component of a single file
@@ -63,13 +53,20 @@ struct GroundMotionRequest {
   std::optional<std::string> units = std::nullopt;     ///< as `excitation.units`; absent: that of the file, or m/s^2
   std::optional<double> time_step = std::nullopt;      ///< of columns without times [s], positive
   std::vector<std::string> columns = {};               ///< as `excitation.columns`; empty: not given
-  bool series = false;           ///< the JSON text also has the motions sample by sample, which draw() needs
-  MotionQuestion question = {};  ///< 1 g, damping, periods of the response spectrum, block
+  bool series = true;     ///< the JSON text also has the motions sample by sample, which draw() needs
+  double gravity = 9.81;  ///< [m/s^2]: 1 g
+  double damping = 0.05;  ///< of the response spectrum, in [0, 1)
+  std::vector<double> periods = {0.1, 0.2, 0.3, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0, 5.0};  ///< of the response spectrum [s]
+  /// Width and height [m] of a block whose least scale of uplift is wanted.
+  std::optional<std::vector<double>> block = {};
+  /// Frequency [Hz] and damping ratio of a uniform shear building, and height of a floor over that of the building: its
+  /// motion is wanted, too.
+  std::optional<std::vector<double>> building = {};
 };
 
 /// The ground motions with their intensity measures, in the order of the files, each with that of the floor behind it where a
 /// building is given. Throws base::InputError with the file,
 /// line and value of each fault, also for an unknown format or unit, and std::system_error where a file cannot be read.
-[[nodiscard]] ROCKING_API std::vector<MeasuredMotion> motion(const GroundMotionRequest& request);
+[[nodiscard]] ROCKING_API std::vector<MeasuredMotion> motion(const MotionQuestion& question);
 
 }  // namespace rocking

@@ -170,7 +170,7 @@ MotionReport motion_report(const std::vector<MeasuredMotion>& motions, const Mot
                            MotionDetail detail) {
   MotionReport report{
       .gravity_m_s2 = question.gravity, .damping = question.damping, .block = std::nullopt, .motions = {}};
-  if (question.block) report.block = {.width_m = question.block->width, .height_m = question.block->height};
+  if (question.block) report.block = {.width_m = question.block->front(), .height_m = question.block->back()};
   for (const MeasuredMotion& found : motions) report.motions.push_back(reported(found, question, detail));
   return report;
 }

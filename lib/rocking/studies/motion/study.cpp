@@ -24,19 +24,39 @@ Enumeration named(const std::array<std::string_view, count>& names, const std::s
   return static_cast<Enumeration>(std::find(names.begin(), names.end(), name) - names.begin());
 }
 
-void check(const GroundMotionRequest& request) {
-  check_fields(request);
-  if (request.format == "columns" && !request.units) {
-    refuse("units", "",
-           "is missing: columns do not state the unit of the accelerations; give " + record_units_in_words());
+/// Numbers that belong together, each with its rule.
+void check_numbers(std::string_view name, const std::vector<double>& numbers, const std::vector<const Rule*>& rules,
+                   const std::string& what) {
+  if (numbers.size() != rules.size()) {
+    throw UnfitQuestion(std::string(name), std::to_string(numbers.size()) + " numbers", "must be " + what);
   }
-  if (request.vertical && request.files.size() > 1) {
-    refuse("vertical", *request.vertical, "belongs to one file, of which there are more");
+  for (std::size_t i = 0; i < rules.size(); ++i) {
+    if (rules[i]->allows(numbers[i])) continue;
+    throw UnfitQuestion(std::string(name), base::shortest(numbers[i]), std::string(rules[i]->demand));
   }
-  if (!request.question.block) return;
-  for (const double length : {request.question.block->width, request.question.block->height}) {
-    if (!rules::length.allows(length)) refuse("block", base::shortest(length), std::string(rules::length.demand));
+}
+
+void check_question(const MotionQuestion& question) {
+  check_fields(question);
+  if (question.format == "columns" && !question.units) {
+    throw UnfitQuestion("units", "", "is missing: columns do not state the unit of the accelerations",
+                        "give " + record_units_in_words());
   }
+  if (question.vertical && question.files.size() > 1) {
+    throw UnfitQuestion("vertical", *question.vertical, "belongs to one file, of which there are more");
+  }
+  if (question.block) {
+    check_numbers("block", *question.block, {&rules::length, &rules::length}, "two lengths, width and height");
+  }
+  if (question.building) {
+    check_numbers("building", *question.building,
+                  {&rules::building_frequency_hz, &rules::damping_ratio, &rules::height_ratio},
+                  "three numbers, frequency, damping ratio and height");
+  }
+}
+
+Building building_of(const std::vector<double>& numbers) {
+  return {.frequency_hz = numbers[0], .damping_ratio = numbers[1], .height_ratio = numbers[2]};
 }
 
 std::shared_ptr<const GroundMotion> floor_of(const GroundMotion& ground, const Building& building) {
@@ -52,14 +72,14 @@ std::shared_ptr<const GroundMotion> floor_of(const GroundMotion& ground, const B
 
 }  // namespace
 
-std::vector<MeasuredMotion> motion(const GroundMotionRequest& request) {
-  check(request);
-  GroundMotionReading how{.time_step = request.time_step,
-                          .gravity = request.question.gravity,
-                          .vertical_name = request.vertical.value_or(""),
-                          .component = request.component.value_or("")};
-  if (request.format != "auto") how.format = named<RecordFormat>(record_format_choices, request.format);
-  for (const std::string& column : request.columns) {
+std::vector<MeasuredMotion> motion(const MotionQuestion& question) {
+  check_question(question);
+  GroundMotionReading how{.time_step = question.time_step,
+                          .gravity = question.gravity,
+                          .vertical_name = question.vertical.value_or(""),
+                          .component = question.component.value_or("")};
+  if (question.format != "auto") how.format = named<RecordFormat>(record_format_choices, question.format);
+  for (const std::string& column : question.columns) {
     how.columns.push_back(named<RecordColumn>(record_column_names, column));
   }
   if (!how.columns.empty()) {
@@ -67,28 +87,27 @@ std::vector<MeasuredMotion> motion(const GroundMotionRequest& request) {
       refuse("columns", "", refusal->reason + "; " + refusal->remedy);
     }
   }
-  if (request.units) how.unit = named<RecordUnit>(record_unit_names, *request.units);
+  if (question.units) how.unit = named<RecordUnit>(record_unit_names, *question.units);
   GroundMotionFiles files(files_seen_from(""));
   Problems problems;
   std::vector<MeasuredMotion> motions;
-  for (const std::string& file : request.files) {
+  for (const std::string& file : question.files) {
     how.name = file;
     const auto read = files.motion(how, problems);
     if (!read) continue;
-    motions.push_back(measured(read, files.digest(file), request.question));
-    if (!request.question.building) continue;
-    motions.push_back(measured(floor_of(*read, *request.question.building), files.digest(file), request.question));
+    motions.push_back(measured(read, files.digest(file), question));
+    if (!question.building) continue;
+    motions.push_back(measured(floor_of(*read, building_of(*question.building)), files.digest(file), question));
     motions[motions.size() - 2].floor_peak_g = motions.back().measures.pga_g;
   }
   if (!problems.empty()) throw base::InputError(std::move(problems));
   return motions;
 }
 
-const StructType& fields_of(const GroundMotionRequest*) {
-  using Type = GroundMotionRequest;
-  using Question = MotionQuestion;
+const StructType& fields_of(const MotionQuestion*) {
+  using Type = MotionQuestion;
   static const StructType fields{
-      "GroundMotionRequest",
+      "MotionQuestion",
       asked(field<&Type::files>("files", "Ground motions"), {.names = "FILE", .letter = "FILE"}),
       asked(field<&Type::format>("format", "Format of the files; auto: recognised by their first lines",
                                  Rule{.choices = record_format_choices}),
@@ -111,39 +130,19 @@ const StructType& fields_of(const GroundMotionRequest*) {
             {.names = "--component", .letter = "NAME"}),
       asked(field<&Type::vertical>("vertical", "File with the vertical component"),
             {.names = "--vertical", .letter = "FILE"}),
-      asked(field<&Type::question, &Question::gravity>("gravity", "What 1 g is [m/s^2]", rule::positive),
+      asked(field<&Type::gravity>("gravity", "What 1 g is [m/s^2]", rule::positive),
             {.names = "--gravity", .letter = "G"}),
+      asked(field<&Type::periods>("periods", "Periods of the response spectrum [s]", rule::positive),
+            {.names = "--periods", .letter = "T..."}),
       asked(
-          field<&Type::question, &Question::periods>("periods", "Periods of the response spectrum [s]", rule::positive),
-          {.names = "--periods", .letter = "T..."}),
-      asked(field<&Type::question, &Question::damping>("damping", "Damping ratio of the response spectrum",
-                                                       Rule{.least = 0.0, .below = 1.0}),
-            {.names = "--damping", .letter = "RATIO"}),
+          field<&Type::damping>("damping", "Damping ratio of the response spectrum", Rule{.least = 0.0, .below = 1.0}),
+          {.names = "--damping", .letter = "RATIO"}),
       asked(field<&Type::series>(
                 "series", "Add the motions sample by sample, and fine spectra: with --json, for `rocking report`"),
             {.names = "--series", .kind = FlagKind::on}),
-  };
-  return fields;
-}
-
-namespace {
-
-/// A request, and the size of a block. Callers in Python want the samples.
-struct FilesQuestion {
-  GroundMotionRequest request{
-      .files = {}, .series = true, .question = {.periods = {0.1, 0.2, 0.3, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0, 5.0}}};
-  std::optional<std::vector<double>> block = {};     ///< width and height [m]
-  std::optional<std::vector<double>> building = {};  ///< frequency [Hz], damping ratio, and height of the floor
-};
-
-const StructType& fields_of(const FilesQuestion*) {
-  static const StructType fields{
-      "FilesQuestion",
-      inlined<&FilesQuestion::request>(),
-      asked(field<&FilesQuestion::block>("block",
-                                         "Width and height of a block [m], whose least scale of uplift is printed"),
+      asked(field<&Type::block>("block", "Width and height of a block [m], whose least scale of uplift is printed"),
             {.names = "--block", .letter = "W H", .count = 2}),
-      asked(field<&FilesQuestion::building>(
+      asked(field<&Type::building>(
                 "building",
                 "Frequency [Hz] and damping ratio of a uniform shear building, and the height of a floor over that of "
                 "the building: its motion is measured beside that of the ground"),
@@ -152,61 +151,26 @@ const StructType& fields_of(const FilesQuestion*) {
   return fields;
 }
 
+namespace {
+
 /// The names of columns end at the first word that is none; the others are files.
-void part_columns_from_files(GroundMotionRequest& request) {
+void part_columns_from_files(MotionQuestion& question) {
   const auto is_name = [](const std::string& word) {
     return std::ranges::find(record_column_names, word) != record_column_names.end();
   };
-  const auto first_file = std::ranges::find_if_not(request.columns, is_name);
-  if (first_file == request.columns.begin() && !request.columns.empty()) {
-    throw UnfitQuestion("--columns " + request.columns.front() +
-                        ": give time, horizontal, vertical, other, in the order of the file");
+  const auto first_file = std::ranges::find_if_not(question.columns, is_name);
+  if (first_file == question.columns.begin() && !question.columns.empty()) {
+    throw UnfitQuestion("columns", question.columns.front(), "is no name of a column",
+                        "give time, horizontal, vertical, other, in the order of the file");
   }
-  request.files.insert(request.files.end(), first_file, request.columns.end());
-  request.columns.erase(first_file, request.columns.end());
+  question.files.insert(question.files.end(), first_file, question.columns.end());
+  question.columns.erase(first_file, question.columns.end());
 }
 
-void take_block(FilesQuestion& question) {
-  if (!question.block) return;
-  if (question.block->size() != 2) throw UnfitQuestion("--block: give two lengths, width and height");
-  for (const double length : *question.block) {
-    if (rules::length.allows(length)) continue;
-    throw UnfitQuestion("--block " + base::shortest(length) + ": " + std::string(rules::length.demand));
-  }
-  MotionQuestion& asked = question.request.question;
-  asked.block = dynamics::Block{question.block->front(), question.block->back(), asked.gravity};
-}
-
-void take_building(FilesQuestion& question) {
-  if (!question.building) return;
-  if (question.building->size() != 3) {
-    throw UnfitQuestion("--building: give three numbers, frequency, damping ratio and height");
-  }
-  const std::array<const Rule*, 3> bounds{&rules::building_frequency_hz, &rules::damping_ratio, &rules::height_ratio};
-  for (std::size_t i = 0; i < bounds.size(); ++i) {
-    const double number = (*question.building)[i];
-    if (!bounds[i]->allows(number)) {
-      throw UnfitQuestion("--building " + base::shortest(number) + ": " + std::string(bounds[i]->demand));
-    }
-  }
-  const std::vector<double>& numbers = *question.building;
-  question.request.question.building =
-      Building{.frequency_hz = numbers[0], .damping_ratio = numbers[1], .height_ratio = numbers[2]};
-}
-
-void check(const Subject&, FilesQuestion& question) {
-  GroundMotionRequest& request = question.request;
-  part_columns_from_files(request);
-  if (request.files.empty()) throw UnfitQuestion("FILE is required");
-  if (request.format == "columns" && !request.units) {
-    throw UnfitQuestion("--format columns: does not state the unit of the accelerations; add --units " +
-                        record_units_in_words());
-  }
-  if (request.vertical && request.files.size() > 1) {
-    throw UnfitQuestion("--vertical: belongs to one file; give one FILE");
-  }
-  take_block(question);
-  take_building(question);
+void check(const Subject&, MotionQuestion& question) {
+  part_columns_from_files(question);
+  if (question.files.empty()) throw UnfitQuestion("files", "", "is required");
+  check_question(question);
 }
 
 std::vector<std::string> warnings_of(const std::vector<MeasuredMotion>& motions) {
@@ -226,17 +190,16 @@ std::vector<analysis::Figure> figures_of(const std::vector<MeasuredMotion>& moti
   return figures;
 }
 
-Answer find(const Subject&, const FilesQuestion& question, const Circumstances& circumstances) {
-  const MotionQuestion& asked = question.request.question;
-  const std::vector<MeasuredMotion> motions = motion(question.request);
-  const MotionDetail detail = question.request.series ? MotionDetail::series : MotionDetail::measures;
-  const MotionReport report = motion_report(motions, asked, detail);
+Answer find(const Subject&, const MotionQuestion& question, const Circumstances& circumstances) {
+  const std::vector<MeasuredMotion> motions = motion(question);
+  const MotionDetail detail = question.series ? MotionDetail::series : MotionDetail::measures;
+  const MotionReport report = motion_report(motions, question, detail);
   Answer answer{.document = motion_document().text(report),
                 .table = motion_table(report, circumstances.extent),
                 .warnings = warnings_of(motions)};
   if (circumstances.draws) {
     answer.table += '\n';
-    answer.figures = figures_of(motions, asked);
+    answer.figures = figures_of(motions, question);
   }
   return answer;
 }
@@ -245,19 +208,19 @@ std::vector<analysis::Figure> figures(const Json& document, std::span<const Json
   return analysis::motion_figures(motion_document().read(document));
 }
 
-FilesQuestion of_command() {
-  FilesQuestion question;
-  question.request.series = false;
+MotionQuestion of_command() {
+  MotionQuestion question;
+  question.series = false;
   return question;
 }
 
-constexpr StudyFunctions<FilesQuestion> functions{
+constexpr StudyFunctions<MotionQuestion> functions{
     .of_command = of_command, .check = check, .find = find, .figures = figures};
 
 }  // namespace
 
 const Study& motion_study() {
-  static const Study study = study_of<FilesQuestion, functions>({
+  static const Study study = study_of<MotionQuestion, functions>({
       .name = "motion",
       .sentence = "Read ground motions, and print their intensity measures",
       .example = "record.at2 --periods 0.2 0.5 1 --block 0.35 1.6 --figure out",

@@ -93,7 +93,7 @@ enum class MotionDetail : std::uint8_t { measures, series };
 /// and the range of their spectra.
 [[nodiscard]] std::string motion_table(const MotionReport& report, Extent extent = Extent::all);
 
-[[nodiscard]] const StructType& fields_of(const GroundMotionRequest*);
+[[nodiscard]] const StructType& fields_of(const MotionQuestion*);
 
 [[nodiscard]] const Study& motion_study();
 

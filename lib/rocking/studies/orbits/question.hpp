@@ -51,25 +51,22 @@ struct OrbitLabels {
 [[nodiscard]] OrbitLabels labels_of(const OrbitStudy& study);
 
 /// Which periodic orbits are searched.
-struct OrbitsRequest {
+struct OrbitsQuestion {
   int longest = 5;  ///< largest period, in excitation periods; at most 12
   /// Follow the orbits over the swept parameter, where the experiment sweeps one number on which the motion depends
-  /// continuously.
-  bool branches = false;
+  /// continuously, with several values.
+  bool branches = true;
   std::optional<double> from = {};   ///< smallest value of the parameter for branches; absent: of the sweep
   std::optional<double> to = {};     ///< largest value
   std::uint64_t most_points = 1000;  ///< of a branch
   std::uint64_t most_branches = 50;
 };
 
-/// Throws base::InputError if a condition is random or not harmonic, if a number of the request is out of range, or if
-/// branches are asked for and nothing can be followed.
-ROCKING_API void check_request(const Experiment& experiment, const OrbitsRequest& request);
-
-/// Periodic orbits and their branches. Throws as check_request, and base::Stopped if it is asked to stop. Uses `threads`,
-/// `on_progress` and `stop` of the execution; progress counts conditions, then points of branches, of which `all` is 0: how
-/// many there will be is not known.
-[[nodiscard]] ROCKING_API OrbitStudy orbits(const Experiment& experiment, const OrbitsRequest& request = {},
+/// Periodic orbits and their branches. Throws base::InputError if a condition is random or not harmonic, if a number of the
+/// question is out of range, or if a range of branches is asked for and nothing can be followed, and base::Stopped if it is
+/// asked to stop. Uses `threads`, `on_progress` and `stop` of the execution; progress counts conditions, then points of
+/// branches, of which `all` is 0: how many there will be is not known.
+[[nodiscard]] ROCKING_API OrbitStudy orbits(const Experiment& experiment, const OrbitsQuestion& question = {},
                                             const Execution& execution = {});
 
 }  // namespace rocking

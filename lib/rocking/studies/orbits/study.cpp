@@ -25,14 +25,14 @@ std::optional<SweptNumber> followed_number(const Experiment& experiment) {
 }
 
 /// What is asked of branches. Throws where there are none.
-BranchQuestion branch_question(const Experiment& experiment, const OrbitsRequest& request) {
+BranchQuestion branch_question(const Experiment& experiment, const OrbitsQuestion& question) {
   const auto swept = followed_number(experiment);
   if (!swept) {
-    refuse(request.from || request.to ? "from" : "branches", "",
+    refuse(question.from || question.to ? "from" : "branches", "",
            "are followed over the sweep of one number of the motion alone; the experiment has none");
   }
   const auto [least, greatest] = std::ranges::minmax(swept->values);
-  const ParameterRange range{.low = request.from.value_or(least), .high = request.to.value_or(greatest)};
+  const ParameterRange range{.low = question.from.value_or(least), .high = question.to.value_or(greatest)};
   if (!(range.low < range.high)) {
     refuse("from", base::shortest(range.low),
            "must be less than the upper end of the range of branches, " + base::shortest(range.high));
@@ -40,19 +40,19 @@ BranchQuestion branch_question(const Experiment& experiment, const OrbitsRequest
   return {.conditions = condition_family(experiment, swept->pointer),
           .values = swept->values,
           .range = range,
-          .most_points = request.most_points,
-          .most_branches = request.most_branches};
+          .most_points = question.most_points,
+          .most_branches = question.most_branches};
 }
 
 /// Adds the orbits on branches at the conditions to those that are known.
-FoundBranches followed(const Experiment& experiment, const OrbitsRequest& request, base::StopRequest stop,
+FoundBranches followed(const Experiment& experiment, const OrbitsQuestion& question, base::StopRequest stop,
                        const std::function<void()>& on_point, std::vector<OrbitsOfCondition>& conditions) {
-  BranchQuestion question = branch_question(experiment, request);
-  question.on_point = on_point;
+  BranchQuestion branches = branch_question(experiment, question);
+  branches.on_point = on_point;
   return {.pointer = followed_number(experiment)->pointer,
-          .range = question.range,
-          .most_points = request.most_points,
-          .study = branches_of(question, conditions, stop)};
+          .range = branches.range,
+          .most_points = branches.most_points,
+          .study = branches_of(branches, conditions, stop)};
 }
 
 /// In their order; progress counts conditions.
@@ -79,29 +79,34 @@ bool has_branches(const Experiment& experiment) {
 
 }  // namespace
 
-void check_request(const Experiment& experiment, const OrbitsRequest& request) {
+OrbitsQuestion checked(const Experiment& experiment, OrbitsQuestion question) {
   check_has_conditions(experiment);
-  check_fields(request);
+  check_fields(question);
   check_orbits(experiment);
-  if (request.branches) static_cast<void>(branch_question(experiment, request));
+  const bool has_range = question.from || question.to;
+  if (has_range && !question.branches) refuse("from", "", "limits branches, of which none are asked for");
+  question.branches = question.branches && (has_range || has_branches(experiment));
+  if (question.branches) static_cast<void>(branch_question(experiment, question));
+  return question;
 }
 
-OrbitStudy orbits(const Experiment& experiment, const OrbitsRequest& request, const Execution& execution) {
-  check_request(experiment, request);
-  const OptionsOfExecution asked(execution);
-  OrbitStudy study{.longest = request.longest, .conditions = orbits_of_conditions(experiment, request.longest, asked)};
+OrbitStudy orbits(const Experiment& experiment, const OrbitsQuestion& question, const Execution& execution) {
+  const OrbitsQuestion asked = checked(experiment, question);
+  const OptionsOfExecution how(execution);
+  OrbitStudy study{.longest = asked.longest, .conditions = orbits_of_conditions(experiment, asked.longest, how)};
+  if (!asked.branches) return study;
   std::uint64_t points = 0;
-  const auto on_point = [&points, &asked] {
-    if (asked.options().on_progress) asked.options().on_progress(++points, 0);
+  const auto on_point = [&points, &how] {
+    if (how.options().on_progress) how.options().on_progress(++points, 0);
   };
-  if (request.branches) study.branches = followed(experiment, request, asked.stop(), on_point, study.conditions);
+  study.branches = followed(experiment, asked, how.stop(), on_point, study.conditions);
   return study;
 }
 
-const StructType& fields_of(const OrbitsRequest*) {
-  using Type = OrbitsRequest;
+const StructType& fields_of(const OrbitsQuestion*) {
+  using Type = OrbitsQuestion;
   static const StructType fields{
-      "OrbitsRequest",
+      "OrbitsQuestion",
       asked(field<&Type::longest>("longest", "Longest period that is searched from the grid, in excitation periods",
                                   Rule{.least = 1.0, .most = static_cast<double>(section::longest_period)}),
             {.names = "--periods", .letter = "N"}),
@@ -109,9 +114,9 @@ const StructType& fields_of(const OrbitsRequest*) {
             {.names = "--no-branches", .kind = FlagKind::off}),
       asked(
           field<&Type::from>("from", "Smallest value of the swept parameter for branches; default: that of the sweep"),
-          {.names = "--from", .letter = "X"}),
+          {.names = "--from", .letter = "X", .excludes = "--no-branches"}),
       asked(field<&Type::to>("to", "Largest value of it; default: that of the sweep"),
-            {.names = "--to", .letter = "X"}),
+            {.names = "--to", .letter = "X", .excludes = "--no-branches"}),
       asked(field<&Type::most_points>("most_points", "Largest number of points of a branch in each direction",
                                       Rule{.least = 2.0, .most = 1e6}),
             {.names = "--branch-points", .letter = "N"}),
@@ -126,28 +131,12 @@ const StructType& fields_of(const OrbitsRequest*) {
 
 namespace {
 
-/// Branches are followed where there is something to follow.
-struct OrbitsQuestion {
-  OrbitsRequest request = {.branches = true};
-};
+void check(const Subject& subject, OrbitsQuestion& question) { question = checked(subject.experiment, question); }
 
-const StructType& fields_of(const OrbitsQuestion*) {
-  static const StructType fields{"OrbitsQuestion", inlined<&OrbitsQuestion::request>()};
-  return fields;
-}
-
-void check(const Subject& subject, OrbitsQuestion& question) {
-  OrbitsRequest& request = question.request;
-  const bool has_range = request.from || request.to;
-  if (has_range && !request.branches) throw UnfitQuestion("--from and --to limit branches; omit --no-branches");
-  if (!has_range) request.branches = request.branches && has_branches(subject.experiment);
-  check_request(subject.experiment, request);
-}
-
-std::string_view then(const OrbitsQuestion& question) { return question.request.branches ? "points of branches" : ""; }
+std::string_view then(const OrbitsQuestion& question) { return question.branches ? "points of branches" : ""; }
 
 Answer find(const Subject& subject, const OrbitsQuestion& question, const Circumstances& circumstances) {
-  const OrbitStudy found = orbits(subject.experiment, question.request, circumstances.execution);
+  const OrbitStudy found = orbits(subject.experiment, question, circumstances.execution);
   return {.document = orbits_document().text(orbits_report(subject.experiment, found)),
           .table = table_of(found, circumstances.extent)};
 }

@@ -36,7 +36,10 @@ void check_orbits_report(const OrbitsReport& report, const ReadingPlace& place);
 /// branches and bifurcations what fits there.
 [[nodiscard]] std::string table_of(const OrbitStudy& study, Extent extent = Extent::all);
 
-[[nodiscard]] const StructType& fields_of(const OrbitsRequest*);
+[[nodiscard]] const StructType& fields_of(const OrbitsQuestion*);
+
+/// The question, with branches where there is something to follow. Throws as orbits() where it cannot be answered.
+[[nodiscard]] OrbitsQuestion checked(const Experiment& experiment, OrbitsQuestion question);
 
 [[nodiscard]] const Study& orbits_study();
 

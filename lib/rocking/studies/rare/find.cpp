@@ -70,31 +70,39 @@ void check_slip(const Experiment& experiment, const ResponseEvent& event) {
 
 }  // namespace
 
-void check_request(const Experiment& experiment, const RareRequest& request) {
+void check_question(const Experiment& experiment, const RareQuestion& question) {
   check_has_conditions(experiment);
-  QuestionCheck check(request);
-  check.expect(!request.seconds || request.elapsed_seconds, "seconds", "", "needs a clock: `elapsed_seconds`");
-  check.expect(request.earlier.size() <= experiment.conditions.size(), "earlier",
-               std::to_string(request.earlier.size()) + " entries", "must be at most one for each condition");
-  for (std::size_t i = 0; i < request.earlier.size(); ++i) {
-    const std::size_t size = request.earlier[i].repetitions.size();
+  QuestionCheck check(question);
+  check.expect(question.earlier.size() <= experiment.conditions.size(), "earlier",
+               std::to_string(question.earlier.size()) + " entries", "must be at most one for each condition");
+  for (std::size_t i = 0; i < question.earlier.size(); ++i) {
+    const std::size_t size = question.earlier[i].repetitions.size();
     check.expect(size < rare::most_repetitions, "earlier/" + std::to_string(i), std::to_string(size) + " repetitions",
                  "must be fewer than " + std::to_string(rare::most_repetitions));
   }
   check.finish();
   check_rare(experiment);
-  check_slip(experiment, request.question.event);
+  check_slip(experiment, question.event);
 }
 
-std::vector<RareEstimate> rare_probabilities(const Experiment& experiment, const RareRequest& request,
-                                             const Execution& execution) {
-  check_request(experiment, request);
+std::vector<RareEstimate> rare_probabilities(const Experiment& experiment, const RareQuestion& question,
+                                             const Execution& execution, const KeepRare& keep) {
+  check_question(experiment, question);
+  if (question.seconds && !execution.elapsed_seconds) refuse("seconds", "", "needs a clock: `elapsed_seconds`");
   const OptionsOfExecution asked(execution);
   TotalProgress progress(asked.options(), experiment.conditions.size());
-  std::vector<RareEstimate> found = rare_estimates(experiment, request, progress.settings());
+  RareSettings settings = progress.settings();
+  settings.elapsed_seconds = execution.elapsed_seconds;
+  settings.keep = keep;
+  std::vector<RareEstimate> found = rare_estimates(experiment, question, settings);
   const bool is_stopped = std::ranges::any_of(found, [](const auto& one) { return one.end == RareEnd::stopped; });
-  if (is_stopped && !request.keeps_when_stopped) throw base::Stopped();
+  if (is_stopped && !keep) throw base::Stopped();
   return found;
+}
+
+std::vector<RareEstimate> rare_probabilities(const Experiment& experiment, const RareQuestion& question,
+                                             const Execution& execution) {
+  return rare_probabilities(experiment, question, execution, {});
 }
 
 namespace {
@@ -145,15 +153,15 @@ RunCheck verify_rare(const std::filesystem::path& folder, std::optional<std::uin
     check.findings = {"rare.json: does not have one estimate for each condition of its experiment"};
     return check;
   }
-  const RareRequest request{
-      .question = claimed.question, .particles = claimed.particles, .earlier = estimates_in(claimed)};
+  RareQuestion question = claimed.question;
+  question.earlier = estimates_in(claimed);
   const OptionsOfExecution asked(execution);
   TotalProgress progress(asked.options(), conditions);
   const RareRerun again =
-      rare_estimates_again(*experiment, request, progress.settings(), sample.value_or(of_each * conditions));
+      rare_estimates_again(*experiment, question, progress.settings(), sample.value_or(of_each * conditions));
   check.checked = again.repetitions;
-  check.different = differing_repetitions(request.earlier, again.estimates);
-  check.findings = report_differences(text, rare_document().text(rare_report(*experiment, request, again.estimates)));
+  check.different = differing_repetitions(question.earlier, again.estimates);
+  check.findings = report_differences(text, rare_document().text(rare_report(*experiment, question, again.estimates)));
   for (std::string& finding : check.findings) finding.insert(0, "rare.json: ");
   return check;
 }

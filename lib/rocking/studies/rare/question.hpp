@@ -66,12 +66,6 @@ struct CommittorMap {
 
 }  // namespace rare
 
-/// What is asked for each condition.
-struct RareQuestion {
-  ResponseEvent event;          ///< within the horizon; of slip where all numbers are drawn once
-  double relative_error = 0.1;  ///< standard error over the probability that is aimed at; > 0
-};
-
 /// Why no more repetitions were made.
 enum class RareEnd : std::uint8_t {
   precise,  ///< the relative error is as small as was asked
@@ -135,40 +129,25 @@ struct RareEstimate {
 };
 
 /// What is asked of each condition, and with how much work.
-struct RareRequest {
-  RareQuestion question = {};
+struct RareQuestion {
+  ResponseEvent event = {};      ///< within the horizon; of slip where all numbers are drawn once
+  double relative_error = 0.1;   ///< standard error over the probability that is aimed at; > 0
   std::size_t particles = 1000;  ///< trajectories of a repetition; 20 to 100000
-  /// Time for all conditions together [s], on the clock of `elapsed_seconds`, which several threads call. What is not
-  /// finished then is left out. Absent: no limit, so that the same is estimated again.
+  /// Time for all conditions together [s], on a clock of the execution. What is not finished then is left out. Absent: no
+  /// limit, so that the same is estimated again.
   std::optional<double> seconds = {};
-  std::function<double()> elapsed_seconds = {};
   /// Of an earlier study with the same experiment, event and particles, by condition: their repetitions are not made again.
   std::vector<RareEstimate> earlier = {};
-  /// When it is asked to stop, it returns what is finished. Else it throws.
-  bool keeps_when_stopped = false;
-  /// Called by one thread at a time after each repetition; `so_far` gives what would be returned if it had been asked to
-  /// stop after it.
-  std::function<void(const std::function<std::vector<RareEstimate>()>& so_far)> keep = {};
 };
 
-/// Throws base::InputError if nothing in a condition is random, if a number is out of range, or if slip is asked of a block
-/// without friction or with numbers drawn along the way.
-ROCKING_API void check_request(const Experiment& experiment, const RareRequest& request);
-
 /// Estimates the probability of an event, one entry for each condition, by a particle run that
-/// the committor steers or by importance sampling. Uses `threads`, `on_progress` and `stop` of the execution; progress
-/// counts simulated time in realisations to the horizon. Their number is estimated; it is 0, not known, up to the end of
-/// the pilot runs of the first condition. Throws as check_request, and base::Stopped if it is asked to stop. Source:
-/// lib/docs/rare.md.
+/// the committor steers or by importance sampling. Uses `threads`, `on_progress`, `stop` and `elapsed_seconds` of the
+/// execution; progress counts simulated time in realisations to the horizon. Their number is estimated; it is 0, not known,
+/// up to the end of the pilot runs of the first condition. Throws base::InputError if nothing in a condition is random, if a
+/// number is out of range, if there is a time and no clock, or if slip is asked of a block without friction or with numbers
+/// drawn along the way, and base::Stopped if it is asked to stop. Source: lib/docs/rare.md.
 [[nodiscard]] ROCKING_API std::vector<RareEstimate> rare_probabilities(const Experiment& experiment,
-                                                                       const RareRequest& request,
+                                                                       const RareQuestion& question,
                                                                        const Execution& execution = {});
-
-/// Checks the `rare.json` of a folder, which must follow from its repetitions: makes the pilot runs and about `sample`
-/// repetitions again, evenly spaced, at least one of each condition; absent: four of each. `checked` and `different`
-/// count repetitions. Uses the execution as verify() and throws as it does.
-[[nodiscard]] ROCKING_API RunCheck verify_rare(const std::filesystem::path& folder,
-                                               std::optional<std::uint64_t> sample = {},
-                                               const Execution& execution = {});
 
 }  // namespace rocking

@@ -32,21 +32,21 @@ std::vector<double> estimates_of(const std::vector<Repetition>& repetitions, std
 
 class ConditionStudy {
  public:
-  ConditionStudy(const Experiment& experiment, std::size_t place, const RareRequest& request,
+  ConditionStudy(const Experiment& experiment, std::size_t place, const RareQuestion& question,
                  const RareSettings& settings)
       : condition_(&experiment.conditions[place]),
         place_(place),
-        request_(&request),
+        question_(&question),
         settings_(&settings),
         share_(static_cast<double>(place + 1) / static_cast<double>(experiment.conditions.size())),
         paths_{.condition = condition_,
                .seed = seed_of(*condition_, experiment.seed),
-               .event = request.question.event,
-               .halt = {settings.stop, request.elapsed_seconds, request.seconds}} {
+               .event = question.event,
+               .halt = {settings.stop, settings.elapsed_seconds, question.seconds}} {
     if (settings.on_progress) paths_.on_work = [this](double work) { note_work(work); };
   }
 
-  /// Called as RareRequest::keep, with what is known of this condition.
+  /// Called as RareSettings::keep, with what is known of this condition.
   using Keep = std::function<void(const std::function<RareEstimate()>& so_far)>;
 
   [[nodiscard]] RareEstimate estimate(const Keep& keep) {
@@ -114,7 +114,7 @@ class ConditionStudy {
  private:
   [[nodiscard]] std::vector<Repetition>& repetitions() { return result_.repetitions; }
   [[nodiscard]] const RareEstimate* earlier() const {
-    return place_ < request_->earlier.size() ? &request_->earlier[place_] : nullptr;
+    return place_ < question_->earlier.size() ? &question_->earlier[place_] : nullptr;
   }
 
   /// Why no more repetitions were made than there are, `otherwise` if more are wanted.
@@ -132,7 +132,7 @@ class ConditionStudy {
 
   /// That the repetitions go on up to this number.
   void expect_up_to(std::size_t count) {
-    double of_one = static_cast<double>(request_->particles);
+    double of_one = static_cast<double>(question_->particles);
     if (!repetitions().empty()) {
       of_one = 0.0;
       for (const Repetition& each : repetitions()) of_one += each.work / static_cast<double>(repetitions().size());
@@ -142,7 +142,7 @@ class ConditionStudy {
   }
 
   void begin() {
-    estimator_ = estimator_of(paths_, request_->particles, settings_->threads);
+    estimator_ = estimator_of(paths_, question_->particles, settings_->threads);
     result_.method = estimator_->method();
     result_.levels = estimator_->pilot().levels;
     result_.reached = estimator_->pilot().reached;
@@ -166,15 +166,14 @@ class ConditionStudy {
   [[nodiscard]] std::size_t planned_after(std::size_t planned) {
     const auto so_far = stats::mean_of_repetitions(estimates_of(repetitions(), planned), condition_->confidence);
     const double error = so_far.relative_error.value_or(0.0);
-    const bool is_precise = error <= request_->question.relative_error;
+    const bool is_precise = error <= question_->relative_error;
     result_.end = !so_far.relative_error ? RareEnd::never_seen
                   : is_precise           ? RareEnd::precise
                                          : RareEnd::most_repetitions;
     if (!is_precise) {
       if (planned == most_repetitions - 1) return 0;
       constexpr double at_most_times = 4.0;  // the spread is known roughly at first
-      const double times =
-          1.05 * (error / request_->question.relative_error) * (error / request_->question.relative_error);
+      const double times = 1.05 * (error / question_->relative_error) * (error / question_->relative_error);
       expect_up_to(std::max(more_than(planned, times), least_with_event()));
       return std::max(more_than(planned, std::min(at_most_times, times)), least_with_event());
     }
@@ -236,7 +235,7 @@ class ConditionStudy {
   }
 
   void summarise(RareEstimate& result) const {
-    rare::summarise_repetitions(result, condition_->confidence, request_->particles);
+    rare::summarise_repetitions(result, condition_->confidence, question_->particles);
     if (result.repetitions.size() < rare::least_with_interval) {
       result.diagnosis = RareDiagnosis::few_repetitions;
     } else {
@@ -262,7 +261,7 @@ class ConditionStudy {
 
   const Condition* condition_;
   std::size_t place_;
-  const RareRequest* request_;
+  const RareQuestion* question_;
   const RareSettings* settings_;
   double share_;  ///< of the time for this condition and those before it
   rare::BlockPaths paths_;
@@ -287,33 +286,33 @@ void check_rare(const Experiment& experiment) {
   }
 }
 
-std::vector<RareEstimate> rare_estimates(const Experiment& experiment, const RareRequest& request,
+std::vector<RareEstimate> rare_estimates(const Experiment& experiment, const RareQuestion& question,
                                          const RareSettings& settings) {
   check_rare(experiment);
   std::vector<RareEstimate> estimates;
   for (std::size_t i = 0; i < experiment.conditions.size(); ++i) {
     ConditionStudy::Keep keep;
-    if (request.keep) {
+    if (settings.keep) {
       keep = [&](const std::function<RareEstimate()>& present) {
-        request.keep([&] {
+        settings.keep([&] {
           std::vector<RareEstimate> all = estimates;
           all.push_back(present());
           while (all.size() < experiment.conditions.size()) {
-            all.push_back(ConditionStudy(experiment, all.size(), request, settings).not_begun(RareEnd::stopped));
+            all.push_back(ConditionStudy(experiment, all.size(), question, settings).not_begun(RareEnd::stopped));
           }
           return all;
         });
       };
     }
-    estimates.push_back(ConditionStudy(experiment, i, request, settings).estimate(keep));
+    estimates.push_back(ConditionStudy(experiment, i, question, settings).estimate(keep));
   }
   return estimates;
 }
 
-RareRerun rare_estimates_again(const Experiment& experiment, const RareRequest& request, const RareSettings& settings,
+RareRerun rare_estimates_again(const Experiment& experiment, const RareQuestion& question, const RareSettings& settings,
                                std::size_t sample) {
   check_rare(experiment);
-  const std::vector<RareEstimate>& earlier = request.earlier;
+  const std::vector<RareEstimate>& earlier = question.earlier;
   ROCKING_EXPECT(earlier.size() == experiment.conditions.size());
   const std::size_t of_each = (sample + earlier.size() - 1) / earlier.size();
   RareRerun all;
@@ -322,7 +321,7 @@ RareRerun rare_estimates_again(const Experiment& experiment, const RareRequest& 
       all.estimates.push_back(earlier[i]);
       continue;
     }
-    auto [estimate, count] = ConditionStudy(experiment, i, request, settings).again(earlier[i], of_each);
+    auto [estimate, count] = ConditionStudy(experiment, i, question, settings).again(earlier[i], of_each);
     all.estimates.push_back(std::move(estimate));
     all.repetitions += count;
   }

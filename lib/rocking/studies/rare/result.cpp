@@ -263,7 +263,7 @@ const StructType& settings_fields() {
   static const StructType fields{
       "RareSettings",
       field<&File::seed>("seed", "of the experiment", seed_type()),
-      field<&File::particles>("particles", "of a repetition", Rule{.least = 20.0}),
+      field<&File::question, &RareQuestion::particles>("particles", "of a repetition", Rule{.least = 20.0}),
   };
   return fields;
 }
@@ -295,7 +295,7 @@ void check_report(const RareReport& report, const ReadingPlace& place) {
   for (std::size_t i = 0; i < report.conditions.size(); ++i) {
     const ReportedRare& reported = report.conditions[i];
     ReportedRare right = reported;
-    rare::summarise_repetitions(right.estimate, right.confidence, report.particles);
+    rare::summarise_repetitions(right.estimate, right.confidence, report.question.particles);
     check_fit(reported, right, place.at("conditions").at(std::to_string(i)));
     Condition& condition = conditions.emplace_back();
     condition.parameters = reported.parameters;
@@ -334,21 +334,18 @@ std::vector<RareEstimate> estimates_for(const RareReport& asked, const RareRepor
   };
   if (asked.input.sha256 != earlier.input.sha256) differ("/input");
   if (asked.seed != earlier.seed) differ("/settings/seed");
-  if (asked.particles != earlier.particles) differ("/settings/particles");
+  if (asked.question.particles != earlier.question.particles) differ("/settings/particles");
   if (asked.question.event != earlier.question.event) differ("/question/event");
   std::vector<RareEstimate> all;
   for (const ReportedRare& condition : earlier.conditions) all.push_back(condition.estimate);
   return all;
 }
 
-RareReport rare_report(const Experiment& experiment, const RareRequest& request,
+RareReport rare_report(const Experiment& experiment, const RareQuestion& question,
                        const std::vector<RareEstimate>& found) {
-  RareReport report{.input = input_of(experiment),
-                    .question = request.question,
-                    .seed = experiment.seed,
-                    .particles = request.particles,
-                    .conditions = {},
-                    .suites = {}};
+  RareReport report{
+      .input = input_of(experiment), .question = question, .seed = experiment.seed, .conditions = {}, .suites = {}};
+  report.question.earlier.clear();
   for (std::size_t i = 0; i < found.size(); ++i) {
     const Condition& condition = experiment.conditions[i];
     report.conditions.push_back({condition.parameters, condition.confidence, found[i]});

@@ -29,15 +29,14 @@ const StructType& earlier_fields() {
 
 }  // namespace
 
-const StructType& fields_of(const RareRequest*) {
-  using Type = RareRequest;
+const StructType& fields_of(const RareQuestion*) {
+  using Type = RareQuestion;
   static const StructType fields{
-      "RareRequest",
-      asked(field<&Type::question, &RareQuestion::relative_error>(
-                "relative_error", "Standard error over the probability that is aimed at",
-                Rule{.least = 1e-3, .most = 1.0}),
+      "RareQuestion",
+      asked(field<&Type::relative_error>("relative_error", "Standard error over the probability that is aimed at",
+                                         Rule{.least = 1e-3, .most = 1.0}),
             {.names = "--relative-error", .letter = "E"}),
-      asked(field<&Type::question, &RareQuestion::event>(
+      asked(field<&Type::event>(
                 "event",
                 "What the probability is of: overturning, tilt > X psi, deg or rad (the largest; 1 psi is the unstable "
                 "equilibrium); where all numbers are drawn once also slip > X m (the largest), displacement > X m (the "
@@ -60,27 +59,26 @@ const StructType& fields_of(const RareRequest*) {
 
 namespace {
 
-void check(const Subject& subject, RareRequest& request) {
-  request.elapsed_seconds = [] { return 0.0; };
-  request.question.event = in_units_of_balance(request.question.event, subject.experiment.conditions);
-  check_request(subject.experiment, request);
+void check(const Subject& subject, RareQuestion& question) {
+  question.event = in_units_of_balance(question.event, subject.experiment.conditions);
+  check_question(subject.experiment, question);
 }
 
-void resume(const Subject& subject, RareRequest& request, const Json& earlier) {
-  request.earlier = estimates_for(rare_report(subject.experiment, request, {}), rare_document().read(earlier));
+void resume(const Subject& subject, RareQuestion& question, const Json& earlier) {
+  question.earlier = estimates_for(rare_report(subject.experiment, question, {}), rare_document().read(earlier));
 }
 
-Answer find(const Subject& subject, const RareRequest& asked, const Circumstances& circumstances) {
-  RareRequest request = asked;
-  request.elapsed_seconds = circumstances.elapsed_seconds;
+Answer find(const Subject& subject, const RareQuestion& question, const Circumstances& circumstances) {
+  const auto report_on = [&](const std::vector<RareEstimate>& found) {
+    return rare_report(subject.experiment, question, found);
+  };
+  KeepRare keep;
   if (circumstances.keep) {
-    request.keeps_when_stopped = true;
-    request.keep = [&](const std::function<std::vector<RareEstimate>()>& so_far) {
-      circumstances.keep([&] { return rare_document().text(rare_report(subject.experiment, request, so_far())); });
+    keep = [&](const std::function<std::vector<RareEstimate>()>& so_far) {
+      circumstances.keep([&] { return rare_document().text(report_on(so_far())); });
     };
   }
-  const RareReport report = rare_report(subject.experiment, request,
-                                        rare_probabilities(subject.experiment, request, circumstances.execution));
+  const RareReport report = report_on(rare_probabilities(subject.experiment, question, circumstances.execution, keep));
   const bool is_stopped =
       std::ranges::any_of(report.conditions, [](const auto& one) { return one.estimate.end == RareEnd::stopped; });
   return {.document = rare_document().text(report),
@@ -92,12 +90,12 @@ std::vector<analysis::Figure> figures(const Json& document, std::span<const Json
   return analysis::rare_figures(rare_document().read(document));
 }
 
-constexpr StudyFunctions<RareRequest> functions{.check = check, .find = find, .resume = resume, .figures = figures};
+constexpr StudyFunctions<RareQuestion> functions{.check = check, .find = find, .resume = resume, .figures = figures};
 
 }  // namespace
 
 const Study& rare_study() {
-  static const Study study = study_of<RareRequest, functions>({
+  static const Study study = study_of<RareQuestion, functions>({
       .name = "rare",
       .sentence = "Estimate the probability of rare overturning",
       .example = "experiments/headline/headline.json -o out --max-time 10min",

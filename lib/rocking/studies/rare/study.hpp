@@ -24,7 +24,6 @@ struct RareReport {
   InputFacts input;
   RareQuestion question;
   std::uint64_t seed = 0;
-  std::uint64_t particles = 0;  ///< of a repetition
   std::vector<ReportedRare> conditions;
   std::vector<RareSuite> suites;
 
@@ -32,7 +31,7 @@ struct RareReport {
   [[nodiscard]] base::Sha256 digest() const;
 };
 
-[[nodiscard]] RareReport rare_report(const Experiment& experiment, const RareRequest& request,
+[[nodiscard]] RareReport rare_report(const Experiment& experiment, const RareQuestion& question,
                                      const std::vector<RareEstimate>& found);
 
 /// The estimates of an earlier report by condition, of whose repetitions `asked` wants more. Throws base::InputError if it
@@ -47,7 +46,20 @@ struct RareReport {
 /// The probabilities as text: a row for each condition, and what is to be known about them.
 [[nodiscard]] std::string rare_table(const RareReport& report);
 
-[[nodiscard]] const StructType& fields_of(const RareRequest*);
+[[nodiscard]] const StructType& fields_of(const RareQuestion*);
+
+/// Throws as rare_probabilities() where the question cannot be answered.
+void check_question(const Experiment& experiment, const RareQuestion& question);
+
+/// The same as in question.hpp; where it may keep what is finished, it returns that when it is asked to stop.
+[[nodiscard]] std::vector<RareEstimate> rare_probabilities(const Experiment& experiment, const RareQuestion& question,
+                                                           const Execution& execution, const KeepRare& keep);
+
+/// Checks the `rare.json` of a folder, which must follow from its repetitions: makes the pilot runs and about `sample`
+/// repetitions again, evenly spaced, at least one of each condition; absent: four of each. `checked` and `different`
+/// count repetitions. Uses the execution as verify() and throws as it does.
+[[nodiscard]] RunCheck verify_rare(const std::filesystem::path& folder, std::optional<std::uint64_t> sample = {},
+                                   const Execution& execution = {});
 
 [[nodiscard]] const Study& rare_study();
 

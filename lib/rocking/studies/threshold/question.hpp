@@ -78,16 +78,13 @@ struct ThresholdStudy {
   std::vector<ThresholdOfCondition> conditions;
 };
 
-/// Throws base::InputError if the experiment has no text, if the place is not that of a number, if there is no range, if a
-/// condition is not allowed at an end of the range, if something is random and no probability is given or the other way
-/// round, or if the event is of slip and the block has no friction.
-ROCKING_API void check_request(const Experiment& experiment, const ThresholdQuestion& question);
-
 /// The bands of a number in which the event happens, for each combination of the other values of the sweep. The range is
 /// scanned in equal steps, and each change between two neighbours is bisected with whole motions until its interval is
-/// within the accuracy. A band or a gap narrower than a step may be missed. Throws as check_request, base::InputError where
-/// a value of the range is not allowed, and base::Stopped if it is asked to stop. Uses `threads`, `on_progress` and `stop`
-/// of the execution; progress counts values of the scan, then edges.
+/// within the accuracy. A band or a gap narrower than a step may be missed. Uses `threads`, `on_progress` and `stop` of the
+/// execution; progress counts values of the scan, then edges. Throws base::Stopped if it is asked to stop, and
+/// base::InputError if the experiment has no text, if the place is not that of a number, if there is no range or a value of
+/// it is not allowed, if something is random and no probability is given or the other way round, or if the event is of slip
+/// and the block has no friction.
 ///
 /// With a probability, realisations are added at each value of the scan, and at two values within each change, until a
 /// confidence sequence tells the share of the event from the probability. Those of one combination hold all at once with

@@ -49,7 +49,7 @@ namespace {
 
 void check(const Subject& subject, ThresholdQuestion& question) {
   question.folder = subject.folder;
-  check_request(subject.experiment, question);
+  check_question(subject.experiment, question);
 }
 
 std::vector<analysis::Figure> figures_of(const ThresholdReport& report) {

@@ -21,6 +21,9 @@ struct ThresholdReport {
 [[nodiscard]] const StructType& fields_of(const ThresholdQuestion*);
 [[nodiscard]] const StructType& fields_of(const ThresholdReport*);
 
+/// Throws as thresholds() where the question cannot be answered.
+void check_question(const Experiment& experiment, const ThresholdQuestion& question);
+
 /// `threshold.json`, and the output of `rocking threshold --json`. Equal input gives equal bytes.
 [[nodiscard]] const DocumentOf<ThresholdReport>& threshold_document();
 

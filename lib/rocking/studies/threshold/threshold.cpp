@@ -178,7 +178,7 @@ ThresholdPoint point_of(const Condition& condition, const ResponseEvent& event, 
 
 }  // namespace
 
-void check_request(const Experiment& experiment, const ThresholdQuestion& question) {
+void check_question(const Experiment& experiment, const ThresholdQuestion& question) {
   static_cast<void>(checked(experiment, question));
 }
 

@@ -196,7 +196,8 @@ TEST(Export, RefusesWhatNoFunctionSays) {
   EXPECT_EQ(complaint_of_export(exported_run(good, "amplitude")), "");
   EXPECT_THAT(complaint_of_export(exported_run(good, "amplitude"), ExportFormat::nrml),
               HasSubstr("amplitude is no measure of intensity of this format"));
-  EXPECT_THAT(complaint_of_export(exported_run(good, "sa_p_g"), ExportFormat::pelicun), HasSubstr("or write --as csv"));
+  EXPECT_THAT(complaint_of_export(exported_run(good, "sa_p_g"), ExportFormat::pelicun),
+              HasSubstr("or give csv as `export_as`"));
   ShownSuite unresolved = good;
   unresolved.curve.levels[1].unresolved = 1;
   EXPECT_THAT(complaint_of_export(exported_run(unresolved)), HasSubstr("realisations without an answer"));

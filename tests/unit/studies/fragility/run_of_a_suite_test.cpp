@@ -43,7 +43,7 @@ TEST(Stripes, OfASuiteStandInOneGroup) {
 
 TEST(RareLevels, OfASuiteAreTheMeansOverItsRecordsAtEachIntensity) {
   const Experiment weak = suite_at({0.2, 0.25});
-  const RareRequest request{.question = {.event = {}, .relative_error = 1.0}, .particles = 50};
+  const RareQuestion request{.relative_error = 1.0, .particles = 50};
   const std::string text = rare_document().text(rare_report(weak, request, rare_probabilities(weak, request)));
   const std::vector<RareOfCurve> levels = rare_levels(text, "rare.json", suite_at({0.5, 0.8}));
   ASSERT_EQ(levels.size(), 2U);

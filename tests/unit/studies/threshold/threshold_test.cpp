@@ -38,7 +38,7 @@ ThresholdStudy asked(const Json& experiment, const ThresholdQuestion& question) 
 
 std::string refused(const Json& experiment, const ThresholdQuestion& question) {
   try {
-    check_request(experiment_in(experiment.dump()), question);
+    check_question(experiment_in(experiment.dump()), question);
   } catch (const base::InputError& error) {
     return error.what();
   }
@@ -147,7 +147,7 @@ TEST(Thresholds, RefuseAPlaceOrARangeThatIsNone) {
   EXPECT_NE(refused(pulse, question), "");
   Experiment without_text = experiment_in(pulse.dump());
   without_text.canonical_text.clear();
-  EXPECT_THROW(check_request(without_text, of_amplitude(1.0, 2.0)), base::InputError);
+  EXPECT_THROW(check_question(without_text, of_amplitude(1.0, 2.0)), base::InputError);
 }
 
 TEST(ThresholdDocument, IsReadAsItWasWritten) {

@@ -83,8 +83,12 @@ Answer find(const Subject& subject, const RareRequest& asked, const Circumstance
                                         rare_probabilities(subject.experiment, request, circumstances.execution));
   const bool is_stopped =
       std::ranges::any_of(report.conditions, [](const auto& one) { return one.estimate.end == RareEnd::stopped; });
+  std::optional<BalanceAngles> balance;
+  for (const Condition& condition : subject.experiment.conditions) {
+    balance = joined(balance, balance_of(condition.scene));
+  }
   return {.document = rare_document().text(report),
-          .table = rare_table(report),
+          .table = rare_table(report, in_degrees(report.question.event, balance)),
           .end = is_stopped ? AnswerEnd::stopped : AnswerEnd::complete};
 }
 

@@ -87,6 +87,15 @@ TEST(Answer, IsAboutAsManyRunsAsItsStudy) {
   EXPECT_THROW(static_cast<void>(answer("check_normal", "{}", about, {})), base::InputError);
 }
 
+TEST(Answer, IsOneSentence) {
+  EXPECT_EQ(answer("check_normal", R"({"n": 200, "seed": "7"})", {}, {}).sentence,
+            "200 numbers from N(0.4, 0.03^2), sampler box-muller, seed 0x7: not refuted.");
+  const StudySubject about{.texts = {{"a.txt", "0 0\n0.5 4.905\n1 0\n"}}};
+  EXPECT_EQ(answer("motion", R"({"files": ["a.txt"], "units": "m/s2", "block": [1, 4]})", about, {}).sentence,
+            "The ground motion a.txt has a PGA of 0.5 g and a PGV of 2.45 m/s, and lifts the block at 0.5 times its "
+            "strength.");
+}
+
 TEST(Answer, HasTheNumbersOfTheTypedCall) {
   SamplerQuestion question{.n = 200, .seed = 7};
   const auto mean_of = [](std::string_view asked) {

@@ -97,7 +97,7 @@ void draw_base(Sketch& sketch, double size, const BlockOutline& block) {
   }
   const double begin = std::max(0.04 * size, 0.5 * width - 0.11 * size);  // right of the normal force
   sketch.arrow("base acceleration", {begin, -0.12 * size}, {0.22 * size, 0.0});
-  sketch.word("a_h(t)", {begin + 0.31 * size, -0.12 * size});
+  sketch.word("a_h(t)", {begin + 0.33 * size, -0.12 * size});
   sketch.arrow("normal force", {0.0, -0.2 * size}, {0.0, 0.2 * size});
   sketch.word("N", {-0.04 * size, -0.17 * size});
   sketch.arrow("friction force", {-0.26 * size, 0.025 * size}, {0.24 * size, 0.0});
@@ -235,7 +235,7 @@ Figure scene_sketch(const Report& report) {
   draw_angles(sketch, block, size, geometry, tilt);
   sketch.path("centre of mass", {block.centre()}, LayerKind::points, {.size = 1.0});
   sketch.arrow("weight", block.centre(), {0.0, -0.24 * size});
-  const double aside = width < 0.3 * size ? 0.5 * width + 0.06 * size : 0.05 * size;  // beside a narrow block
+  const double aside = width < 0.3 * size ? 0.5 * width + 0.11 * size : 0.05 * size;  // beside a narrow block
   const Point beside = geometry.is_rectangle() ? Point{aside, -0.16 * size} : Point{0.0, -0.28 * size};
   sketch.word("mg", {block.centre().x + beside.x, block.centre().y + beside.y});
   if (has_sides(asked)) {

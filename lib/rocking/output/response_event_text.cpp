@@ -47,13 +47,13 @@ constexpr std::string_view all_tilts = "write `tilt > 0.5 psi` (1 psi is balance
 std::string_view name_of(TiltUnit unit) { return tilt_units[static_cast<std::size_t>(unit)]; }
 
 /// As it was asked for.
-std::string tilt_in_words(const AskedTilt& tilt) {
-  return base::significant(tilt.value, 6) + ' ' + std::string(name_of(tilt.unit));
+std::string threshold_in_words(const ResponseEvent& event, std::string (*words)(double)) {
+  if (event.asked) return words(event.asked->value) + ' ' + std::string(name_of(event.asked->unit));
+  return words(event.threshold) + ' ' + std::string(description_of(event).unit);
 }
 
 std::string threshold_in_words(const ResponseEvent& event) {
-  if (event.asked) return tilt_in_words(*event.asked);
-  return base::significant(event.threshold, 6) + ' ' + std::string(description_of(event).unit);
+  return threshold_in_words(event, [](double number) { return base::significant(number, 6); });
 }
 
 std::string with_verb(const ResponseEvent& event, std::size_t form) {
@@ -144,9 +144,7 @@ class ThresholdType final : public ValueType {
 std::string event_text(const ResponseEvent& event) {
   const Described& words = description_of(event);
   if (event.is_overturning()) return std::string(words.name);
-  const double threshold = event.asked ? event.asked->value : event.threshold;
-  return std::string(words.name) + " > " + base::shortest(threshold) + ' ' +
-         std::string(event.asked ? name_of(event.asked->unit) : words.unit);
+  return std::string(words.name) + " > " + threshold_in_words(event, base::shortest);
 }
 
 ResponseEvent in_units_of_balance(const ResponseEvent& event, const std::vector<Condition>& conditions) {
@@ -158,9 +156,9 @@ ResponseEvent in_units_of_balance(const ResponseEvent& event, const std::vector<
   std::optional<BalanceAngles> balance;
   bool are_sides_alike = true;
   for (const Condition& condition : conditions) {
-    balance = joined(balance, balance_of(condition.scene));
-    const auto edges = dynamics::geometry_of(mean_block(condition.scene)).edges;
-    are_sides_alike = are_sides_alike && edges.front().shape_angle == edges.back().shape_angle;
+    const BalanceAngles own = balance_of(condition.scene);
+    balance = joined(balance, own);
+    are_sides_alike = are_sides_alike && own.least == own.largest;
   }
   const BalanceAngles& angles = balance.value();
   const auto shown = [](double number) { return base::significant(number, 3); };

@@ -90,17 +90,6 @@ TEST_F(Fragility, TakesAPhysicalAmplitudeAsItsIntensity) {
   }
 }
 
-TEST_F(Fragility, IsKeptAndDrawnAndToldInWords) {
-  static_cast<void>(fragility_of(random_phase(), "out"));
-  const auto told = rocking("fragility out -o kept");
-  EXPECT_THAT(told.output, AllOf(HasSubstr("median"), HasSubstr("restitution 0.2"), HasSubstr("kept/fragility.json")));
-  EXPECT_EQ(read("kept/fragility.json"), rocking("fragility out --json").output);
-  EXPECT_EQ(rocking("fragility out -o kept").exit_code, 74);
-  EXPECT_EQ(rocking("fragility out out -o kept --overwrite").exit_code, 0);
-  EXPECT_EQ(rocking("report kept/fragility.json -o drawn").exit_code, 0);
-  EXPECT_THAT(read("drawn/fragility.tsv"), AllOf(HasSubstr("law_low"), HasSubstr("\n1.5\t40\t")));
-}
-
 TEST_F(Fragility, MarksAMedianOutsideTheLevels) {
   auto low = random_phase();
   low["sweep"] = Json::parse(R"([{"parameter": "/excitation/amplitude", "values": [1.4, 1.5, 1.6, 1.65]}])");

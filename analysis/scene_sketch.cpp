@@ -95,8 +95,9 @@ void draw_base(Sketch& sketch, double size, const BlockOutline& block) {
     sketch.path("wall", {{face, 0.0}, {face + depth, 0.0}, {face + depth, size}, {face, size}, {face, 0.0}},
                 LayerKind::polygon, {.colour = "#d0d0d0", .hatch = 4});
   }
-  sketch.arrow("base acceleration", {0.5 * width - 0.11 * size, -0.12 * size}, {0.22 * size, 0.0});
-  sketch.word("a_h(t)", {0.5 * width + 0.2 * size, -0.12 * size});
+  const double begin = std::max(0.04 * size, 0.5 * width - 0.11 * size);  // right of the normal force
+  sketch.arrow("base acceleration", {begin, -0.12 * size}, {0.22 * size, 0.0});
+  sketch.word("a_h(t)", {begin + 0.33 * size, -0.12 * size});
   sketch.arrow("normal force", {0.0, -0.2 * size}, {0.0, 0.2 * size});
   sketch.word("N", {-0.04 * size, -0.17 * size});
   sketch.arrow("friction force", {-0.26 * size, 0.025 * size}, {0.24 * size, 0.0});
@@ -120,8 +121,8 @@ void draw_edge(Sketch& sketch, const TiltedBlock& block, const Point& edge, doub
   const double side = right_angle + tilt;
   sketch.arc("shape angle " + names.angle, edge, 0.26 * size, std::min(side, side + away * shape_angle),
              std::max(side, side + away * shape_angle));
-  const double half = side + 0.5 * away * shape_angle;
-  sketch.word(names.angle, {edge.x + 0.3 * size * std::cos(half), edge.y + 0.3 * size * std::sin(half)});
+  const double place = shape_angle < 0.3 ? side - 0.14 * away : side + 0.5 * away * shape_angle;  // beside a narrow one
+  sketch.word(names.angle, {edge.x + 0.3 * size * std::cos(place), edge.y + 0.3 * size * std::sin(place)});
 }
 
 void draw_angles(Sketch& sketch, const TiltedBlock& block, double size, const dynamics::Geometry& geometry,
@@ -157,12 +158,16 @@ bool has_sides(const SceneBlock& block) {
   return std::holds_alternative<UniformMass>(block.mass) || std::holds_alternative<GivenCentre>(block.mass);
 }
 
+std::string angle_in_words(double angle) {
+  return short_number(angle) + " rad = " + short_number(angle * 90.0 / right_angle) + " deg";
+}
+
 std::string edges_in_words(const dynamics::Block& block, const dynamics::Geometry& geometry) {
   const auto& [left, right, height, gyration] = *block.mass;
   return "edges " + short_number(left) + " m left and " + short_number(right) +
          " m right of the centre of mass, which is " + short_number(height) + " m high, radius of gyration " +
-         short_number(gyration) + " m, ψ_l = " + short_number(geometry.edges[0].shape_angle) +
-         " rad, ψ_r = " + short_number(geometry.edges[1].shape_angle) + " rad";
+         short_number(gyration) + " m, ψ_l = " + angle_in_words(geometry.edges[0].shape_angle) +
+         ", ψ_r = " + angle_in_words(geometry.edges[1].shape_angle);
 }
 
 std::string in_metres(const Quantity& length) {
@@ -177,8 +182,8 @@ std::string scene_in_words(const Report& report, const ReportedCondition& condit
   std::string text = has_sides(scene.block)
                          ? "B = " + in_metres(scene.block.width) + ", H = " + in_metres(scene.block.height) + ", "
                          : "";
-  text += block.is_rectangle() ? "ψ = " + short_number(block.shape_angle) + " rad"
-                               : edges_in_words(mean_of(scene.block), block);
+  text +=
+      block.is_rectangle() ? "ψ = " + angle_in_words(block.shape_angle) : edges_in_words(mean_of(scene.block), block);
   text +=
       ", R = " + short_number(block.half_diagonal) + " m, p = " + short_number(block.frequency_parameter) + " rad/s";
   if (condition.shaking) {
@@ -230,7 +235,8 @@ Figure scene_sketch(const Report& report) {
   draw_angles(sketch, block, size, geometry, tilt);
   sketch.path("centre of mass", {block.centre()}, LayerKind::points, {.size = 1.0});
   sketch.arrow("weight", block.centre(), {0.0, -0.24 * size});
-  const Point beside = geometry.is_rectangle() ? Point{0.05 * size, -0.16 * size} : Point{0.0, -0.28 * size};
+  const double aside = width < 0.3 * size ? 0.5 * width + 0.11 * size : 0.05 * size;  // beside a narrow block
+  const Point beside = geometry.is_rectangle() ? Point{aside, -0.16 * size} : Point{0.0, -0.28 * size};
   sketch.word("mg", {block.centre().x + beside.x, block.centre().y + beside.y});
   if (has_sides(asked)) {
     sketch.word("B", block.at(0.5 * width, height + 0.045 * size));

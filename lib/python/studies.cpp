@@ -25,7 +25,7 @@ double seconds_of_this_thread() {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-/// (JSON text, table, notices). Runs are (name, experiment, run).
+/// (JSON text, table, sentence, notices). Runs are (name, experiment, run).
 py::tuple answer_of(const std::string& study, const std::string& question, const Experiment* experiment,
                     const std::string& files, const std::vector<std::tuple<std::string, Experiment, RunResult>>& runs,
                     const std::map<std::string, std::string>& texts, const std::string& earlier, unsigned threads,
@@ -41,7 +41,8 @@ py::tuple answer_of(const std::string& study, const std::string& question, const
     execution.processor_seconds = seconds_of_this_thread;
     return answer(study, question, subject, execution, provenance);
   });
-  return py::make_tuple(std::move(found.document), std::move(found.table), std::move(found.notices));
+  return py::make_tuple(std::move(found.document), std::move(found.table), std::move(found.sentence),
+                        std::move(found.notices));
 }
 
 /// (measure, intensities, annual rates, years, statistic, site, points left out).

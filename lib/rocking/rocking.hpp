@@ -50,6 +50,7 @@ struct StudySubject {
 struct StudyAnswer {
   std::string document;              ///< JSON text, with the bytes that the program writes
   std::string table;                 ///< what the program prints
+  std::string sentence;              ///< its first one: the answer
   std::vector<std::string> notices;  ///< what it says beside that
 };
 

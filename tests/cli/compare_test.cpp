@@ -28,19 +28,6 @@ class Compare : public rocking::support::ProgramTest {
   }
 };
 
-TEST_F(Compare, FindsNothingBetweenARunAndItself) {
-  ASSERT_EQ(rocking("run first.json -q -o a").exit_code, 0);
-  const Json json = Json::parse(rocking("compare a a --json").output);
-  EXPECT_TRUE(json["settings"].empty());
-  for (const Json& condition : json["conditions"]) {
-    EXPECT_EQ(condition["changed"]["count"], 0);
-    for (const auto& [mode, counts] : condition["modes"].items()) {
-      EXPECT_EQ(counts["mcnemar_p_value"], 1.0) << mode;
-      EXPECT_TRUE(counts["variance_reduction"].is_null()) << mode;
-    }
-  }
-}
-
 TEST_F(Compare, HasTheConfidenceOfEachCondition) {
   auto swept = quick_experiment();
   swept["sweep"] = Json::parse(R"([ { "parameter": "/confidence", "values": [0.8, 0.999] } ])");

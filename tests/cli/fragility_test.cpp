@@ -90,32 +90,6 @@ TEST_F(Fragility, TakesAPhysicalAmplitudeAsItsIntensity) {
   }
 }
 
-TEST_F(Fragility, IsKeptAndDrawnAndToldInWords) {
-  static_cast<void>(fragility_of(random_phase(), "out"));
-  const auto told = rocking("fragility out -o kept");
-  EXPECT_THAT(told.output, AllOf(HasSubstr("median"), HasSubstr("restitution 0.2"), HasSubstr("kept/fragility.json")));
-  EXPECT_EQ(read("kept/fragility.json"), rocking("fragility out --json").output);
-  EXPECT_EQ(rocking("fragility out -o kept").exit_code, 74);
-  EXPECT_EQ(rocking("fragility out out -o kept --overwrite").exit_code, 0);
-  EXPECT_EQ(rocking("report kept/fragility.json -o drawn").exit_code, 0);
-  EXPECT_THAT(read("drawn/fragility.tsv"), AllOf(HasSubstr("law_low"), HasSubstr("\n1.5\t40\t")));
-}
-
-TEST_F(Fragility, IsWrittenAsCsvAndLatexByReport) {
-  static_cast<void>(fragility_of(random_phase(), "out"));
-  ASSERT_EQ(rocking("fragility out -q -o kept").exit_code, 0);
-  const auto outcome = rocking("report kept/fragility.json -o drawn");
-  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
-  EXPECT_THAT(outcome.output, AllOf(HasSubstr("drawn/fragility_levels.csv"), HasSubstr("drawn/fragility_curves.tex")));
-  EXPECT_THAT(read("drawn/fragility_levels.csv"), HasSubstr("n,count,share,share_low,share_high,fitted,"));
-  EXPECT_THAT(read("drawn/fragility_levels.tex"), HasSubstr("\\begin{tabular}"));
-  const Json level = Json::parse(read("kept/fragility.json"))["curves"][0]["levels"][0];
-  const std::string n = std::to_string(level["realisations"].get<int>()),
-                    k = std::to_string(level["overturned"].get<int>());
-  EXPECT_THAT(read("drawn/fragility_levels.csv"), HasSubstr("," + n + "," + k + ","));
-  EXPECT_THAT(read("drawn/fragility_curves.csv"), HasSubstr("outcome,median,median_low,"));
-}
-
 TEST_F(Fragility, MarksAMedianOutsideTheLevels) {
   auto low = random_phase();
   low["sweep"] = Json::parse(R"([{"parameter": "/excitation/amplitude", "values": [1.4, 1.5, 1.6, 1.65]}])");

@@ -53,7 +53,8 @@ TEST_F(Rare, IsWrittenAndPrinted) {
   const auto outcome = rocking(std::string("rare quick.json -o out") + quickly);
   EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
   EXPECT_THAT(outcome.output, AllOf(HasSubstr("quick"), HasSubstr("amplitude"), HasSubstr("probability"),
-                                    HasSubstr("exceeds 0.5"), HasSubstr("out/rare.json"), HasSubstr("plain sampling")));
+                                    HasSubstr("tilts beyond 0.5 psi (7.02 degrees) within"), HasSubstr("out/rare.json"),
+                                    HasSubstr("plain sampling")));
   const std::string text = read("out/rare.json");
   EXPECT_EQ(objections("rare", text), "");
   const Json json = Json::parse(text);

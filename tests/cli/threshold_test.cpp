@@ -32,7 +32,7 @@ class Threshold : public rocking::support::ProgramTest {
 TEST_F(Threshold, PrintsTheAnswerFirstAndWritesTheBands) {
   const auto outcome = rocking(std::string("threshold pulse.json -q -o out") + asked);
   EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
-  EXPECT_THAT(outcome.output, AllOf(StartsWith("overturns from 3.0"), HasSubstr(" on, stands again from 6."),
+  EXPECT_THAT(outcome.output, AllOf(StartsWith("the block overturns from 3.0"), HasSubstr(" on, stands again from 6."),
                                     HasSubstr("scanned in 60 steps of 0.15")));
   const std::string text = read("out/threshold.json");
   EXPECT_EQ(objections("threshold", text), "");

@@ -333,13 +333,40 @@ class AgainstTheProgram(ProgramTest):
     def test_studies_say_what_the_program_prints(self):
         found = rocking.check_normal(500)
         self.assertEqual(found.table(), self.program("check-normal", "--n", "500"))
-        self.assertTrue(found.table().startswith(found.answer + "\n"))
         amplitudes = changed(sweep=[{"parameter": "/excitation/amplitude", "values": [1.5, 2.0, 3.0]}], title="three")
         found = rocking.fragility(amplitudes)
-        self.assertTrue(found.table().startswith("three\n"))
-        self.assertIn("no function is fitted", found.answer)
+        self.assertIn("\nthree\n", found.table())
+        self.assertIn("no function is fitted", found.table())
         with self.assertRaisesRegex(AttributeError, "use json"):
             found.text
+
+    def test_every_study_answers_in_one_sentence(self):
+        still = changed(sweep=[{"parameter": "/excitation/amplitude", "values": [2.0, 4.0]}],
+                        excitation={"kind": "harmonic", "amplitude": 2.0, "frequency_ratio": 10.0})
+        slab = {key: value for key, value in SLAB.items() if key != "sweep"}
+        pulse = {**slab, "excitation": {"kind": "pulse", "shape": "sine", "amplitude": 1.0, "frequency_ratio": 5.0}}
+        run, other = rocking.run(SLAB), rocking.run(changed(restitution=0.5))
+        record = os.path.join(self.folder.name, "a.txt")
+        with open(record, "w") as file:
+            file.write("0 0\n0.5 4.905\n1 0\n")
+        unknown = {**slab, "unknown": [{"parameter": "/restitution", "from": 0.8, "to": 0.95}]}
+        tests = {"amplitude": [4.0], "overturned": [0], "other": [5]}
+        for found, words in (
+            (rocking.bifurcation(still), r"From each start the response is the same, at all of 2 values"),
+            (rocking.check_normal(500), r"500 numbers from N.*: not refuted"),
+            (rocking.compare(run, other), r"\d+ of 60 realisations changed their response mode"),
+            (rocking.cost(SLAB, sample=3, tolerances=[1e-6, 1e-14]), r"(Tolerance|No tolerance) "),
+            (rocking.fragility(run), r"The block overturned in 0\.0 % at A_h = 1 to "),
+            (rocking.infer(unknown, tests), r"Restitution e: any value from 0\.8 to 0\.95, with 95 % confidence"),
+            (rocking.motion(record, units="m/s2"), r"The ground motion .* has a PGA of 0\.5 g and a PGV of 2\.45 m/s"),
+            (rocking.orbits(still, periods=1, no_branches=True), r"Several stable orbits coexist in \d of 2 conditions"),
+            (rocking.rare(slab, event="tilt > 0.05 psi", particles=20, relative_error=1.0),
+             r"The block tilts beyond 0\.05 psi \(0\.702 degrees\) within the horizon with a probability of [^ ]+ \["),
+            (rocking.threshold(pulse, of="/excitation/amplitude", from_=1, to=10, steps=20), r"The block overturns from "),
+        ):
+            self.assertRegex(found.answer, f"^{words}[^\n]*\\.$")
+            self.assertNotRegex(found.answer, r"\.[ .]")
+            self.assertTrue(found.table().lower().startswith(found.answer[:-1].lower()), found.answer)
 
     def test_doctor_is_that_of_the_program(self):
         theirs = json.loads(self.program("doctor", "--json"))

@@ -1,11 +1,12 @@
 """Follows a tutorial: runs its blocks in their order, in an empty folder, and compares what they print.
 
-usage: follow.py TUTORIAL
+usage: follow.py TUTORIAL [--store]
 
-Fenced blocks of a tutorial:
+`--store` writes what the blocks print into the tutorial instead. Fenced blocks of a tutorial:
   ```sh       commands; all of them must succeed
   ```sh fails commands, the last of which must fail
-  ```text     what the block before printed; `...` stands for anything but rows of a table of response modes
+  ```text     all that the block before printed, each row, name and number: nothing is left out; of a number with
+              more than 13 decimals 12 digits are compared, since the last ones depend on the C library
   ```json NAME, ```python NAME, ```cpp NAME, ```cmake NAME: written to the file NAME; `NAME` is the second word
 Other blocks are read by people only.
 
@@ -13,7 +14,7 @@ A tutorial whose runs leave more than one in twenty realisations of a condition 
 word `unresolved` in its text.
 """
 
-import itertools
+import difflib
 import json
 import os
 import re
@@ -26,27 +27,8 @@ def blocks(text):
         yield match.group(1), match.group(2).strip(), match.group(3), text.count("\n", 0, match.start()) + 1
 
 
-def matches(expected, printed):
-    """Line by line; `...` alone stands for any lines, within a line for any characters."""
-    def squeezed(text):
-        return "\n".join(line.rstrip() for line in text.strip().splitlines())
-
-    pattern = re.escape(squeezed(expected)).replace(re.escape("..."), ".*?")
-    return re.fullmatch(pattern, squeezed(printed), re.DOTALL) is not None
-
-
-def response_table(lines):
-    """The first table with a column `n`, as `rocking run` prints it."""
-    heading = next((i for i, line in enumerate(lines) if "n" in line.split()), len(lines))
-    return list(itertools.takewhile(lambda line: line.strip(), lines[heading:]))
-
-
-def hidden_rows(expected, printed):
-    """Lines of that table that a text which shows its heading does not show as they were printed."""
-    shown, table = ([line.rstrip() for line in text.splitlines()] for text in (expected, printed))
-    table = response_table(table)
-    is_shown = table and any(line.split()[:1] == table[0].split()[:1] for line in shown)
-    return [line for line in table if line not in shown] if is_shown else []
+def squeezed(text):
+    return "\n".join(line.rstrip() for line in text.strip("\n").splitlines())
 
 
 def unresolved_conditions(folder):
@@ -61,10 +43,19 @@ def unresolved_conditions(folder):
                     yield f"{place}: {100 * share:.0f} % at {condition['parameters']}"
 
 
-def follow(path):
+def compared(text):
+    return re.sub(r"\d+\.\d{14,}", lambda number: f"{float(number[0]):.12g}", squeezed(text))
+
+
+def difference(shown, printed):
+    lines = difflib.unified_diff(compared(shown).splitlines(), compared(printed).splitlines(), "shown", "printed", "", "")
+    return "\n".join(line.rstrip("\n") for line in lines)
+
+
+def follow(path, store):
     with open(path, encoding="utf-8") as file:
         text = file.read()
-    printed, commands = "", 0
+    printed, commands, stored = "", 0, text
     for language, note, body, line in blocks(text):
         place = f"{path}:{line}"
         if language == "sh":
@@ -73,10 +64,10 @@ def follow(path):
             if (done.returncode != 0) != (note == "fails"):
                 sys.exit(f"{place}: exit code {done.returncode}\n{printed}")
         elif language == "text" and commands:
-            if not matches(body, printed):
-                sys.exit(f"{place}: printed something else:\n{printed}")
-            if hidden := hidden_rows(body, printed):
-                sys.exit(f"{place}: does not show the whole table:\n" + "\n".join(hidden))
+            if store:
+                stored = stored.replace(f"```text\n{body}```", f"```text\n{squeezed(printed)}\n```", 1)
+            elif compared(body) != compared(printed):
+                sys.exit(f"{place}: printed something else:\n{difference(body, printed)}")
         elif note:
             folder = os.path.dirname(note)
             if folder:
@@ -88,8 +79,11 @@ def follow(path):
         sys.exit(f"{path}: does not say what to do about unresolved realisations:\n" + "\n".join(unresolved))
     if commands == 0:
         sys.exit(f"{path}: has no commands")
+    if store:
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(stored)
     print(f"{path}: {commands} blocks of commands")
 
 
 if __name__ == "__main__":
-    follow(sys.argv[1])
+    follow(sys.argv[1], "--store" in sys.argv[2:])

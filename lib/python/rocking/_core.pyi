@@ -102,7 +102,7 @@ def answer(
     machine: str,
     start: str,
     on_progress: _Progress,
-) -> Tuple[str, str, List[str]]: ...
+) -> Tuple[str, str, str, List[str]]: ...
 def hazard(given: _Hazard) -> Tuple[
     str,
     npt.NDArray[np.float64],

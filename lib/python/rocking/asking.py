@@ -123,8 +123,8 @@ def answer(
     resume: Optional[Given] = None,
     threads: Optional[int] = None,
     progress: Optional[Progress] = None,
-) -> Tuple[str, str]:
-    """The text of the document that a study writes, and what the program prints."""
+) -> Tuple[str, str, str]:
+    """The text of the document that a study writes, what the program prints, and the answer in a sentence."""
     if not (threads is None or (type(threads) is int and 0 < threads < 2**16)):
         raise InputError([("threads", repr(threads), "must be a whole number from 1", "", "")])
     if not (progress is None or callable(progress)):
@@ -137,7 +137,7 @@ def answer(
     texts: Dict[str, str] = {}
     asked = _question(question, texts)
     with told_by_row(list(texts)):
-        text, table, notices = _core.answer(
+        text, table, sentence, notices = _core.answer(
             study,
             asked,
             None if about is None else about._core,
@@ -152,4 +152,4 @@ def answer(
         )
     for notice in notices:
         warnings.warn(notice, stacklevel=3)
-    return text, table
+    return text, table, sentence

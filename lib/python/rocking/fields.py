@@ -127,22 +127,11 @@ class Rows(List[_Row]):
 class Document(Fields):
     """What a study has found, as a file of rocking holds it. Notebooks show it with its figures."""
 
-    def __init__(self, text: str, table: str = "") -> None:
+    def __init__(self, text: str, table: str = "", answer: str = "") -> None:
         super().__init__(json.loads(text))
         self.json: str = text  #: as the program writes it
+        self.answer: str = answer  #: what was found, in one sentence
         self._table = table
-
-    @property
-    def answer(self) -> str:
-        """What the program says first, below the title: of a study with an answer in words a sentence or a few.
-
-        >>> import rocking
-        >>> rocking.check_normal(500).answer
-        '500 numbers from N(0.4, 0.03^2), sampler box-muller, seed 0x2012'
-        """
-        title = (self.data.get("experiment") or {}).get("title")
-        parts = [part.strip("\n") for part in self._table.split("\n\n")]
-        return next((part for part in parts if part.strip() and part != title), "")
 
     def table(self) -> str:
         """What the program prints."""

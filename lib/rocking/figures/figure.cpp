@@ -1,10 +1,10 @@
 #include "rocking/figures/figure.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <utility>
 
 #include "rocking/base/error.hpp"
+#include "rocking/base/number_text.hpp"
 
 namespace rocking::analysis {
 
@@ -83,13 +83,7 @@ Table drawn_part(const Table& whole, const std::string& what, const std::vector<
   return part;
 }
 
-std::string number_text(double number) {
-  char text[32];
-  const auto [end, error] = std::to_chars(text, text + sizeof text, number);
-  ROCKING_EXPECT(error == std::errc());
-  static_cast<void>(error);
-  return {text, end};
-}
+std::string number_text(double number) { return base::shortest(number); }
 
 std::string cell_text(const Cell& cell) {
   if (const double* number = std::get_if<double>(&cell)) return number_text(*number);

@@ -21,11 +21,9 @@ struct TableLook {
   std::optional<std::size_t> most_rows = std::nullopt;  ///< of a run; more conditions are summarised; absent: all rows
 };
 
-/// The column of the peak tilt, and its explanation.
+/// The column of the peak tilt.
 inline constexpr std::string_view peak_tilt_heading = "peak tilt";
-inline constexpr std::string_view peak_tilt_legend =
-    "peak tilt: median and 95 % quantile of the largest abs(Theta); overturned counts as above every value (-)";
-/// Likewise of the peak slip, which is shown where a block slid without rocking.
+/// That of the peak slip, which is shown where a block slid without rocking, and its explanation.
 inline constexpr std::string_view peak_slip_heading = "peak slip";
 inline constexpr std::string_view peak_slip_legend = "peak slip: likewise of the largest slip, in m";
 

@@ -24,19 +24,21 @@ struct Described {
   std::string_view unit;                  ///< of the threshold; empty: none
   std::array<std::string_view, 3> verbs;  ///< does, do, did
   std::string_view beyond;                ///< between the verb and the threshold
-  std::string_view after;                 ///< the threshold, with the verb
+  std::string_view after;                 ///< behind the threshold, with the verb
   std::string_view noun;                  ///< before the threshold
 };
 
 /// By EventName.
 constexpr std::array described{
     Described{"overturning", "", {"overturns", "overturn", "overturned"}, "", "", "overturning"},
-    Described{"tilt", "psi", {"tilts", "tilt", "tilted"}, " beyond ", " psi", "a peak tilt above "},
-    Described{"slip", "m", {"slides", "slide", "slid"}, " more than ", " m", "sliding more than "},
-    Described{"displacement", "m", {"ends", "end", "ended"}, " more than ", " m away", "a displacement above "},
+    Described{"tilt", "psi", {"tilts", "tilt", "tilted"}, " beyond ", "", "a peak tilt above "},
+    Described{"slip", "m", {"slides", "slide", "slid"}, " more than ", "", "sliding more than "},
+    Described{"displacement", "m", {"ends", "end", "ended"}, " more than ", " away", "a displacement above "},
 };
 
 const Described& description_of(const ResponseEvent& event) { return described[static_cast<std::size_t>(event.name)]; }
+
+constexpr double degree = std::numbers::pi / 180.0;
 
 /// By TiltUnit.
 constexpr std::array<std::string_view, 3> tilt_units{"psi", "rad", "deg"};
@@ -45,23 +47,20 @@ constexpr std::string_view all_tilts = "write `tilt > 0.5 psi` (1 psi is balance
 std::string_view name_of(TiltUnit unit) { return tilt_units[static_cast<std::size_t>(unit)]; }
 
 /// As it was asked for.
-std::string tilt_in_words(const AskedTilt& tilt) {
-  return base::significant(tilt.value, 6) + ' ' + std::string(name_of(tilt.unit));
+std::string threshold_in_words(const ResponseEvent& event, std::string (*words)(double)) {
+  if (event.asked) return words(event.asked->value) + ' ' + std::string(name_of(event.asked->unit));
+  return words(event.threshold) + ' ' + std::string(description_of(event).unit);
 }
 
-/// The threshold with its unit; psi goes without saying.
 std::string threshold_in_words(const ResponseEvent& event) {
-  if (event.asked) return tilt_in_words(*event.asked);
-  const bool is_tilt = event.name == EventName::tilt;
-  return base::significant(event.threshold, 6) + (is_tilt ? "" : ' ' + std::string(description_of(event).unit));
+  return threshold_in_words(event, [](double number) { return base::significant(number, 6); });
 }
 
 std::string with_verb(const ResponseEvent& event, std::size_t form) {
   const Described& words = description_of(event);
   const std::string verb(words.verbs[form]);
   if (event.is_overturning()) return verb;
-  if (event.asked) return verb + std::string(words.beyond) + tilt_in_words(*event.asked);
-  return verb + std::string(words.beyond) + base::significant(event.threshold, 6) + std::string(words.after);
+  return verb + std::string(words.beyond) + threshold_in_words(event) + std::string(words.after);
 }
 
 std::string example_of(const Described& words) {
@@ -145,9 +144,7 @@ class ThresholdType final : public ValueType {
 std::string event_text(const ResponseEvent& event) {
   const Described& words = description_of(event);
   if (event.is_overturning()) return std::string(words.name);
-  const double threshold = event.asked ? event.asked->value : event.threshold;
-  return std::string(words.name) + " > " + base::shortest(threshold) + ' ' +
-         std::string(event.asked ? name_of(event.asked->unit) : words.unit);
+  return std::string(words.name) + " > " + threshold_in_words(event, base::shortest);
 }
 
 ResponseEvent in_units_of_balance(const ResponseEvent& event, const std::vector<Condition>& conditions) {
@@ -155,16 +152,15 @@ ResponseEvent in_units_of_balance(const ResponseEvent& event, const std::vector<
   const auto refuse = [&event](std::string reason, std::string remedy) {
     throw base::InputError({"events", event_text(event), std::move(reason), std::move(remedy)});
   };
-  constexpr double degree = std::numbers::pi / 180.0;
   const double tilt = event.asked->value * (event.asked->unit == TiltUnit::deg ? degree : 1.0);
-  NumberRange angles;  // psi of all sides
-  bool are_drawn = false, are_sides_alike = true;
+  std::optional<BalanceAngles> balance;
+  bool are_sides_alike = true;
   for (const Condition& condition : conditions) {
-    const auto edges = dynamics::geometry_of(mean_block(condition.scene)).edges;
-    for (const dynamics::Edge& edge : edges) angles.add(edge.shape_angle);
-    are_drawn = are_drawn || is_drawn(condition.scene.block);
-    are_sides_alike = are_sides_alike && edges.front().shape_angle == edges.back().shape_angle;
+    const BalanceAngles own = balance_of(condition.scene);
+    balance = joined(balance, own);
+    are_sides_alike = are_sides_alike && own.least == own.largest;
   }
+  const BalanceAngles& angles = balance.value();
   const auto shown = [](double number) { return base::significant(number, 3); };
   const double share = tilt / angles.least, least_share = tilt / angles.largest;
   if (least_share > 1.0) {
@@ -172,14 +168,14 @@ ResponseEvent in_units_of_balance(const ResponseEvent& event, const std::vector<
                " deg = " + base::significant(angles.largest, 4) + " rad",
            "ask for less, or for overturning");
   }
-  if (are_drawn || angles.least != angles.largest) {
+  if (angles.is_of_mean_block || angles.least != angles.largest) {
     refuse("is not one share of balance: the blocks of the run, or their sides, have several angles psi",
            "ask for it in psi, as `tilt > " + shown(share > 1.0 ? least_share : share) + " psi`: it is " +
                shown(share) +
                (share == least_share ? " psi of the mean block"
                                      : " psi of the side that balances at the least tilt, " + shown(least_share) +
                                            " psi of that at the largest") +
-               (are_drawn || !are_sides_alike ? "" : "; or make a run for each block"));
+               (angles.is_of_mean_block || !are_sides_alike ? "" : "; or make a run for each block"));
   }
   return {EventName::tilt, share, event.asked};
 }
@@ -229,5 +225,12 @@ std::string column_of(const ResponseEvent& event) {
 std::string does(const ResponseEvent& event) { return with_verb(event, 0); }
 std::string to_do(const ResponseEvent& event) { return with_verb(event, 1); }
 std::string did(const ResponseEvent& event) { return with_verb(event, 2); }
+
+std::string in_degrees(const ResponseEvent& event, const std::optional<BalanceAngles>& balance) {
+  if (event.name != EventName::tilt || event.asked || !balance) return "";
+  NumberRange tilts;
+  for (const double psi : {balance->least, balance->largest}) tilts.add(event.threshold * psi / degree);
+  return " (" + tilts.text() + " degrees" + (balance->is_of_mean_block ? " of the mean block)" : ")");
+}
 
 }  // namespace rocking

@@ -13,6 +13,7 @@
 #include "rocking/output/mode_table.hpp"
 #include "rocking/output/overview.hpp"
 #include "rocking/output/parameter_text.hpp"
+#include "rocking/output/response_event_text.hpp"
 #include "rocking/output/settling_table.hpp"
 #include "rocking/output/shaking_text.hpp"
 #include "rocking/text/number_text.hpp"
@@ -57,10 +58,11 @@ std::string legend_of(const Report& report, const std::string& table) {
     text += "\nnothing is random: one realisation is the response of its condition\n";
   }
   if (table.find(peak_tilt_heading) != std::string::npos) {
-    text += std::string(peak_tilt_legend) + '\n';
+    std::optional<BalanceAngles> balance;
+    for (const ReportedCondition& each : report.conditions) balance = joined(balance, balance_of(each.asked.scene));
+    text += "peak tilt: median and 95 % quantile of the largest tilt over psi of its side" +
+            in_degrees({EventName::tilt, 1.0}, balance) + "; overturned counts as above every value (-)\n";
     if (table.find(peak_slip_heading) != std::string::npos) text += std::string(peak_slip_legend) + '\n';
-    if (has_unlike_edges(report))
-      text += "Theta: tilt over psi of the side on which the block is, so that balance is 1 on both\n";
   }
   return text;
 }

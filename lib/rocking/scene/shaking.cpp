@@ -1,5 +1,6 @@
 #include "rocking/scene/shaking.hpp"
 
+#include <algorithm>
 #include <variant>
 
 namespace rocking {
@@ -36,6 +37,19 @@ void add_frequencies(const std::optional<PhysicalFrequency>& physical, double p,
 }
 
 }  // namespace
+
+BalanceAngles balance_of(const Scene& scene) {
+  const auto edges = dynamics::geometry_of(mean_block(scene)).edges;
+  const auto [least, largest] = std::minmax(edges[0].shape_angle, edges[1].shape_angle);
+  return {.least = least, .largest = largest, .is_of_mean_block = is_drawn(scene.block)};
+}
+
+BalanceAngles joined(const std::optional<BalanceAngles>& first, const BalanceAngles& second) {
+  if (!first) return second;
+  return {.least = std::min(first->least, second.least),
+          .largest = std::max(first->largest, second.largest),
+          .is_of_mean_block = first->is_of_mean_block || second.is_of_mean_block};
+}
 
 std::optional<Shaking> shaking_of(const Scene& scene) {
   const dynamics::Geometry mean = dynamics::geometry_of(mean_block(scene));

@@ -46,6 +46,16 @@ inline constexpr std::array<ShakingNumber, 6> shaking_numbers{{{"amplitude", &Sh
                                                                {"frequency_hz", &Shaking::frequency_hz},
                                                                {"period_s", &Shaking::period_s}}};
 
+/// psi of the sides of blocks, at which they are in balance [rad]; of drawn blocks that of the mean one.
+struct BalanceAngles {
+  double least = 0.0;
+  double largest = 0.0;
+  bool is_of_mean_block = false;  ///< whether a block is drawn
+};
+[[nodiscard]] BalanceAngles balance_of(const Scene& scene);
+/// Of both.
+[[nodiscard]] BalanceAngles joined(const std::optional<BalanceAngles>& first, const BalanceAngles& second);
+
 /// Absent under a ground motion, which has neither.
 [[nodiscard]] std::optional<Shaking> shaking_of(const Scene& scene);
 

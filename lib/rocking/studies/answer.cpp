@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cctype>
 #include <iterator>
 #include <stdexcept>
 #include <utility>
@@ -112,6 +113,15 @@ FileSource files_of(const StudySubject& about) {
   };
 }
 
+/// The first sentence of the first line of a table, which is its answer, with a capital letter and a full stop.
+std::string sentence_in(const std::string& table) {
+  std::string text = table.substr(0, std::min(table.find('\n'), table.find(". ")));
+  text.resize(text.find_last_not_of(". ") + 1);
+  if (text.empty()) return text;
+  text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+  return text + '.';
+}
+
 Json keywords_of(const Study& study) {
   Json keywords = Json::array();
   const std::shared_ptr<void> question = study.of_call();
@@ -150,8 +160,11 @@ StudyAnswer answer(std::string_view study, std::string_view question, const Stud
     if (!about.earlier.empty()) asked.resume(subject, wanted.get(), parse_json(about.earlier));
     Answer found = asked.find(subject, wanted.get(), {.execution = execution, .provenance = provenance});
     if (found.write_more) std::ranges::move(found.write_more(execution).notices, std::back_inserter(found.notices));
-    return {
-        .document = std::move(found.document), .table = std::move(found.table), .notices = std::move(found.notices)};
+    const std::string sentence = sentence_in(found.table);
+    return {.document = std::move(found.document),
+            .table = std::move(found.table),
+            .sentence = sentence,
+            .notices = std::move(found.notices)};
   } catch (const base::InputError& error) {
     throw with_names(error, asked.question->fields(), keyword_of);
   }

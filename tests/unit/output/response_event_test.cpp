@@ -105,6 +105,24 @@ TEST(ResponseEvent, OfATiltInDegreesIsAShareOfTheBalanceOfTheBlock) {
   EXPECT_THAT(complaint("tilt > 5 deg"), AllOf(HasSubstr("as `tilt > 0.702 psi`"), Not(HasSubstr("a run for each"))));
 }
 
+TEST(ResponseEvent, OfATiltInPsiIsToldInDegreesToo) {
+  Json document = support::least_experiment();
+  const auto told = [&document](std::string_view text) {
+    std::optional<BalanceAngles> balance;
+    for (const Condition& each : experiment_in(document.dump()).conditions) {
+      balance = joined(balance, balance_of(each.scene));
+    }
+    return does(event_in(text)) + in_degrees(event_in(text), balance);
+  };
+  EXPECT_EQ(told("tilt > 0.5 psi"), "tilts beyond 0.5 psi (7.02 degrees)");
+  for (const char* text : {"tilt > 5 deg", "overturning", "slip > 1 m"}) EXPECT_EQ(told(text), does(event_in(text)));
+  document["sweep"] = Json::parse(R"([{"parameter": "/block/width_m", "values": [2, 1]}])");
+  EXPECT_EQ(told("tilt > 0.5 psi"), "tilts beyond 0.5 psi (7.02 to 13.3 degrees)");
+  document.erase("sweep");
+  document["block"]["width_m"] = Json::parse(R"({"uniform": [0.9, 1.1]})");
+  EXPECT_EQ(told("tilt > 0.5 psi"), "tilts beyond 0.5 psi (7.02 degrees of the mean block)");
+}
+
 TEST(ResponseEvent, IsSaidInTheWordsOfItsOwnKind) {
   const ResponseEvent slip{EventName::slip, 0.05};
   EXPECT_EQ(words_of(slip), "sliding more than 0.05 m");

@@ -87,6 +87,14 @@ TEST(Answer, IsAboutAsManyRunsAsItsStudy) {
   EXPECT_THROW(static_cast<void>(answer("check_normal", "{}", about, {})), base::InputError);
 }
 
+TEST(Answer, IsOneSentence) {
+  EXPECT_EQ(answer("check_normal", R"({"n": 200, "seed": "7"})", {}, {}).sentence,
+            "200 numbers from N(0.4, 0.03^2), sampler box-muller, seed 0x7: not refuted.");
+  const std::string file = ROCKING_SOURCE_DIR "/experiments/recorded/pulses.txt";
+  const std::string asked = R"({"files": [")" + file + R"("], "time_step": 0.01, "block": [1, 4]})";
+  EXPECT_EQ(answer("motion", asked, {}, {}).sentence.find("The ground motion " + file + " has a PGA of "), 0U);
+}
+
 TEST(Answer, HasTheNumbersOfTheTypedCall) {
   SamplerQuestion question{.n = 200, .seed = 7};
   const auto mean_of = [](std::string_view asked) {

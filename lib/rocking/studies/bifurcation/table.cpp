@@ -24,14 +24,20 @@ std::string cell(const Diagram& diagram, DiagramBranch branch, std::size_t place
   return to_string(steps[place].classification.mode) + (restarts ? " *" : "");
 }
 
-/// `the response depends on the start at 12 of 25 values, from 0.45 to 0.75`.
-std::string coexistence_in(const Experiment& experiment, const Diagram& diagram) {
+/// Where the response depends on the start.
+std::vector<std::size_t> coexistences(const Diagram& diagram) {
   std::vector<std::size_t> places;
   for (std::size_t i = 0; i < diagram.conditions.size(); ++i) {
     std::set<section::ResponseMode> modes;
     for (const auto& branch : diagram.branches) modes.insert(branch[i].classification.mode);
     if (modes.size() > 1) places.push_back(i);
   }
+  return places;
+}
+
+/// `the response depends on the start at 12 of 25 values, from 0.45 to 0.75`.
+std::string coexistence_in(const Experiment& experiment, const Diagram& diagram) {
+  const std::vector<std::size_t> places = coexistences(diagram);
   const std::string all = counted(diagram.conditions.size(), "value");
   if (places.empty()) return "from each start the response is the same, at all of " + all + '\n';
   const auto value = [&](std::size_t place) {
@@ -67,7 +73,12 @@ std::string table_of(const Experiment& experiment, const Diagram& diagram, Exten
 
 /// The table of each diagram; on one screen of as many as fit there.
 std::string all_tables(const Experiment& experiment, const std::vector<Diagram>& diagrams, Extent extent) {
+  const auto depends = std::ranges::count_if(diagrams, [](const auto& each) { return !coexistences(each).empty(); });
   std::string text;
+  if (diagrams.size() > 1) {
+    text = "the response depends on the start in " + std::to_string(depends) + " of " +
+           counted(diagrams.size(), "diagram") + "\n\n";
+  }
   for (std::size_t i = 0; i < diagrams.size(); ++i) {
     const Diagram& diagram = diagrams[i];
     const auto& parameters = parameters_of(experiment, diagram.conditions.front());

@@ -131,7 +131,7 @@ std::string check_normal_summary(const SamplerCheck& check) {
       std::to_string(found.n) + (check.of_file ? " numbers against " : " numbers from ") +
       (check.distribution ? *check.distribution + " with mean " + mean + " and standard deviation " + sigma
                           : "N(" + mean + ", " + sigma + "^2)") +
-      origin_of(check) + "\n\n";
+      origin_of(check) + (stats::is_refuted(found) ? ": refuted, a p-value is below 1e-6" : ": not refuted") + "\n\n";
   text += moments_table(found) + '\n';
   if (check.of_file && check.of_file->has_own_law) {
     text +=

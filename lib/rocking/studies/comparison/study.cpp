@@ -83,11 +83,11 @@ std::vector<ComparedMode> compared_modes(const Comparison& found, Extent extent)
 /// The comparison as text: differences between the experiments, how many realisations changed their response mode, and a row
 /// for each condition and mode; on one screen the rows of smallest p. `first`: the experiment of the first run.
 static std::string comparison_table(const Comparison& found, const Experiment& first, Extent extent) {
-  std::string text;
+  std::string text = answer_of(found);
   for (const std::string& difference : found.settings) {
     text += "first run: " + difference + " as in the second\n";
   }
-  text += answer_of(found) + '\n';
+  text += '\n';
   std::uint64_t most = 0;
   for (const ConditionComparison& condition : found.conditions) most = std::max(most, condition.realisations);
   look::Table table;

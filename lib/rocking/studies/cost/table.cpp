@@ -146,9 +146,10 @@ std::string cost_recommendation(const MeasuredCost& measured) {
   if (!found.place) return unrecommended(cost) + advice(measured);
   const ToleranceCost& chosen = cost.curve[*found.place];
   const Departure& departure = *chosen.departure;
-  std::string text = found.assurance == Assurance::shown ? "Recommended: tolerance "
-                                                         : "Not distinguishable from the tightest: tolerance ";
-  text += tolerance_name(chosen) + ". " + changes(cost, departure) + blame_words(cost);
+  const bool is_shown = found.assurance == Assurance::shown;
+  std::string text = "Tolerance " + tolerance_name(chosen) +
+                     (is_shown ? " is recommended: " : " is not distinguishable from the tightest: ") +
+                     changes(cost, departure) + blame_words(cost);
   if (departure.median_error) {
     text += "Error in the first " + std::to_string(cost_error_periods) +
             " periods: " + significant(*departure.median_error, 1) + " (median). ";

@@ -89,7 +89,7 @@ const ValueType& TypeOf<ResponseEvent>::get() { return the_only<EventType>(); }
 const StructType& fields_of(const CurveRun*) {
   static const StructType fields{
       "CurveRun",
-      field<&CurveRun::title>("title", "of the run's experiment"),
+      field<&CurveRun::title>("title", "of the run's experiment; where several runs share it the name of the run"),
       field<&CurveRun::experiment>("sha256", "of the experiment's canonical text, as `input.sha256` of its report"),
       field<&CurveRun::left_out>("left_out", "records of its suite that could not be read, if there are any", {},
                                  WithoutValue::omitted),

@@ -82,7 +82,7 @@ std::string median_in_words(const FragilityCurve& curve) {
 
 std::string curve_table(const FragilityCurve& curve, Extent extent) {
   const bool is_isotonic = curve.outcome == FragilityOutcome::rejected;
-  look::Table table{.title = "shares at the levels"};
+  look::Table table{.title = "shares at the levels" + tilt_note(curve.subject)};
   std::vector<std::optional<Shaking>> shakings;
   for (const FragilityLevel& level : curve.levels) shakings.push_back(level.shaking);
   const auto beside = shaking_columns(swept_in(curve), shakings);
@@ -151,7 +151,7 @@ std::string law_table(const SuiteCurve& curve) {
 
 std::string level_table_of(const SuiteCurve& curve) {
   const bool has_law = curve.has_law();
-  look::Table table{.title = "\nshares of the records at each level"};
+  look::Table table{.title = "\nshares of the records at each level" + tilt_note(curve.subject)};
   add_columns(table, {last_key(curve.subject.parameter), "records", "n", column_of(curve.subject.event),
                       has_law ? "fitted" : "isotonic", "band"});
   for (const SuiteLevel& level : curve.levels) {

@@ -7,7 +7,7 @@ namespace rocking {
 
 /// The run to which a curve belongs.
 struct CurveRun {
-  std::string title;
+  std::string title;                       ///< of its experiment, or the name of the run where several share it
   base::Sha256 experiment = {};            ///< digest of its canonical text
   std::vector<std::string> left_out = {};  ///< names of records of its suite that could not be read
 };

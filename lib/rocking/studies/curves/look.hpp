@@ -91,8 +91,12 @@ void add_unresolved(const Levels& levels, std::size_t step, look::Table& table) 
 [[nodiscard]] std::string counted_from_in_words(const CurveSubject& subject);
 [[nodiscard]] std::string why_counted_in_words(const CurveSubject& subject);
 
-/// `The block`, or of an option `With width 0.42 m the block`.
+/// Whether an option has a name in place of its values.
+[[nodiscard]] bool are_named(const std::vector<Parameter>& option);
+/// `The block`, or of an option `With width 0.42 m the block`, `on a plinth: the block`.
 [[nodiscard]] std::string block_of(const CurveSubject& subject);
+/// `, tilt > 0.5 psi (6.2 degrees)`; empty of another event.
+[[nodiscard]] std::string tilt_note(const CurveSubject& subject);
 /// `mean annual rate 5.0e-4 [1.9e-4, 1.1e-3] (95 %)`.
 [[nodiscard]] std::string rate_with_level(const AnnualRate& rate, double confidence);
 
@@ -102,9 +106,8 @@ void add_unresolved(const Levels& levels, std::size_t step, look::Table& table) 
 /// 9.0e-4: add 0.21,0.34`.
 [[nodiscard]] std::string rate_sentence(const CurveSubject& subject, const SuiteRate& rate);
 
-/// The same as a line, and where the rate comes from.
-[[nodiscard]] std::string annual_rate_in_words(const AnnualRate& rate, const CurveSubject& subject);
-[[nodiscard]] std::string annual_rate_in_words(const SuiteRate& rate, const CurveSubject& subject);
+/// The probabilities within some years, and where the rate comes from, in lines.
+[[nodiscard]] std::string rate_sources_in_words(const AnnualRate& rate, const CurveSubject& subject);
 
 /// What the rate consists of; on one screen without its parts by range of intensity.
 [[nodiscard]] std::string annual_rate_table(const AnnualRate& rate, const CurveSubject& subject, Extent extent);

@@ -143,7 +143,7 @@ static std::string rare_use_in_words(const AnnualRate& rate) {
          "no level above it has an event\n";
 }
 
-static std::string sources_in_words(const AnnualRate& rate, const CurveSubject& subject) {
+std::string rate_sources_in_words(const AnnualRate& rate, const CurveSubject& subject) {
   std::string text;
   for (const auto& [years, probability, interval] : rate.in_years) {
     text += "probability of " + words_of(subject.event) + " in " + base::shortest(years) +
@@ -160,14 +160,6 @@ static std::string sources_in_words(const AnnualRate& rate, const CurveSubject& 
     text += "no law holds, or not for every option: the rate is that of the isotonic shares\n";
   }
   return text;
-}
-
-std::string annual_rate_in_words(const AnnualRate& rate, const CurveSubject& subject) {
-  return rate_sentence(subject, rate) + ".\n" + sources_in_words(rate, subject);
-}
-
-std::string annual_rate_in_words(const SuiteRate& rate, const CurveSubject& subject) {
-  return rate_sentence(subject, rate) + ".\n" + sources_in_words(rate.chosen, subject);
 }
 
 std::string extrapolated_hazard_in_words(const AnnualRate& rate) {

@@ -159,7 +159,8 @@ CurveSubject subject_of(const StripeGroup& group, const ResponseEvent& event) {
           .others = group.others,
           .confidence = group.confidence,
           .event = event,
-          .least_uplift = group.least_uplift(event)};
+          .least_uplift = group.least_uplift(event),
+          .balance = event.name == EventName::tilt ? group.balance : std::nullopt};
 }
 
 stats::IntensityLevel level_of(const Stripe& stripe, const ResponseEvent& event) {
@@ -200,6 +201,7 @@ std::vector<StripeGroup> stripes_of(const Experiment& experiment, const Store& s
       stripes[i].uplift = least_uplift(experiment.conditions[i].scene, place.intensity);
       stripes[i].sliding = least_sliding(experiment.conditions[i].scene, place.intensity);
     }
+    group->balance = joined(group->balance, balance_of(experiment.conditions[i].scene));
     set_measures(experiment.conditions[i].scene, intensity, spectra, stripes[i]);
     group->stripes.push_back(std::move(stripes[i]));
   }

@@ -20,11 +20,12 @@ class Store;
 
 /// What a fragility function is about.
 struct CurveSubject {
-  std::string parameter;               ///< JSON pointer to the intensity
-  std::vector<Parameter> others;       ///< the rest of the sweep, without the ground motion
-  double confidence = 0.95;            ///< that the experiment asks for
-  ResponseEvent event;                 ///< what is counted as overturned
-  std::optional<double> least_uplift;  ///< StripeGroup::least_uplift; not of the curve of one record
+  std::string parameter;                                ///< JSON pointer to the intensity
+  std::vector<Parameter> others;                        ///< the rest of the sweep, without the ground motion
+  double confidence = 0.95;                             ///< that the experiment asks for
+  ResponseEvent event;                                  ///< what is counted as overturned
+  std::optional<double> least_uplift;                   ///< StripeGroup::least_uplift; not of the curve of one record
+  std::optional<BalanceAngles> balance = std::nullopt;  ///< of an event of a tilt
 };
 
 /// Measures of the intensity of a recorded motion.
@@ -74,6 +75,7 @@ struct StripeGroup {
   std::vector<Parameter> others;  ///< the rest of the sweep, without the ground motion
   double confidence = 0.95;
   std::vector<Stripe> stripes;  ///< records in the order of the sweep; of a record by growing intensity
+  std::optional<BalanceAngles> balance = std::nullopt;
 
   [[nodiscard]] bool is_suite() const { return !stripes.empty() && !stripes.front().record.empty(); }
   /// The stripes of each ground motion, in the order of the sweep.

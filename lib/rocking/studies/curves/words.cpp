@@ -50,9 +50,19 @@ std::string heading_of_curve(const std::string& title, const std::vector<Paramet
   return heading.empty() ? "" : heading + '\n';
 }
 
+bool are_named(const std::vector<Parameter>& option) {
+  return std::ranges::any_of(option, [](const Parameter& each) { return !each.name.empty(); });
+}
+
 std::string block_of(const CurveSubject& subject) {
   const std::string option = analysis::values_in_words(subject.others);
+  if (are_named(subject.others)) return option + ": the block";
   return option.empty() ? "The block" : "With " + option + " the block";
+}
+
+std::string tilt_note(const CurveSubject& subject) {
+  const std::string degrees = in_degrees(subject.event, subject.balance);
+  return degrees.empty() ? "" : ", " + column_of(subject.event) + degrees;
 }
 
 std::string rate_with_level(const AnnualRate& rate, double confidence) {
@@ -85,14 +95,16 @@ std::string why_counted_in_words(const CurveSubject& subject) {
 
 std::string rate_sentence(const CurveSubject& subject, const AnnualRate& rate) {
   if (rate.value > 0.0) {
-    return block_of(subject) + ' ' + does(subject.event) + " about once in " + years_in_words(1.0 / rate.value) +
+    return block_of(subject) + ' ' + does(subject.event) + in_degrees(subject.event, subject.balance) +
+           " about once in " + years_in_words(1.0 / rate.value) +
            " years: " + rate_with_level(rate, subject.confidence);
   }
   const auto at = [&subject](double intensity) { return at_intensity(subject, significant(intensity, 3)); };
-  std::string none = block_of(subject) + " did not " + to_do(subject.event) + " at these levels: ";
+  const std::string happens = to_do(subject.event) + in_degrees(subject.event, subject.balance);
+  std::string none = block_of(subject) + " did not " + happens + " at these levels: ";
   if (rate.hazard_ends) {
     const bool is_below = subject.least_uplift && *rate.hazard_ends <= *subject.least_uplift;
-    none = block_of(subject) + " does not " + to_do(subject.event) + " by this hazard curve, whose rate is 0 from " +
+    none = block_of(subject) + " does not " + happens + " by this hazard curve, whose rate is 0 from " +
            at(*rate.hazard_ends) + " on" +
            (is_below ? ", below the least that lifts the block, " + at(*subject.least_uplift) : "") + ": ";
   }

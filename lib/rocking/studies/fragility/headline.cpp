@@ -14,48 +14,61 @@ struct Told {
   const CurveRun* run;
   const CurveSubject* subject;
   const AnnualRate* rate;   ///< null: there is none
-  std::string sentence;     ///< of the rate
+  std::string sentence;     ///< of the rate, or of the median of one motion
   std::size_t records = 0;  ///< of a suite
-  std::string shares = {};  ///< likewise, from the weakest to the strongest level
+  std::string shares = {};  ///< from the weakest to the strongest level
 };
 
 bool belong_together(const Told& a, const Told& b) {
   return a.run->experiment == b.run->experiment && a.subject->event == b.subject->event;
 }
 
-Told told_of(const ReportedCurve& reported) {
-  const CurveSubject& subject = reported.curve.subject;
-  return {.run = &reported.run,
-          .subject = &subject,
-          .rate = rate_of(reported),
-          .sentence = reported.rate ? rate_sentence(subject, *reported.rate) : ""};
-}
-
-Told told_of(const ReportedSuite& reported) {
-  const SuiteCurve& curve = reported.curve;
-  const auto at = [&curve](const SuiteLevel& level) {
+/// `0.0 % at PGA = 0.2 g to 94.3 % at PGA = 0.8 g`.
+template <class Curve>
+std::string shares_of(const Curve& curve) {
+  const auto at = [&curve](const auto& level) {
     return per_cent(level.estimate) + " % at " + at_intensity(curve.subject, significant(level.intensity, 6));
   };
-  return {.run = &reported.run,
-          .subject = &curve.subject,
-          .rate = rate_of(reported),
-          .sentence = reported.rate ? rate_sentence(curve.subject, *reported.rate) : "",
-          .records = curve.records.size(),
-          .shares = curve.levels.empty()       ? ""
-                    : curve.levels.size() == 1 ? at(curve.levels.front())
-                                               : at(curve.levels.front()) + " to " + at(curve.levels.back())};
+  if (curve.levels.empty()) return "";
+  return at(curve.levels.front()) + (curve.levels.size() == 1 ? "" : " to " + at(curve.levels.back()));
+}
+
+std::string median_sentence(const FragilityCurve& curve) {
+  const CurveSubject& subject = curve.subject;
+  return block_of(subject) + ' ' + does(subject.event) + in_degrees(subject.event, subject.balance) +
+         " with a probability of 1/2 at " + at_intensity(subject, bounded_in_words(curve.law->median)) +
+         (curve.law->is_extrapolated ? ", outside the levels" : "");
+}
+
+template <class Reported>
+Told told_of(const Reported& reported) {
+  const auto& curve = reported.curve;
+  Told told{.run = &reported.run,
+            .subject = &curve.subject,
+            .rate = rate_of(reported),
+            .sentence = reported.rate ? rate_sentence(curve.subject, *reported.rate) : "",
+            .shares = shares_of(curve)};
+  if constexpr (requires { curve.records; }) {
+    told.records = curve.records.size();
+  } else if (!reported.rate && curve.law) {
+    told.sentence = median_sentence(curve);
+  }
+  return told;
 }
 
 /// Of the first option.
 std::string beginning(const Told& first) {
-  if (first.rate != nullptr) return first.sentence;
-  return block_of(*first.subject) + ' ' + did(first.subject->event) + " in " + first.shares + " (mean over " +
-         counted(first.records, "ground motion") + ')';
+  if (!first.sentence.empty()) return first.sentence;
+  const CurveSubject& subject = *first.subject;
+  return block_of(subject) + ' ' + did(subject.event) + in_degrees(subject.event, subject.balance) + " in " +
+         first.shares +
+         (first.records > 0 ? " (mean over " + counted(first.records, "ground motion") + ')' : " of the realisations");
 }
 
 /// Of another option: its rate as a multiple of that of the first one.
 std::string continuation(const Told& option, const FragilityReport& report) {
-  const std::string with = "; with " + analysis::values_in_words(option.subject->others) + ' ';
+  const std::string values = analysis::values_in_words(option.subject->others);
+  const std::string with = are_named(option.subject->others) ? "; " + values + ": " : "; with " + values + ' ';
   if (option.rate == nullptr) return with + "in " + option.shares;
   const auto found = std::ranges::find_if(report.comparisons, [&option](const ReportedComparison& each) {
     return each.run.experiment == option.run->experiment && each.comparison.event == option.subject->event &&
@@ -69,6 +82,13 @@ std::string continuation(const Told& option, const FragilityReport& report) {
 
 }  // namespace
 
+std::string name_before(std::string_view separator, const FragilityReport& report, const CurveRun& run) {
+  const bool are_several = std::ranges::any_of(report.curves, [&run](const auto& curve) {
+    return std::visit([](const auto& reported) { return reported.run.title; }, curve) != run.title;
+  });
+  return are_several && !run.title.empty() ? run.title + std::string(separator) : "";
+}
+
 std::string headline(const FragilityReport& report) {
   constexpr std::size_t most_options = 5;
   std::vector<std::vector<Told>> groups;
@@ -81,7 +101,7 @@ std::string headline(const FragilityReport& report) {
   }
   std::string lines;
   for (const std::vector<Told>& group : groups) {
-    lines += beginning(group.front());
+    lines += name_before(": ", report, *group.front().run) + beginning(group.front());
     for (std::size_t i = 1; i < std::min(group.size(), most_options); ++i) lines += continuation(group[i], report);
     if (group.size() > most_options) lines += "; and " + counted(group.size() - most_options, "more option");
     lines += ".\n";

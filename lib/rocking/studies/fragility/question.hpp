@@ -128,6 +128,7 @@ struct RunFragility {
   std::vector<IncrementalAnalysis> incremental = {};
   std::vector<RateComparison> comparisons = {};     ///< of suites with a hazard curve, with the first of each event
   std::optional<Survival> survival = std::nullopt;  ///< where it is asked for, of this run or of all together
+  std::string name = {};                            ///< tells the run from others of the same title
 };
 
 /// What is asked of a run.

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "rocking/fields/container_types.hpp"
 #include "rocking/fields/converted_type.hpp"
 #include "rocking/output/provenance.hpp"
@@ -131,7 +133,10 @@ const DocumentOf<FragilityReport>& fragility_document() {
 FragilityReport fragility_report(const std::vector<RunFragility>& runs) {
   FragilityReport report;
   for (const RunFragility& found : runs) {
-    const CurveRun run{.title = found.experiment.title,
+    const std::string& title = found.experiment.title;
+    const auto has_title = [&title](const RunFragility& each) { return each.experiment.title == title; };
+    const bool is_unique = found.name.empty() || std::ranges::count_if(runs, has_title) == 1;
+    const CurveRun run{.title = is_unique ? title : found.name,
                        .experiment = base::sha256(found.experiment.canonical_text),
                        .left_out = found.experiment.left_out};
     for (const auto& [curve, rate] : found.curves) report.curves.emplace_back(ReportedCurve{run, curve, rate});

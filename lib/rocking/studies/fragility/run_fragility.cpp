@@ -30,18 +30,6 @@ std::vector<ResponseEvent> events_of(const FragilityQuestion& question, const Ex
   return events;
 }
 
-/// Throws where slip is asked of a block that cannot slide.
-void check_friction(const std::vector<ResponseEvent>& events, const Experiment& experiment) {
-  const auto of_slip = std::ranges::find_if(events, &ResponseEvent::is_of_slip);
-  if (of_slip == events.end()) return;
-  for (const Condition& condition : experiment.conditions) {
-    if (condition.scene.friction) continue;
-    throw base::InputError({"events", event_text(*of_slip),
-                            "cannot happen but by overturning: the block has no friction, so that it does not slide",
-                            "add `friction` to the experiment, or ask for overturning or a tilt"});
-  }
-}
-
 /// The parts of all curves, and how far they are.
 class Progress {
  public:
@@ -177,7 +165,9 @@ RunFragility run_fragility(const Experiment& experiment, const std::vector<Strip
   const std::vector<StripeGroup> groups =
       has_levels ? with_levels_of(*question.hazard, experiment, all_groups) : all_groups;
   const std::vector<ResponseEvent> events = events_of(question, experiment);
-  check_friction(events, experiment);
+  for (const ResponseEvent& event : events) {
+    for (const Condition& condition : experiment.conditions) check_friction(event, condition);
+  }
   RunFragility run{.experiment = experiment};
   Progress progress(groups, events.size(), options);
   for (const StripeGroup& group : groups) {

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <utility>
 
 #include "analysis/draw.hpp"
@@ -34,11 +35,16 @@ std::vector<ReportedComparison> comparisons_of(const FragilityReport& report, co
   return comparisons;
 }
 
-/// Its curves, without titles.
-analysis::Figure curves_of(const FragilityReport& report) {
+/// Its curves, without titles, and without what all legends say.
+analysis::Figure curves_of(const FragilityReport& report, const ResponseEvent& event) {
   analysis::Figure figure = analysis::fragility_figure(report);
   figure.title = figure.subtitle = "";
-  for (analysis::Panel& panel : figure.panels) panel.y.quantity = "probability";
+  const std::string of_all = (event.is_overturning() ? "" : ", " + analysis::event_in_words(event)) + ", all records";
+  for (analysis::Panel& panel : figure.panels) {
+    panel.y.quantity = "probability";
+    for (analysis::Layer& layer : panel.layers)
+      layer.legend.resize(std::min(layer.legend.size(), layer.legend.find(of_all)));
+  }
   return figure;
 }
 
@@ -62,7 +68,8 @@ Written write_sheet(const StoredRun& stored, const RunFragility& found, const Ha
   analysis::Drawing drawing;
   analysis::FigureLook look = analysis::journal_look(analysis::JournalWidth::single_column);
   look.axes_heights.fill(115.0);
-  std::string picture = analysis::picture_of(curves_of(about), "png", drawing, stop, look);
+  std::string picture =
+      analysis::picture_of(curves_of(about, suites.front().curve.subject.event), "png", drawing, stop, look);
   note(drawing);
   std::string text = analysis::sheet_text({.run = run,
                                            .suites = std::move(suites),

@@ -23,6 +23,15 @@ std::string last_part(const std::string& path) { return path.substr(path.rfind('
 
 const ResponseEvent& event_of(const SheetContent& sheet) { return sheet.suites.front().curve.subject.event; }
 
+/// `a peak tilt above 0.5 psi (6.2 to 8.9 degrees)`, over the options.
+std::string asked_event(const SheetContent& sheet) {
+  std::optional<BalanceAngles> balance;
+  for (const ReportedSuite& suite : sheet.suites) {
+    if (suite.curve.subject.balance) balance = joined(balance, *suite.curve.subject.balance);
+  }
+  return words_of(event_of(sheet)) + in_degrees(event_of(sheet), balance);
+}
+
 std::span<const ReportedSuite> shown_suites(const SheetContent& sheet) {
   return std::span(sheet.suites).first(std::min(sheet.suites.size(), most_options));
 }
@@ -102,7 +111,7 @@ std::optional<double> share_of_balance(const ResponseEvent& event) {
 
 /// The options to scale beside the curves, and their numbers.
 std::string top(const SheetContent& sheet) {
-  const std::string event = escaped(words_of(event_of(sheet)));
+  const std::string event = escaped(asked_event(sheet));
   const std::string curve =
       sheet.curve_png.empty() ? ""
                               : fmt::format(
@@ -161,7 +170,7 @@ std::string rates(const SheetContent& sheet) {
   for (const ReportedSuite& suite : shown_suites(sheet)) {
     const AnnualRate& rate = suite.rate->chosen;
     const std::string option = values_in_words(suite.curve.subject.others);
-    rows += "<tr><th>" + escaped(option.empty() ? words_of(event_of(sheet)) : option) + "</th>" +
+    rows += "<tr><th>" + escaped(option.empty() ? asked_event(sheet) : option) + "</th>" +
             rate_cell(headings[0], rate.value, rate.interval) + period_cell(headings[1], rate);
     for (const auto& [horizon, probability, interval] : in_years(rate, years)) {
       rows += cell(heading_of(horizon), in_years_text(probability),
@@ -182,7 +191,7 @@ std::string rates(const SheetContent& sheet) {
   return fmt::format(
       "<h2>Rate of {}</h2>\n<table><thead><tr><th></th>{}</tr></thead>\n<tbody>\n{}</tbody></table>\n<p "
       "class=\"small\">{}</p>\n",
-      escaped(words_of(event_of(sheet))), head, rows, notes);
+      escaped(asked_event(sheet)), head, rows, notes);
 }
 
 /// What was found when the ground motions were read.

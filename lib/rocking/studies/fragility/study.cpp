@@ -199,6 +199,7 @@ Answer find(const Subject& subject, const RunsQuestion& question, const Circumst
   std::vector<RunFragility> found;
   for (const NamedRun& run : subject.runs) {
     found.push_back(curves_of(run, question, subject.files, circumstances.execution));
+    found.back().name = run.folder;
   }
   if (question.survived) found.front().survival = survival_of(subject, question, found, circumstances.execution);
   const FragilityReport report = fragility_report(found);
@@ -208,9 +209,8 @@ Answer find(const Subject& subject, const RunsQuestion& question, const Circumst
     answer.is_alone = true;
   } else {
     const RecordTable records = question.per_record ? RecordTable::shown : RecordTable::omitted;
-    for (const auto& [run, surface] : report.surfaces) answer.table += surface_table(run.title, surface);
-    answer.table += (report.survival ? survival_table(*report.survival) + '\n' : "") +
-                    fragility_table(report, records, circumstances.extent) + as_read(subject, question);
+    answer.table = (report.survival ? survival_table(*report.survival) + '\n' : "") +
+                   fragility_table(report, records, circumstances.extent) + as_read(subject, question);
   }
   if (circumstances.draws) answer.figures = figures_of(report);
   ExportedFragility out;

@@ -57,8 +57,12 @@ struct FragilityReport {
 
 [[nodiscard]] FragilityReport fragility_report(const std::vector<RunFragility>& runs);
 
+/// The name of a run and the separator, where the curves are those of runs with different titles.
+[[nodiscard]] std::string name_before(std::string_view separator, const FragilityReport& report, const CurveRun& run);
+
 /// The answer: of each run and event a line with rate and interval of the first option, and the rates of the others as
-/// multiples of it. Of a suite without a hazard curve the shares at the ends of the sweep. Terminal, page and sheet tell it.
+/// multiples of it. Without a hazard curve of a suite the shares at the ends of the sweep, of one motion the median. Terminal,
+/// page and sheet tell it.
 [[nodiscard]] std::string headline(const FragilityReport& report);
 
 [[nodiscard]] const StructType& fields_of(const FragilityReport*);

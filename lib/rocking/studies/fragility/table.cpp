@@ -84,14 +84,16 @@ look::Row law_cells(const SuiteCurve& curve) {
 
 std::string comparisons_of(const FragilityReport& report) {
   if (report.comparisons.empty()) return "";
+  const bool are_several = !name_before(", ", report, report.comparisons.front().run).empty();
   look::Table table{
-      .title =
-          "rates compared, with the same records and random numbers; intervals hold what the levels leave undecided",
+      .title = std::string("rates compared") + (are_several ? " within each run" : "") +
+               ", with the same records and random numbers; intervals hold what the levels leave undecided",
       .notes = "\n"};
   add_columns(table, {"option", "against", "event", "by", "difference per year", "interval", "ratio", "interval"});
   for (const auto& [run, found] : report.comparisons) {
-    table.rows.push_back({values_of(found.option), values_of(found.base), words_of(found.event),
-                          source_in_words(found.source), number(found.difference, look::rate_form()),
+    table.rows.push_back({name_before(", ", report, run) + values_of(found.option), values_of(found.base),
+                          words_of(found.event), source_in_words(found.source),
+                          number(found.difference, look::rate_form()),
                           look::interval(found.interval, look::rate_form()), number(found.ratio, look::rate_form()),
                           look::interval(found.ratio_interval, look::rate_form())});
   }
@@ -107,7 +109,9 @@ std::string curve_tables(const FragilityReport& report, const Content& content) 
           const CurveSubject& subject = reported.curve.subject;
           shown.most = std::max(shown.most, most_realisations(reported.curve.levels));
           text += heading_of_curve(reported.run.title, subject.others);
-          if (reported.rate) text += annual_rate_in_words(*reported.rate, subject);
+          const bool is_only = report.curves.size() == 1;  // whose sentence is the headline
+          if (reported.rate && !is_only) text += rate_sentence(subject, *reported.rate) + ".\n";
+          if (reported.rate) text += rate_sources_in_words(*rate_of(reported), subject);
           text += table_of(reported, content, shown);
           if (reported.rate) text += annual_rate_table(*reported.rate, subject, content.extent);
           text += '\n';
@@ -137,21 +141,12 @@ std::string reasons_in(const FragilityReport& report) {
   return text;
 }
 
-/// Whether the curves are those of runs with different titles.
-bool has_titles(const FragilityReport& report) {
-  std::set<std::string> titles;
-  for (const auto& curve : report.curves) {
-    titles.insert(std::visit([](const auto& one) { return one.run.title; }, curve));
-  }
-  return titles.size() > 1;
-}
-
 /// The name of a curve in the summary: what tells it from the others.
 template <class Reported>
 std::string curve_name(const FragilityReport& report, const Reported& reported) {
   const std::string values = values_of(reported.curve.subject.others);
-  if (values.empty() || reported.run.title.empty()) return reported.run.title + values;
-  return has_titles(report) ? reported.run.title + ", " + values : values;
+  if (values.empty()) return reported.run.title;
+  return name_before(", ", report, reported.run) + values;
 }
 
 /// What the rates of the curves lack, each line with the curve to which it belongs, as many as fit a screen.
@@ -186,7 +181,8 @@ std::string summary_of(const FragilityReport& report) {
     std::visit(
         [&](const auto& reported) {
           const CurveSubject& subject = reported.curve.subject;
-          look::Row& row = table.rows.emplace_back(look::Row{curve_name(report, reported), column_of(subject.event)});
+          look::Row& row = table.rows.emplace_back(look::Row{
+              curve_name(report, reported), column_of(subject.event) + in_degrees(subject.event, subject.balance)});
           append(row, law_cells(reported.curve));
           const AnnualRate* rate = rate_of(reported);
           row.push_back(rate ? number(rate->value, look::rate_form()) : look::Cell());
@@ -222,8 +218,9 @@ std::string tables_of(const FragilityReport& report, RecordTable records, Extent
 }  // namespace
 
 std::string fragility_table(const FragilityReport& report, RecordTable records, Extent extent) {
-  const bool has_options = !report.comparisons.empty();  // the only one has its sentence above its tables
-  return (has_options ? headline(report) + '\n' : "") + tables_of(report, records, extent) + warnings_of(report);
+  std::string text = headline(report) + '\n';
+  for (const auto& [run, surface] : report.surfaces) text += surface_table(run.title, surface);
+  return text + tables_of(report, records, extent) + warnings_of(report);
 }
 
 }  // namespace rocking

@@ -182,11 +182,11 @@ std::string infer_table(const InferReport& report) {
   const std::string warning = too_few ? "warning: " + *too_few + '\n' : "";
   std::string answers = explains_counts(report) ? "" : fit_in_words(report) + '\n';
   for (const ReportedUnknown& unknown : report.unknowns) {
-    answers += answer_in_words(unknown) + ", with " + level_text(report.confidence) + " % confidence\n";
+    answers += answer_in_words(unknown) + (&unknown == &report.unknowns.back() ? "" : "; ");
   }
-  return answers + '\n' + unknowns_table(report) + (reason.empty() ? "" : reason + "\n") + warning + "\n" +
-         tests_table(report) + "fit: " + fit_in_words(report) + "\n" + never_simulated(report) +
-         candidates_table(report) + effort;
+  return answers + ", with " + level_text(report.confidence) + " % confidence\n\n" + unknowns_table(report) +
+         (reason.empty() ? "" : reason + "\n") + warning + "\n" + tests_table(report) + "fit: " + fit_in_words(report) +
+         "\n" + never_simulated(report) + candidates_table(report) + effort;
 }
 
 }  // namespace rocking

@@ -2,6 +2,7 @@
 #include <array>
 
 #include "rocking/look/table.hpp"
+#include "rocking/scene/restitution.hpp"
 #include "rocking/studies/motion/study.hpp"
 #include "rocking/text/number_text.hpp"
 
@@ -98,8 +99,25 @@ look::Table spectra_summary(const std::vector<ReportedMotion>& motions) {
 
 }  // namespace
 
+/// PGA, PGV, and what lifts the block, in a sentence; of several motions their ranges.
+static std::string answer_of(const MotionReport& report) {
+  NumberRange pga, pgv, uplift;
+  for (const ReportedMotion& motion : report.motions) {
+    pga.add(motion.measures.pga_g);
+    pgv.add(motion.measures.pgv_m_s);
+    if (const auto scale = motion.uplift_scale.value_or(std::nullopt)) uplift.add(*scale);
+  }
+  const bool is_one = report.motions.size() == 1;
+  return (is_one ? "the ground motion " + report.motions.front().facts.file + " has"
+                 : counted(report.motions.size(), "ground motion") + " have") +
+         " a PGA of " + pga.text() + " g and a PGV of " + pgv.text() + " m/s" +
+         (uplift.least > uplift.largest ? ""
+          : is_one                      ? ", and lifts the block at " + uplift.text() + " times its strength"
+                                        : ", and lift the block at " + uplift.text() + " times their strength");
+}
+
 std::string motion_table(const MotionReport& report, Extent extent) {
-  const std::string measures = to_terminal(measures_table(report, extent));
+  const std::string measures = answer_of(report) + "\n\n" + to_terminal(measures_table(report, extent));
   const bool has_spectrum = !report.motions.empty() && !report.motions.front().spectrum.empty();
   const auto spectra = [&](look::Table table, const std::string& of) {
     table.title = "\nresponse spectrum, " + significant(100.0 * report.damping, 3) + " % damping" + of;

@@ -90,6 +90,8 @@ std::string stable_orbits(const std::vector<OrbitsOfCondition>& conditions) {
 }
 
 std::string coexistence_in(const std::vector<OrbitsOfCondition>& conditions) {
+  if (conditions.size() == 1)
+    return "stable orbits that were found: " + counted_names(modes_of_stable(conditions[0])) + '\n';
   const auto several = static_cast<std::size_t>(std::ranges::count_if(
       conditions, [](const OrbitsOfCondition& condition) { return modes_of_stable(condition).size() > 1; }));
   return "several stable orbits coexist in " + std::to_string(several) + " of " +

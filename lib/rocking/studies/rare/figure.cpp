@@ -21,11 +21,6 @@ constexpr std::array<ShadeClass, 7> classes{{{0.5, "0.5 to 1"},
                                              {1e-5, "1e-5 to 1e-4"},
                                              {1e-6, "1e-6 to 1e-5"}}};
 
-std::string event_words(const RareQuestion& question) {
-  if (question.event.name == EventName::tilt) return "reach |Θ| = " + number_text(question.event.threshold);
-  return to_do(question.event);
-}
-
 std::string title_of(const ReportedRare& condition) {
   std::string title = values_of(condition.parameters);
   const auto probability = condition.estimate.probability;
@@ -83,7 +78,7 @@ Figure committor_figure(const RareReport& report, const std::vector<const Report
                .legend = "strobe points of paths to the event"},
               figure);
   }
-  figure.caption = "Committor: estimate of the probability to " + event_words(report.question) +
+  figure.caption = "Committor: estimate of the probability to " + to_do(report.question.event) +
                    " from a point (Θ, Θ′) of the Poincaré section at strobe point 1, with all of the horizon ahead, "
                    "without slip. White: below 1e-6. Points: the paths of the figure below, while they are within it.";
   return figure;
@@ -126,7 +121,7 @@ Figure path_figure(const RareReport& report, const std::vector<const ReportedRar
     }
   }
   for (Panel& panel : figure.panels) panel.x.high = end;
-  figure.caption = "Tilt Θ = θ/ψ, over ψ of its side, of paths that " + event_words(report.question) +
+  figure.caption = "Tilt Θ = θ/ψ, over ψ of its side, of paths that " + to_do(report.question.event) +
                    ", drawn from those of two repetitions by their weights, up to |Θ| = 1.5. At |Θ| = 1 a block at "
                    "rest would be in unstable equilibrium.";
   return figure;

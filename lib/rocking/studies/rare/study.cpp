@@ -81,8 +81,12 @@ Answer find(const Subject& subject, const RareQuestion& question, const Circumst
   const RareReport report = report_on(rare_probabilities(subject.experiment, question, circumstances.execution, keep));
   const bool is_stopped =
       std::ranges::any_of(report.conditions, [](const auto& one) { return one.estimate.end == RareEnd::stopped; });
+  std::optional<BalanceAngles> balance;
+  for (const Condition& condition : subject.experiment.conditions) {
+    balance = joined(balance, balance_of(condition.scene));
+  }
   return {.document = rare_document().text(report),
-          .table = rare_table(report),
+          .table = rare_table(report, in_degrees(report.question.event, balance)),
           .end = is_stopped ? AnswerEnd::stopped : AnswerEnd::complete};
 }
 

@@ -43,8 +43,9 @@ struct RareReport {
 /// `rare.json`, and the output of `rocking rare --json`.
 [[nodiscard]] const DocumentOf<RareReport>& rare_document();
 
-/// The probabilities as text: a row for each condition, and what is to be known about them.
-[[nodiscard]] std::string rare_table(const RareReport& report);
+/// The probabilities as text: a row for each condition, and what is to be known about them. `degrees`: in_degrees() of the
+/// event.
+[[nodiscard]] std::string rare_table(const RareReport& report, const std::string& degrees = "");
 
 [[nodiscard]] const StructType& fields_of(const RareQuestion*);
 

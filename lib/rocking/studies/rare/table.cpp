@@ -11,12 +11,6 @@ namespace {
 
 using look::number;
 
-std::string event_words(const RareQuestion& question) {
-  if (question.event.name != EventName::tilt) return "the block " + does(question.event) + " within the horizon";
-  return "within the horizon the largest abs(Theta), tilt over psi of its side, exceeds " +
-         significant(question.event.threshold, 6);
-}
-
 look::Cell in_per_cent(const std::optional<double>& relative) {
   return number(relative ? std::optional(100.0 * *relative) : std::nullopt, 2, " %");
 }
@@ -99,7 +93,28 @@ std::string suite_rows(const std::vector<RareSuite>& suites) {
 
 }  // namespace
 
-std::string rare_table(const RareReport& report) {
+/// The least and the largest probability, of one record of a suite.
+static std::string answer_of(const RareReport& report, const std::string& degrees) {
+  std::vector<std::pair<double, std::string>> all;
+  const auto add = [&all](const auto& parameters, std::optional<double> probability, const stats::Interval& interval) {
+    const std::string place = values_of(parameters);
+    all.emplace_back(probability.value_or(interval.high),
+                     (probability ? plain_text(number(*probability, std::optional(interval), 3))
+                                  : "at most " + significant(interval.high, 3)) +
+                         (place.empty() ? "" : " at " + place));
+  };
+  for (const auto& suite : report.suites) add(suite.parameters, suite.probability, suite.interval);
+  for (const auto& [parameters, confidence, found] : report.conditions) {
+    if (report.suites.empty()) add(parameters, found.probability, found.interval);
+  }
+  const auto [least, most] = std::ranges::minmax(all);
+  return "the block " + does(report.question.event) + degrees + " within the horizon with a probability of " +
+         least.second + (all.size() == 1 ? "" : " to " + most.second) +
+         (report.suites.empty() ? "" : " under a record of the suite") + ", with " +
+         level_text(report.conditions.front().confidence) + " % confidence";
+}
+
+std::string rare_table(const RareReport& report, const std::string& degrees) {
   const auto& conditions = report.conditions;
   const bool are_several = conditions.size() > 1;
   const bool has_unresolved =
@@ -107,7 +122,7 @@ std::string rare_table(const RareReport& report) {
   look::Table table = table_of(conditions.front().parameters, {"probability", "from", "to", "error", "repetitions",
                                                                "ancestors", "work", "plain sampling"});
   if (has_unresolved) add_columns(table, {"unresolved"});
-  table.title = "Probability that " + event_words(report.question) + ".\n";
+  table.title = answer_of(report, degrees) + '\n';
   table.absent = "-";
   Remarks remarks;
   std::vector<std::string> letters;

@@ -11,6 +11,7 @@
 #include "rocking/dynamics/contact.hpp"
 #include "rocking/realisation/measures.hpp"
 #include "rocking/scene/experiment.hpp"
+#include "rocking/scene/shaking.hpp"
 #include "rocking/stats/interval.hpp"
 
 /// Thresholds: where in a range of one number, such as the amplitude of a pulse, a block overturns or has another event; or,
@@ -76,6 +77,7 @@ struct ThresholdQuestion {
 struct ThresholdStudy {
   ThresholdQuestion question;  ///< with its range, steps and accuracy
   std::vector<ThresholdOfCondition> conditions;
+  std::optional<BalanceAngles> balance = {};  ///< of the blocks at both ends of the range
 };
 
 /// The bands of a number in which the event happens, for each combination of the other values of the sweep. The range is

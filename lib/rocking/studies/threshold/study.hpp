@@ -27,8 +27,8 @@ void check_question(const Experiment& experiment, const ThresholdQuestion& quest
 /// `threshold.json`, and the output of `rocking threshold --json`. Equal input gives equal bytes.
 [[nodiscard]] const DocumentOf<ThresholdReport>& threshold_document();
 
-/// `overturns`, or `overturns with a probability above 50 %`.
-[[nodiscard]] std::string what_happens(const ThresholdQuestion& question);
+/// `overturns`, or `overturns with a probability above 50 %`. `degrees`: in_degrees() of the event.
+[[nodiscard]] std::string what_happens(const ThresholdQuestion& question, const std::string& degrees = "");
 
 /// The answer in a sentence, and a row for each band.
 [[nodiscard]] std::string threshold_table(const ThresholdStudy& study, Extent extent = Extent::all);

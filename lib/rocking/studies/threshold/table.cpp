@@ -33,12 +33,14 @@ std::string value_at(const ThresholdEdge& edge, double side, const ThresholdQues
 /// Writes the answer about one condition.
 class Sentence {
  public:
-  explicit Sentence(const ThresholdQuestion& question) : question_(&question), digits_(digits_of(question, 6)) {}
+  explicit Sentence(const ThresholdStudy& study)
+      : question_(&study.question),
+        event_("the block " + what_happens(study.question, in_degrees(study.question.event, study.balance))),
+        digits_(digits_of(study.question, 6)) {}
 
   [[nodiscard]] std::string of(const ThresholdBands& found) const {
-    const std::string event = what_happens(*question_);
-    if (found.bands.empty()) return "never " + event + " " + range();
-    std::string text = event + " from " + threshold(found) + " on";
+    if (found.bands.empty()) return nowhere();
+    std::string text = event_ + " from " + threshold(found) + " on";
     if (found.begins_inside()) text += ", where the range begins";
     const std::vector<std::string> gaps = standing(found);
     const bool stands = question_->event.is_overturning() && !question_->probability;
@@ -48,6 +50,12 @@ class Sentence {
     }
     return text;
   }
+
+  /// The same of a study whose least threshold this is.
+  [[nodiscard]] std::string of_least(const ThresholdOfCondition& least) const {
+    return event_ + " from " + threshold(least.found) + " on at " + values_of(least.parameters);
+  }
+  [[nodiscard]] std::string nowhere() const { return event_ + " nowhere " + range(); }
 
   /// Where the first band begins.
   [[nodiscard]] std::string threshold(const ThresholdBands& found) const {
@@ -80,12 +88,13 @@ class Sentence {
   }
 
   const ThresholdQuestion* question_;
+  std::string event_;
   int digits_;
 };
 
 /// The least threshold, and how many conditions have none or begin within a band.
 std::string answer_of(const ThresholdStudy& study) {
-  const Sentence sentence(study.question);
+  const Sentence sentence(study);
   if (study.conditions.size() == 1) return sentence.of(study.conditions.front().found);
   const std::string all = counted(study.conditions.size(), "combination");
   const ThresholdOfCondition* least = nullptr;
@@ -98,12 +107,10 @@ std::string answer_of(const ThresholdStudy& study) {
       least = &condition;
     }
   }
-  const std::string event = what_happens(study.question);
-  if (least == nullptr) return "never " + event + ' ' + sentence.range() + ", in all " + all;
-  std::string text = event + " from " + sentence.threshold(least->found) + " on at " + values_of(least->parameters) +
-                     ", the least of " + all;
+  if (least == nullptr) return sentence.nowhere() + ", in all " + all;
+  std::string text = sentence.of_least(*least) + ", the least of " + all;
   if (inside > 0) text += "; in " + std::to_string(inside) + " the range begins inside a band";
-  if (none > 0) text += "; never " + sentence.range() + " in " + std::to_string(none);
+  if (none > 0) text += "; nowhere " + sentence.range() + " in " + std::to_string(none);
   return text;
 }
 
@@ -189,8 +196,8 @@ std::string notes_of(const ThresholdStudy& study) {
 
 }  // namespace
 
-std::string what_happens(const ThresholdQuestion& question) {
-  const std::string event = does(question.event);
+std::string what_happens(const ThresholdQuestion& question, const std::string& degrees) {
+  const std::string event = does(question.event) + degrees;
   if (!question.probability) return event;
   return event + " with a probability above " + significant(100.0 * *question.probability, 3) + " %";
 }

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <tuple>
 #include <utility>
 
 #include "rocking/api/question_check.hpp"
@@ -129,20 +130,23 @@ void check_randomness(const Condition& condition, const ThresholdQuestion& quest
 }
 
 /// Looks at both ends of the range, and at one value within.
-void check_cases(const std::vector<ThresholdCase>& cases, const ThresholdQuestion& question) {
+BalanceAngles checked_cases(const std::vector<ThresholdCase>& cases, const ThresholdQuestion& question) {
+  std::optional<BalanceAngles> balance;
   for (const ThresholdCase& one : cases) {
     for (const double value : {*question.from, scanned_values(question)[1], *question.to}) {
       const Condition condition = one.at(question.of, value);
       check_randomness(condition, question);
       check_friction(question.event, condition);
       static_cast<void>(in_units_of_balance(question.event, {condition}));
+      balance = joined(balance, balance_of(condition.scene));
     }
   }
+  return balance.value();
 }
 
-/// The checked question and its cases.
-std::pair<ThresholdQuestion, std::vector<ThresholdCase>> checked(const Experiment& experiment,
-                                                                 const ThresholdQuestion& asked_question) {
+/// The checked question, its cases, and where their blocks are in balance.
+std::tuple<ThresholdQuestion, std::vector<ThresholdCase>, BalanceAngles> checked(
+    const Experiment& experiment, const ThresholdQuestion& asked_question) {
   check_has_conditions(experiment);
   check_fields(asked_question);
   check_place(experiment, asked_question.of);
@@ -153,8 +157,8 @@ std::pair<ThresholdQuestion, std::vector<ThresholdCase>> checked(const Experimen
            "makes more than " + std::to_string(most_motions) + " motions for " + std::to_string(cases.size()) +
                " combinations of the other values; give fewer");
   }
-  check_cases(cases, question);
-  return {question, std::move(cases)};
+  const BalanceAngles balance = checked_cases(cases, question);
+  return {question, std::move(cases), balance};
 }
 
 bool happens(const RealisationResult& result, const ResponseEvent& asked_event, const Condition& condition) {
@@ -183,7 +187,7 @@ void check_question(const Experiment& experiment, const ThresholdQuestion& quest
 }
 
 ThresholdStudy thresholds(const Experiment& experiment, const ThresholdQuestion& question, const Execution& execution) {
-  const auto [whole, cases] = checked(experiment, question);
+  const auto [whole, cases, balance] = checked(experiment, question);
   const OptionsOfExecution asked_for(execution);
   const PointAt point_at = [&cases = cases, &whole = whole, &asked_for](std::size_t place, double value) {
     return point_of(cases[place].at(whole.of, value), whole.event, value, asked_for.stop());
@@ -197,7 +201,7 @@ ThresholdStudy thresholds(const Experiment& experiment, const ThresholdQuestion&
   std::vector<ThresholdBands> found = whole.probability
                                           ? bands_by_probability(cases.size(), whole, trials_at, asked_for.options())
                                           : bands_of(cases.size(), whole, point_at, asked_for.options());
-  ThresholdStudy study{.question = whole, .conditions = {}};
+  ThresholdStudy study{.question = whole, .conditions = {}, .balance = balance};
   for (std::size_t i = 0; i < cases.size(); ++i) {
     study.conditions.push_back({cases[i].parameters, std::move(found[i])});
   }

@@ -282,16 +282,16 @@ TEST(CostWords, SayWhatIsRecommendedWhyAndWhatIsGained) {
   const auto measured = cost_with(experiment, curve_of({30, 1, 0, 0}, 4000), {.half_width = 0.04});
   EXPECT_EQ(
       cost_recommendation(measured),
-      "Recommended: tolerance 1e-08. 1 of 4000 response modes change (0 at 1e-12); the tolerance causes a change of at "
-      "most "
-      "0.14 %, 1/29 of the half-width of the intervals, 4.00 %. Error in the first 10 periods: 1e-07 (median). It is "
+      "Tolerance 1e-08 is recommended: 1 of 4000 response modes change (0 at 1e-12); the tolerance causes a change of "
+      "at most 0.14 %, 1/29 of the half-width of the intervals, 4.00 %. Error in the first 10 periods: 1e-07 (median). "
+      "It is "
       "4.00 times faster than 1e-12, the tolerance of the experiment.");
 }
 
 TEST(CostWords, OfTooFewRealisationsSayHowManyWouldDo) {
   const Experiment experiment = experiment_of({true});
   const auto some = cost_with(experiment, curve_of({9, 0, 0, 0}, 1000), {.half_width = 0.04});
-  EXPECT_THAT(cost_recommendation(some), HasSubstr("Not distinguishable from the tightest: tolerance 1e-08. "));
+  EXPECT_THAT(cost_recommendation(some), HasSubstr("Tolerance 1e-08 is not distinguishable from the tightest: "));
   EXPECT_THAT(
       cost_recommendation(some),
       HasSubstr(

@@ -177,13 +177,14 @@ std::string answer_to(const std::vector<Bands>& cases) {
 
 TEST(ThresholdTable, BeginsWithTheAnswer) {
   EXPECT_EQ(answer_to({{{3.1, 4.7}, {6.2, 8.0}, {9.0, 11.0}}}),
-            "overturns from 3.1 on, stands again from 4.7 to 6.2 and from 8 to 9");
-  EXPECT_EQ(answer_to({{{3.1, 4.7}}}), "overturns from 3.1 on, stands again from 4.7 on");
-  EXPECT_EQ(answer_to({{{0.0, 11.0}}}), "overturns from 1 on, where the range begins");
-  EXPECT_EQ(answer_to({{}}), "never overturns for amplitude from 1 to 10");
-  EXPECT_EQ(answer_to({{{3.1, 4.7}}, {{2.5, 11.0}}, {}, {{0.0, 11.0}}}),
-            "overturns from 1 on at restitution 0.3, the least of 4 combinations; in 1 the range begins inside a band; "
-            "never for amplitude from 1 to 10 in 1");
+            "the block overturns from 3.1 on, stands again from 4.7 to 6.2 and from 8 to 9");
+  EXPECT_EQ(answer_to({{{3.1, 4.7}}}), "the block overturns from 3.1 on, stands again from 4.7 on");
+  EXPECT_EQ(answer_to({{{0.0, 11.0}}}), "the block overturns from 1 on, where the range begins");
+  EXPECT_EQ(answer_to({{}}), "the block overturns nowhere for amplitude from 1 to 10");
+  EXPECT_EQ(
+      answer_to({{{3.1, 4.7}}, {{2.5, 11.0}}, {}, {{0.0, 11.0}}}),
+      "the block overturns from 1 on at restitution 0.3, the least of 4 combinations; in 1 the range begins inside a "
+      "band; nowhere for amplitude from 1 to 10 in 1");
 }
 
 TEST(ThresholdTable, HasARowForEachBandAndSaysWhatMayBeMissed) {

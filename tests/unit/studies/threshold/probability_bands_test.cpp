@@ -111,7 +111,7 @@ TEST(ProbabilityBands, AreToldAsIntervals) {
   EXPECT_THAT(text, HasSubstr("overturns with a probability above 50 % from [3.9"));
   EXPECT_THAT(text, HasSubstr("] on, not from [7.4"));
   study.conditions[0].found = {};
-  EXPECT_THAT(threshold_table(study), HasSubstr("never overturns with a probability above 50 % for amplitude"));
+  EXPECT_THAT(threshold_table(study), HasSubstr("overturns with a probability above 50 % nowhere for amplitude"));
 }
 
 TEST(ProbabilityBands, CanBeStopped) {

@@ -9,7 +9,6 @@
 #include <string_view>
 #include <vector>
 
-#include "rocking/base/many_parts.hpp"
 #include "rocking/realisation/measures.hpp"
 #include "rocking/scene/experiment.hpp"
 #include "rocking/scene/shaking.hpp"
@@ -94,6 +93,6 @@ struct StripeGroup {
 /// Groups by the grid of the other entries of the sweep. An intensity of 0 has no logarithm and is left out. Throws
 /// InputError where the run is not finished.
 [[nodiscard]] std::vector<StripeGroup> stripes_of(const Experiment& experiment, const Store& store,
-                                                  const base::ManyParts& how = {});
+                                                  unsigned threads = 1);
 
 }  // namespace rocking

@@ -267,8 +267,8 @@ RunFragility fragility(const Experiment& experiment, const RunResult& run, const
     refuse("/realisations", "until", "a fragility function needs a fixed number of realisations");
   }
   check(question);
-  return run_fragility(with_text(experiment), stripes_of(experiment, store_of(run), {.threads = execution.threads}),
-                       question, OptionsOfExecution(execution).options());
+  return run_fragility(with_text(experiment), stripes_of(experiment, store_of(run), execution.threads), question,
+                       OptionsOfExecution(execution).options());
 }
 
 std::string fragility_text(const RunFragility& found) { return fragility_document().text(fragility_report({found})); }

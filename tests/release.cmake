@@ -18,6 +18,11 @@ add_test(NAME Golden.HasTheSameBitsWithEveryCompilerAndProcessor COMMAND ${CMAKE
 set_tests_properties(Golden.HasTheSameBitsWithEveryCompilerAndProcessor PROPERTIES
   SKIP_RETURN_CODE 77 TIMEOUT 1800 LABELS golden PROCESSORS 2 COST 250)
 
+add_test(NAME Reproducibility.VerifiesThePublishedRunByItsOwnRevision
+  COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/reproducibility/by_its_own_revision)
+set_tests_properties(Reproducibility.VerifiesThePublishedRunByItsOwnRevision PROPERTIES
+  SKIP_RETURN_CODE 77 TIMEOUT 3600 LABELS reproducibility PROCESSORS 2 COST 600)
+
 # live.html in Chromium, and its engine without a browser.
 add_test(NAME Live.IsBuilt COMMAND ${CMAKE_COMMAND} --build ${PROJECT_BINARY_DIR} --target live)
 set_tests_properties(Live.IsBuilt PROPERTIES

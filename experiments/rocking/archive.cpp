@@ -8,7 +8,6 @@
 #include <system_error>
 #include <utility>
 
-#include <boost/version.hpp>
 #include <fmt/format.h>
 #include <zip.h>
 
@@ -44,6 +43,11 @@ Files files_in(const fs::path& folder) {
   return files;
 }
 
+bool stays_inside(const std::string& name) {
+  const fs::path path = fs::path(name).lexically_normal();
+  return path.is_relative() && !path.empty() && *path.begin() != "..";
+}
+
 /// The records that an experiment reads, by the names that it gives them.
 Files records_of(const std::string& experiment, const fs::path& beside) {
   Files records;
@@ -58,8 +62,7 @@ Files records_of(const std::string& experiment, const fs::path& beside) {
     return 0;
   });
   for (const auto& [name, text] : records) {
-    const fs::path path(name);
-    if (path.is_relative() && *path.lexically_normal().begin() != "..") continue;
+    if (stays_inside(name)) continue;
     throw UsageError("--with-records: " + name +
                      " lies outside of the folder of the experiment; copy the records below it");
   }
@@ -131,9 +134,8 @@ std::string metadata_of(const Report& report, const Files& files) {
         {"name", "rocking"},
         {"softwareVersion", system.build.version + ' ' + system.build.revision},
         {"softwareRequirements",
-         fmt::format("{} {}; archived with Boost {}, nlohmann/json {}.{}.{}, libzip {}", system.build.compiler,
-                     system.build.flags, BOOST_LIB_VERSION, NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR,
-                     NLOHMANN_JSON_VERSION_PATCH, zip_libzip_version())}}});
+         fmt::format("{} {}; {}; archived with libzip {}", system.build.compiler, system.build.flags,
+                     system.build.libraries.value_or("libraries not stated"), zip_libzip_version())}}});
   for (Json& entity : entities) graph.push_back(std::move(entity));
   const Json context =
       Json::array({"https://w3id.org/ro/crate/1.1/context", {{"sha256", "https://schema.org/sha256"}}});
@@ -191,11 +193,6 @@ std::optional<std::string> entry_of(zip_t* zip, zip_uint64_t index, const std::s
   if (is_read && zip_fread(file.get(), &past, 1) == 0) return bytes;  // at the end the checksum is compared
   faults.push_back(name + ": cannot be read: " + (file ? zip_file_strerror(file.get()) : zip_strerror(zip)));
   return std::nullopt;
-}
-
-bool stays_inside(const std::string& name) {
-  const fs::path path = fs::path(name).lexically_normal();
-  return path.is_relative() && !path.empty() && *path.begin() != "..";
 }
 
 /// Compares the files with the metadata.

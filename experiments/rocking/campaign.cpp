@@ -234,7 +234,7 @@ ExitCode run_to_end(FolderRun run, const ExecutionOptions& execution) {
   system.duration_s = slice.duration_s;
   std::optional<ExperimentResult> result;
   try {
-    result = complete_result(run, stop_on_signal());
+    result = complete_result(run, {.threads = execution.threads, .stop = stop_on_signal()});
   } catch (const base::Stopped&) {
     return explain_stop(run);
   }
@@ -248,7 +248,8 @@ ExitCode run_to_end(FolderRun run, const ExecutionOptions& execution) {
 ExitCode write_merged(FolderRun run, const ExecutionOptions& execution) {
   const Completeness found = completeness(run.experiment, run.store);
   if (found.done == found.all) {
-    return write_results(run, complete_result(run, stop_on_signal()), system_facts(1), execution);
+    return write_results(run, complete_result(run, {.threads = execution.threads, .stop = stop_on_signal()}),
+                         system_facts(1), execution);
   }
   const bool replaces = run.folder.has_earlier_run();
   if (!replaces) run.folder.install_replacement();

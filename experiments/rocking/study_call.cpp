@@ -15,9 +15,9 @@
 namespace rocking::program {
 namespace {
 
-NamedRun run_in(const std::string& folder, bool is_complete) {
+NamedRun run_in(const std::string& folder, bool is_complete, unsigned threads) {
   RunFolder(folder).expect_installed();
-  StoredRun stored = input_of([&] { return open_run(folder); });
+  StoredRun stored = input_of([&] { return open_run(folder, threads); });
   if (is_complete && (stored.run.done < stored.run.all || !stored.run.is_complete())) {
     throw MissingInput(fmt::format(
         "{}: has {} of {} realisations; `rocking resume {}`, or `rocking resume WHOLE` with all parts, completes it",
@@ -44,7 +44,7 @@ Subject checked_subject(const StudyCommand& command) {
   Subject subject;
   const auto check = [&] { input_of([&] { study.check(subject, command.question.get()); }); };
   for (const std::string& folder : command.folders) {
-    subject.runs.push_back(run_in(folder, study.subject == SubjectKind::runs));
+    subject.runs.push_back(run_in(folder, study.subject == SubjectKind::runs, command.execution.threads));
   }
   if (study.subject != SubjectKind::experiment) {
     check();

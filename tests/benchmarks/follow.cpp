@@ -1,18 +1,13 @@
 #include "benchmarks/follow.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <memory>
-#include <numbers>
 #include <optional>
-#include <stdexcept>
 #include <vector>
 
-#include "benchmarks/arkode_flow.hpp"
-#include "benchmarks/odeint_flow.hpp"
-#include "differential/peer/block.hpp"
+#include "benchmarks/odeint_block.hpp"
 #include "rocking/lanes/lane_scheduler.hpp"
 #include "rocking/realisation/start.hpp"
 #include "support/excitation.hpp"
@@ -33,17 +28,6 @@ class LastStrobe final : public dynamics::Observer {
  private:
   dynamics::State last_;
 };
-
-EndState end_of(const peer::Story& story) {
-  if (story.samples.empty()) return {};
-  const peer::Posture& last = story.samples.back().posture;
-  return {last.tilt, last.tilt_rate, last.slip_rate, story.ending == "reached_horizon"};
-}
-
-peer::FlowAccuracy accuracy_of(const Question& question, double tolerance) {
-  const double period = 2.0 * std::numbers::pi / support::mean_frequency_ratio(question.condition.scene);
-  return {.relative = tolerance, .absolute = tolerance, .longest_step = period / 16.0};
-}
 
 /// Distance of end states; infinite if one of the two did not reach the horizon.
 double distance(const EndState& a, const EndState& b) {
@@ -157,18 +141,8 @@ SideBySide::~SideBySide() = default;
 int SideBySide::finish(int count) { return implementation_->finish(count); }
 
 EndState follow_by_odeint(const Question& question, double tolerance) {
-  OdeintFlow flow(accuracy_of(question, tolerance));
-  return end_of(peer::story_of(differential::peer_scene(question), question.periods, flow));
-}
-
-/// ARKODE fails if rounding prevents it from meeting a tolerance: such a run has not reached its end.
-EndState follow_by_arkode(const Question& question, double tolerance) {
-  ArkodeFlow flow(accuracy_of(question, tolerance));
-  try {
-    return end_of(peer::story_of(differential::peer_scene(question), question.periods, flow));
-  } catch (const std::runtime_error&) {
-    return {};
-  }
+  const auto last = follow_by_odeint(differential::peer_scene(question), question.periods, tolerance);
+  return last ? EndState{last->tilt, last->tilt_rate, last->slip_rate, true} : EndState{};
 }
 
 Calibration calibrate(const Case& c, const Follow& follow, double wanted) {

@@ -40,7 +40,6 @@ using Follow = std::function<EndState(const differential::Question&, double)>;
 
 [[nodiscard]] EndState follow_by_ours(const differential::Question& question, double tolerance);
 [[nodiscard]] EndState follow_by_odeint(const differential::Question& question, double tolerance);
-[[nodiscard]] EndState follow_by_arkode(const differential::Question& question, double tolerance);
 
 /// Realisations from all initial tilts in turn, advanced together in lanes; when one ends, the next begins.
 class SideBySide {

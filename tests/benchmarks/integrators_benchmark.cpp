@@ -1,9 +1,8 @@
 // Cost of a period of motion at a given error of the end state, on one thread. Our integrator, alone and in lanes (the
-// same bits), is compared with Boost.odeint and with ARKODE of SUNDIALS, which integrate the mechanics of
-// tests/differential/peer. Every integrator uses the coarsest tolerance of a sequence at which the median error of its
-// end states, compared with ours at 1e-15, is at most `wanted_error`. The pipeline is the work of a run for
-// realisations of 620 periods: motion in lanes, classification, digest, row of the store. The last lines give times,
-// errors and ratios.
+// same bits), is compared with Boost.odeint (odeint_block.hpp). Both use the coarsest tolerance of a sequence at which
+// the median error of their end states, compared with ours at 1e-15, is at most `wanted_error`. The pipeline is the work
+// of a run for realisations of 620 periods: motion in lanes, classification, digest, row of the store. The last lines
+// give times, errors and ratios.
 
 #include <algorithm>
 #include <array>
@@ -116,8 +115,7 @@ class Table : public benchmark::ConsoleReporter {
 };
 
 void register_all(Table& table) {
-  const std::array<Integrator, 3> integrators{
-      {{"ours alone", follow_by_ours}, {"odeint", follow_by_odeint}, {"ARKODE", follow_by_arkode}}};
+  const std::array<Integrator, 2> integrators{{{"ours alone", follow_by_ours}, {"odeint", follow_by_odeint}}};
   for (const Case& c : usual_cases()) {
     const auto enlist = [&](const std::string& name, const Calibration& calibration, auto run) {
       table.expect(c.name, name, calibration);

@@ -25,22 +25,10 @@
 namespace rocking {
 namespace {
 
-std::string text_of(const RealisationKey& key) {
-  return "condition " + std::to_string(key.condition) + ", realisation " + std::to_string(key.realisation);
-}
-
 std::string text_of(const Difference& difference) {
   std::string fields;
   for (const std::string& field : difference.fields) fields += (fields.empty() ? "" : ", ") + field;
   return text_of(difference.key) + ": the new result differs from the stored one in " + fields;
-}
-
-/// What makes the other numbers of a report say nothing about the run.
-std::vector<std::string> faults_of_experiment(const ReportClaims& claims, const StoredRun& stored) {
-  if (!has_stated_digest(claims)) return {std::string(wrong_digest_of_experiment)};
-  std::vector<std::string> faults = experiment_differences(claims.experiment, stored.experiment.canonical_text);
-  for (std::string& fault : faults) fault.insert(0, "another experiment than that of the realisations: ");
-  return faults;
 }
 
 /// The claims of a report in a file; an error tells the file and the line.
@@ -55,7 +43,9 @@ ReportClaims claims_in(const std::string& text, const std::filesystem::path& fil
 /// Checks a run beside its report. If the experiments differ, nothing is run.
 RunCheck verify_both(const std::string& text, const ReportClaims& claims, const StoredRun& stored,
                      const std::optional<std::uint64_t>& sample, const Execution& execution) {
-  std::vector<std::string> faults = faults_of_experiment(claims, stored);
+  std::vector<std::string> faults = experiment_differences(claims.experiment, stored.experiment.canonical_text);
+  for (std::string& fault : faults) fault.insert(0, "another experiment than that of the realisations: ");
+  if (!has_stated_digest(claims)) faults = {std::string(wrong_digest_of_experiment)};
   RunCheck check = faults.empty() ? verify(stored, sample, execution) : RunCheck{};
   if (faults.empty() && !stored.run.is_complete()) faults = {"counts realisations that realisations.sqlite lacks"};
   if (faults.empty()) faults = report_differences(text, report(stored.experiment, stored.run));
@@ -130,11 +120,6 @@ RunCheck verify(const StoredRun& stored, std::optional<std::uint64_t> sample, co
     check.findings.push_back(std::to_string(found.different) + " realisations differ in all");
   }
   return check;
-}
-
-std::vector<std::string> report_faults(std::string_view text, const StoredRun& stored) {
-  std::vector<std::string> faults = faults_of_experiment(claims_of_report(text), stored);
-  return faults.empty() ? report_differences(text, report(stored.experiment, stored.run)) : faults;
 }
 
 RunCheck verify_report(std::string_view text, const std::filesystem::path& files, const Execution& execution) {

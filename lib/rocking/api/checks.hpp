@@ -41,10 +41,6 @@ struct RunCheck {
 [[nodiscard]] ROCKING_API RunCheck verify(const std::filesystem::path& folder, std::optional<std::uint64_t> sample = {},
                                           const Execution& execution = {});
 
-/// What in the text of a report (`rocking.report/1`) does not follow from a complete run: the first ten differences.
-/// Throws base::InputError where the text is no report, and std::invalid_argument if the run is not complete.
-[[nodiscard]] ROCKING_API std::vector<std::string> report_faults(std::string_view report, const StoredRun& stored);
-
 /// Checks a report (`rocking.report/1`) without the store of its run: runs its experiment again and compares all that
 /// follows from it; `checked` counts the realisations. `files` is the folder of the ground motions that the experiment
 /// names. Where the report's experiment does not have the digest that the report states, nothing is run. Uses `threads`,

@@ -272,8 +272,8 @@ RunEnd run_in_folder(FolderRun& run, const RunOptions& options) {
   return end;
 }
 
-ExperimentResult complete_result(const FolderRun& run, base::StopRequest stop) {
-  if (auto result = result_of(run.experiment, run.store, stop)) return std::move(*result);
+ExperimentResult complete_result(const FolderRun& run, const base::ManyParts& how) {
+  if (auto result = result_of(run.experiment, run.store, how)) return std::move(*result);
   throw sqlite::UnusableFile(run.folder.store_path().string() +
                              ": is damaged: stored realisations are missing; `rocking resume " +
                              shell_word(run.folder.name()) + "` runs them again");

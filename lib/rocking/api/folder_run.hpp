@@ -76,6 +76,6 @@ struct NewRun {
 
 /// The result of a complete run. Throws sqlite::UnusableFile if the store lacks a realisation, base::Stopped if it is
 /// asked to stop.
-[[nodiscard]] ExperimentResult complete_result(const FolderRun& run, base::StopRequest stop = {});
+[[nodiscard]] ExperimentResult complete_result(const FolderRun& run, const base::ManyParts& how = {});
 
 }  // namespace rocking

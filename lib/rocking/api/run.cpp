@@ -25,20 +25,16 @@ namespace {
 namespace fs = std::filesystem;
 
 /// What both ways to a result have in common.
-RunResult look_at(const Experiment& experiment, Store store, base::StopRequest stop = {}) {
+RunResult look_at(const Experiment& experiment, Store store, unsigned threads = 1) {
   const Completeness state = completeness(experiment, store);
   RunResult run{.result = {}, .done = state.done, .all = state.all, .counts = {}, .store = {}};
   run.counts.resize(experiment.conditions.size());
-  store.for_each([&](const RealisationKey& key, const Summary& summary) {
-    const bool is_wanted = key.condition < run.counts.size() &&
-                           key.realisation < effective_realisations(experiment.conditions[key.condition]);
-    if (is_wanted) ++run.counts[key.condition][summary.mode];
-  });
-  try {
-    if (!store.identity().shard) run.result = result_of(experiment, store, stop);
-  } catch (const base::Stopped&) {
-    run.result.reset();
-  }
+  run.result =
+      result_of(experiment, store, {.threads = threads}, [&](const RealisationKey& key, const Summary& summary) {
+        if (key.realisation < effective_realisations(experiment.conditions[key.condition]))
+          ++run.counts[key.condition][summary.mode];
+      });
+  if (store.identity().shard) run.result.reset();
   run.store = std::make_shared<Store>(std::move(store));
   return run;
 }
@@ -48,7 +44,7 @@ RunResult finished(FolderRun run, const OptionsOfExecution& asked) {
   const RunEnd end = run_in_folder(run, asked.options());
   run.store.close_up();
   if (end == RunEnd::complete) run.folder.install_replacement();
-  RunResult found = look_at(run.experiment, std::move(run.store), asked.stop());
+  RunResult found = look_at(run.experiment, std::move(run.store), asked.options().threads);
   found.damaged_file = std::move(run.damaged_file);
   return found;
 }
@@ -66,7 +62,7 @@ RunResult run(const Experiment& experiment, const Execution& execution) {
                                     .files = ".",
                                     .shard = execution.shard});
     static_cast<void>(run(experiment, store, asked.options()));
-    return look_at(experiment, std::move(store), asked.stop());
+    return look_at(experiment, std::move(store), asked.options().threads);
   }
   return finished(with_input_errors([&] {
                     return begin_or_continue_run(
@@ -87,11 +83,13 @@ RunResult run_of(const Experiment& experiment, const std::string& bytes) {
   return look_at(experiment, std::move(store));
 }
 
-StoredRun open_run(const fs::path& folder) { return stored_run(RunFolder(folder).open_valid_store()); }
+StoredRun open_run(const fs::path& folder, unsigned threads) {
+  return stored_run(RunFolder(folder).open_valid_store(), threads);
+}
 
-StoredRun stored_run(Store store) {
+StoredRun stored_run(Store store, unsigned threads) {
   StoredRun stored{.experiment = experiment_of(store.identity()), .run = {}};
-  stored.run = look_at(stored.experiment, std::move(store));
+  stored.run = look_at(stored.experiment, std::move(store), threads);
   return stored;
 }
 

@@ -81,7 +81,7 @@ struct StoredRun {
 /// Reads the folder that run(), or the program, has filled. Throws std::system_error with the path where there is none,
 /// base::UnusableFile if the store is damaged, and base::InputError if a file that the experiment names has changed, or if
 /// a report.json in the folder is of another experiment.
-[[nodiscard]] ROCKING_API StoredRun open_run(const std::filesystem::path& folder);
+[[nodiscard]] ROCKING_API StoredRun open_run(const std::filesystem::path& folder, unsigned threads = 1);
 
 /// The realisations of a run as bytes, and the run of this experiment with these realisations: to send it to another
 /// process. Throws base::InputError if the bytes are of another experiment, and base::UnusableFile if they are of none.

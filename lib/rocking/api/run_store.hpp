@@ -57,6 +57,6 @@ class OptionsOfExecution {
 }
 
 /// The run of a store, with its result if it is complete.
-[[nodiscard]] StoredRun stored_run(Store store);
+[[nodiscard]] StoredRun stored_run(Store store, unsigned threads = 1);
 
 }  // namespace rocking

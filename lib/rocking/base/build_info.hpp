@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,6 +15,7 @@ struct BuildInfo {
   std::string compiler;    ///< name and version
   std::string flags;       ///< compiler flags that affect numerical results
   std::string build_type;  ///< Release, RelWithDebInfo, ...
+  std::optional<std::string> libraries;  ///< of others, with their versions; earlier reports do not state them
 };
 
 [[nodiscard]] BuildInfo build_info();

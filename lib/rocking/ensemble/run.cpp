@@ -149,21 +149,23 @@ std::vector<RealisationKey> missing_realisations(const Experiment& experiment, c
   return work_left(experiment, store).missing();
 }
 
-std::optional<ExperimentResult> result_of(const Experiment& experiment, const Store& store, base::StopRequest stop) {
+std::optional<ExperimentResult> result_of(const Experiment& experiment, const Store& store, const base::ManyParts& how,
+                                          const Store::UseOfRow& also) {
   std::vector<Reduction> reductions(experiment.conditions.begin(), experiment.conditions.end());
-  store.for_each([&](const RealisationKey& key, const Summary& summary) {
-    stop.check();
+  store.for_each_side_by_side(how, [&](const RealisationKey& key, const Summary& summary) {
+    how.stop.check();
     if (key.condition >= reductions.size()) {
       throw sqlite::UnusableFile("the store has a row of condition " + std::to_string(key.condition) +
                                  ", which is not in its experiment");
     }
     Reduction& reduction = reductions[key.condition];
     if (key.realisation == reduction.realisations()) reduction.add(summary);  // else an earlier one is missing
+    if (also) also(key, summary);
   });
   ExperimentResult result;
   base::Sha256Builder digest;
   for (std::size_t i = 0; i < reductions.size(); ++i) {
-    stop.check();
+    how.stop.check();
     if (!reductions[i].is_complete()) return std::nullopt;
     digest.add(reductions[i].digest());
     result.conditions.push_back(reductions[i].result());

@@ -58,9 +58,11 @@ struct Completeness {
 
 /// The result of an experiment whose realisations are all in the store; absent if some are missing. It does not depend
 /// on where and when they were computed. Throws sqlite::UnusableFile if the store contains realisations that are not of
-/// the experiment, and base::Stopped if it is asked to stop.
+/// the experiment, and base::Stopped if it is asked to stop. `also`: called for each row by the thread that reads it, and
+/// those of a condition are read by one.
 [[nodiscard]] std::optional<ExperimentResult> result_of(const Experiment& experiment, const Store& store,
-                                                        base::StopRequest stop = {});
+                                                        const base::ManyParts& how = {},
+                                                        const Store::UseOfRow& also = {});
 
 /// Runs an experiment with a store in memory and returns its result. Absent if it was asked to stop before the end.
 [[nodiscard]] std::optional<ExperimentResult> run(const Experiment& experiment, const RunOptions& options);

@@ -31,9 +31,7 @@ class StridedNumbers {
     std::size_t index = 0;
     bool goes_on = true;
     while (!text.empty() && goes_on) {
-      const std::size_t end = text.find('\n');
-      split_fields(text.substr(0, end), fields);
-      text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+      split_fields(take_line(text), fields);
       for (const std::string_view field : fields) {
         goes_on = goes_on && is_number_field(field);
         if (goes_on && index++ % stride_ == first_ && !add(field)) return false;

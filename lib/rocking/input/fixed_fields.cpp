@@ -43,9 +43,7 @@ std::optional<FieldFormat> field_format_in(std::string_view line) {
 std::string parted_fields(std::string_view text, std::size_t width) {
   std::string parted;
   while (!text.empty()) {
-    const std::size_t end = text.find('\n');
-    std::string_view line = text.substr(0, end);
-    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+    std::string_view line = take_line(text);
     while (!line.empty() && (line.back() == ' ' || line.back() == '\r')) line.remove_suffix(1);
     if (has_field_beyond(line, width)) {
       for (std::size_t i = 0; i < line.size(); i += width) (parted += line.substr(i, width)) += ' ';

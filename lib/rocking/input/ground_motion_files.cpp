@@ -1,7 +1,6 @@
 #include "rocking/input/ground_motion_files.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -10,6 +9,7 @@
 
 #include "rocking/base/digest.hpp"
 #include "rocking/base/number_text.hpp"
+#include "rocking/input/line_problems.hpp"
 #include "rocking/input/record_component.hpp"
 #include "rocking/scene/defaults.hpp"
 #include "rocking/scene/intensity_measures.hpp"
@@ -38,10 +38,7 @@ std::string file_name_in(FieldVisitor& in, const Key& key) {
 void check_digest(FieldVisitor& in, std::string_view key, const std::string& digest) {
   const Json* found = in.found(key);
   if (found == nullptr) return;
-  std::string written = found->is_string() ? found->get<std::string>() : std::string();
-  std::transform(written.begin(), written.end(), written.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (written == digest) return;
+  if (found->is_string() && in_small_letters(*found) == digest) return;
   in.reject(key, {"is not the digest of the file, which is " + digest,
                   "restore the intended file, or omit \"" + std::string(key) + "\" to accept the present one"});
 }

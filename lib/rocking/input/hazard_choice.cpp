@@ -5,6 +5,7 @@
 
 #include "rocking/base/error.hpp"
 #include "rocking/base/number_text.hpp"
+#include "rocking/input/line_problems.hpp"
 #include "rocking/input/read_hazard.hpp"
 
 namespace rocking {
@@ -103,8 +104,7 @@ void keep_asked(std::vector<HazardInFile>& curves, const std::string& name, cons
 }  // namespace
 
 std::string statistic_word(std::string_view text) {
-  std::string word;
-  for (const char c : text) word += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  std::string word = in_small_letters(std::string(text));
   constexpr std::string_view quantile = "quantile";
   if (!word.starts_with(quantile)) return word;
   const std::size_t place = std::min(word.find_first_not_of("-_ ", quantile.size()), word.size());

@@ -1,6 +1,7 @@
 #include "rocking/input/line_problems.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <system_error>
@@ -114,9 +115,7 @@ std::optional<TextLine> line_with_decimal_comma(std::string_view text) {
   std::optional<TextLine> first;
   bool do_commas_separate = false;
   for (std::size_t number = 1; !text.empty(); ++number) {
-    const std::size_t end = text.find('\n');
-    std::string_view line = text.substr(0, end);
-    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+    std::string_view line = take_line(text);
     line = line.substr(0, line.find('#'));
     const Commas commas = commas_of(line);
     if (commas == Commas::decimal) return TextLine{number, line};
@@ -132,12 +131,21 @@ std::string_view without_byte_order_mark(std::string_view text) {
   return text;
 }
 
-std::string_view LineProblems::next_line(std::string_view& text) {
-  ++line_;
+std::string in_small_letters(std::string text) {
+  std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+std::string_view take_line(std::string_view& text) {
   const std::size_t end = text.find('\n');
   const std::string_view line = text.substr(0, end);
   text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
   return line;
+}
+
+std::string_view LineProblems::next_line(std::string_view& text) {
+  ++line_;
+  return take_line(text);
 }
 
 void LineProblems::reject_line(std::string_view found, std::string reason, std::string remedy) {

@@ -47,6 +47,11 @@ class LineProblems {
   std::size_t count_ = 0;
 };
 
+/// Takes the first line off the front of `text`, without its end.
+[[nodiscard]] std::string_view take_line(std::string_view& text);
+
+[[nodiscard]] std::string in_small_letters(std::string text);
+
 /// `text` without blanks around it.
 [[nodiscard]] std::string_view trimmed(std::string_view text);
 

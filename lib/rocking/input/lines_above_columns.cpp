@@ -193,9 +193,7 @@ void LinesAboveColumns::read(std::string_view text) {
   std::vector<std::string_view> fields;
   bool is_above = true;
   while (!text.empty()) {
-    const std::size_t end = text.find('\n');
-    const std::string_view line = text.substr(0, end);
-    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+    const std::string_view line = take_line(text);
     const std::size_t hash = std::min(line.find('#'), line.size());
     if (!is_above && hash == line.size()) continue;
     const std::string_view words = line.substr(0, hash);

@@ -94,11 +94,9 @@ std::size_t numbers_in(std::string_view text, std::size_t most) {
   std::size_t count = 0;
   std::vector<std::string_view> fields;
   while (!text.empty() && count <= most) {
-    const std::size_t end = text.find('\n');
-    split_fields(text.substr(0, end), fields);
+    split_fields(take_line(text), fields);
     if (!std::ranges::all_of(fields, is_number_field)) break;
     count += fields.size();
-    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
   }
   return count;
 }
@@ -160,14 +158,9 @@ std::optional<Refusal> refuse_text_format(std::string_view text) {
   constexpr std::size_t looked_at = 8;
   const std::string_view whole = text;
   std::vector<std::string_view> lines;
-  while (lines.size() < looked_at && !text.empty()) {
-    const std::size_t end = text.find('\n');
-    lines.push_back(text.substr(0, end));
-    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
-  }
+  while (lines.size() < looked_at && !text.empty()) lines.push_back(take_line(text));
   for (const std::string_view line : lines) {
-    std::string words(line);
-    std::ranges::transform(words, words.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string words = in_small_letters(std::string(line));
     for (const TextFormat& known : text_formats) {
       if (words.find(known.words) == std::string::npos) continue;
       return Refusal{looks_like(known.kind), std::string(known.remedy)};

@@ -6,6 +6,7 @@
 
 #include "rocking/base/number_text.hpp"
 #include "rocking/input/fixed_fields.hpp"
+#include "rocking/input/line_problems.hpp"
 #include "rocking/input/record_component.hpp"
 
 namespace rocking {
@@ -17,10 +18,8 @@ std::size_t numbers_in(std::string_view text) {
   std::vector<std::string_view> fields;
   std::size_t count = 0;
   while (!text.empty()) {
-    const std::size_t end = text.find('\n');
-    split_fields(text.substr(0, end), fields);
+    split_fields(take_line(text), fields);
     count += fields.size();
-    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
   }
   return count;
 }

@@ -48,14 +48,12 @@ const ValueType& record_format_type() { return the_only<RecordFormatType>(); }
 RecordFormat recognised_format(std::string_view text) {
   text = without_byte_order_mark(text);
   for (std::size_t i = 0; i < most_header_lines && !text.empty(); ++i) {
-    const std::size_t end = text.find('\n');
-    std::string_view line = text.substr(0, end);
+    std::string_view line = take_line(text);
     line = line.substr(0, line.find('#'));
     for (const RecordReader& reader : record_readers) {
       if (reader.is_line == nullptr || !reader.is_line(line)) continue;
       return static_cast<RecordFormat>(&reader - record_readers.data());
     }
-    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
   }
   return RecordFormat::columns;
 }

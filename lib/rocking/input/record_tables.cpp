@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <utility>
 
 #include "rocking/input/csv_table.hpp"
@@ -11,11 +10,6 @@ namespace rocking {
 namespace {
 
 constexpr std::string_view line_of_metadata = "Summary of Metadata of Selected Records";
-
-std::string in_small_letters(std::string text) {
-  std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
 
 /// Rows below a row with the names of the columns.
 class RecordTable {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <charconv>
 #include <cstddef>
 #include <map>
@@ -12,6 +11,7 @@
 
 #include "rocking/base/digest.hpp"
 #include "rocking/base/utf8.hpp"
+#include "rocking/input/line_problems.hpp"
 #include "rocking/input/read_question.hpp"
 #include "rocking/input/record_tables.hpp"
 #include "rocking/scene/excitation.hpp"
@@ -99,10 +99,8 @@ class SuiteReader {
 
   /// A record, or the table of PEER that selects them.
   void add_file(const std::string& name, const std::string& place) {
-    constexpr std::string_view ending = ".csv";
-    const bool may_be_table = name.size() > ending.size() && name.find('\0') == std::string::npos &&
-                              std::ranges::equal(std::string_view(name).substr(name.size() - ending.size()), ending, {},
-                                                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const bool may_be_table =
+        name != ".csv" && name.find('\0') == std::string::npos && in_small_letters(name).ends_with(".csv");
     if (!may_be_table || !is_search_results(files_.text(name))) return add_record({{"file", name}}, place);
     add_selected(search_results(files_.text(name), name, problems_), name, place);
   }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "rocking/fields/container_types.hpp"
 #include "rocking/input/quantities_in_text.hpp"
 #include "rocking/input/sweep.hpp"
 #include "rocking/text/number_text.hpp"
@@ -139,6 +140,8 @@ const StructType& fields_of(const SystemFacts*) {
       field<&System::build, &BuildInfo::compiler>("compiler", "its name and version"),
       field<&System::build, &BuildInfo::flags>("flags", "of the compiler that affect numerical results"),
       field<&System::build, &BuildInfo::build_type>("build_type", "as `Release`"),
+      field<&System::build, &BuildInfo::libraries>("libraries", "of others, with their versions", {},
+                                                   WithoutValue::omitted),
       field<&System::machine>("machine", "processor and operating system"),
       field<&System::start>("start", "ISO 8601, UTC", the_only<InstantType>()),
       field<&System::duration_s>("duration_s", "wall-clock time [s]", rule::not_negative),

@@ -118,4 +118,7 @@ struct SampledClamps {
 /// (1 + alpha_v). Absent also where friction may be drawn as small as one likes.
 [[nodiscard]] std::optional<double> least_sliding(const Scene& scene, double intensity);
 
+/// Transient and sampled periods in proportion; at least one sampled period.
+[[nodiscard]] Horizon shortened(const Horizon& horizon, double share);
+
 }  // namespace rocking

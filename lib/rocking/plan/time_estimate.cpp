@@ -38,12 +38,6 @@ double periods_of(const Condition& condition) {
   return static_cast<double>(condition.horizon.transient_periods) + condition.horizon.sampled_periods;
 }
 
-Horizon shortened(const Horizon& horizon, double share) {
-  const auto part = [share](int periods) { return static_cast<int>(std::lround(share * periods)); };
-  return {.transient_periods = part(horizon.transient_periods),
-          .sampled_periods = std::max(1, part(horizon.sampled_periods))};
-}
-
 /// Up to 1024 conditions, spread evenly over the sweep, also in every initial part of the list: in the order of their
 /// reversed bits.
 Experiment spread_conditions(const Experiment& experiment) {
@@ -149,6 +143,12 @@ double affordable_share(const Experiment& sample, const Measured& before, const 
 }
 
 }  // namespace
+
+Horizon shortened(const Horizon& horizon, double share) {
+  const auto part = [share](int periods) { return static_cast<int>(std::lround(share * periods)); };
+  return {.transient_periods = part(horizon.transient_periods),
+          .sampled_periods = std::max(1, part(horizon.sampled_periods))};
+}
 
 std::optional<TimeEstimate> estimate_time(const Experiment& experiment, const Means& means, const Sampling& sampling) {
   constexpr double first_s = 0.2;

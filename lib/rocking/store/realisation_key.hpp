@@ -2,6 +2,7 @@
 
 #include <compare>
 #include <cstdint>
+#include <string>
 
 namespace rocking {
 
@@ -12,6 +13,10 @@ struct RealisationKey {
 
   friend auto operator<=>(const RealisationKey&, const RealisationKey&) = default;
 };
+
+[[nodiscard]] inline std::string text_of(const RealisationKey& key) {
+  return "condition " + std::to_string(key.condition) + ", realisation " + std::to_string(key.realisation);
+}
 
 /// One of the parts into which an experiment is divided.
 struct Shard {

@@ -175,6 +175,12 @@ std::string Database::bytes() const {
   return bytes;
 }
 
+bool Database::can_be_opened_again() const {
+  int is_elsewhere = 1;  // what a database in memory leaves
+  static_cast<void>(sqlite3_file_control(handle_.get(), "main", SQLITE_FCNTL_HAS_MOVED, &is_elsewhere));
+  return is_elsewhere == 0;
+}
+
 void Database::execute(const std::string& sql) {
   const int code = sqlite3_exec(handle_.get(), sql.c_str(), nullptr, nullptr, nullptr);
   if (code != SQLITE_OK) fail(path_, code, sqlite3_errmsg(handle_.get()));

@@ -81,6 +81,8 @@ class Database {
   void execute(const std::string& sql);
   [[nodiscard]] Statement prepare(std::string_view sql) const { return {handle_.get(), sql, path_}; }
   [[nodiscard]] const std::string& path() const { return path_; }
+  /// Whether its path leads to this database: not where it is in memory, or was moved or removed.
+  [[nodiscard]] bool can_be_opened_again() const;
 
  private:
   struct Closer {

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <fstream>
+#include <limits>
 #include <string>
 #include <system_error>
 #include <thread>
@@ -72,14 +73,10 @@ void flush_folder_of(const std::filesystem::path& path) {
   ::close(descriptor);
 }
 
-std::string in_words(const RealisationKey& key) {
-  return "condition " + std::to_string(key.condition) + ", realisation " + std::to_string(key.realisation);
-}
-
 // A checksum proves that a row was written so, not that it is in its place: pages may have been exchanged.
-void expect_ascending(const std::optional<RealisationKey>& last, const RealisationKey& next, const Database& database) {
-  if (!last || *last < next) return;
-  throw sqlite::UnusableFile(database.path() + ": is damaged: the row of " + in_words(next) + " is not in its place");
+void expect_in_place(bool is_in_place, const RealisationKey& key, const Database& database) {
+  if (is_in_place) return;
+  throw sqlite::UnusableFile(database.path() + ": is damaged: the row of " + text_of(key) + " is not in its place");
 }
 
 // The store is created under another name and renamed. A process killed on the way leaves no store instead of an
@@ -184,7 +181,7 @@ Row Store::sound_row(const Statement& statement) const {
   if (auto row = rows_.read(statement)) return std::move(*row);
   const RealisationKey key{static_cast<std::uint64_t>(statement.integer(0)),
                            static_cast<std::uint64_t>(statement.integer(1))};
-  throw sqlite::UnusableFile(database_.path() + ": the row of " + in_words(key) + " differs from what was written");
+  throw sqlite::UnusableFile(database_.path() + ": the row of " + text_of(key) + " differs from what was written");
 }
 
 std::optional<Summary> Store::find(const RealisationKey& key) const {
@@ -198,26 +195,44 @@ std::optional<Summary> Store::find(const RealisationKey& key) const {
   std::optional<Row> found;
   if (statement->step()) found = sound_row(*statement);
   if (found && found->key != key) {
-    throw sqlite::UnusableFile(database_.path() + ": is damaged: in place of " + in_words(key) + " it has the row of " +
-                               in_words(found->key));
+    throw sqlite::UnusableFile(database_.path() + ": is damaged: in place of " + text_of(key) + " it has the row of " +
+                               text_of(found->key));
   }
   statement->reset();
   find_ = std::move(statement);
   return found ? std::optional(std::move(found->summary)) : std::nullopt;
 }
 
-void Store::walk(Statement statement, const std::function<void(const RealisationKey&, const Summary&)>& use) const {
-  std::optional<RealisationKey> last;
+void Store::walk(const Database& database, std::int64_t first, std::int64_t last, const UseOfRow& use) const {
+  Statement statement = database.prepare(
+      "SELECT " + row_columns() + " FROM realisations WHERE condition BETWEEN ? AND ? ORDER BY condition, realisation");
+  statement.bind(0, first);
+  statement.bind(1, last);
+  std::optional<RealisationKey> before;
   while (statement.step()) {
     const Row row = sound_row(statement);
-    expect_ascending(last, row.key, database_);
-    last = row.key;
+    const auto condition = static_cast<std::int64_t>(row.key.condition);
+    const bool is_in_range = first <= condition && condition <= last;
+    expect_in_place(is_in_range && (!before || *before < row.key), row.key, database_);
+    before = row.key;
     use(row.key, row.summary);
   }
 }
 
-void Store::for_each(const std::function<void(const RealisationKey&, const Summary&)>& use) const {
-  walk(database_.prepare("SELECT " + row_columns() + " FROM realisations ORDER BY condition, realisation"), use);
+void Store::for_each(const UseOfRow& use) const {
+  using Number = std::numeric_limits<std::int64_t>;
+  walk(database_, Number::min(), Number::max(), use);
+}
+
+void Store::for_each_side_by_side(const base::ManyParts& how, const UseOfRow& use) const {
+  constexpr std::int64_t parts_of_a_thread = 8;
+  const std::int64_t last = number_in(database_, "SELECT max(condition) FROM realisations");
+  if (how.threads < 2 || last < 1 || in_transaction_ || !database_.can_be_opened_again()) return for_each(use);
+  const std::int64_t conditions = last / (parts_of_a_thread * how.threads) + 1;  // of a part
+  base::for_each_part(how, static_cast<std::size_t>(last / conditions + 1), [&](std::size_t part) {
+    const std::int64_t first = static_cast<std::int64_t>(part) * conditions;
+    walk(Database(database_.path(), Access::read), first, first + conditions - 1, use);
+  });
 }
 
 std::optional<std::string> Store::damage() const {
@@ -238,7 +253,7 @@ void Store::for_each_key(const std::function<void(const RealisationKey&)>& use) 
   while (statement.step()) {
     const RealisationKey key{static_cast<std::uint64_t>(statement.integer(0)),
                              static_cast<std::uint64_t>(statement.integer(1))};
-    expect_ascending(last, key, database_);
+    expect_in_place(!last || *last < key, key, database_);
     last = key;
     use(key);
   }
@@ -246,18 +261,10 @@ void Store::for_each_key(const std::function<void(const RealisationKey&)>& use) 
 
 std::map<section::ResponseMode, std::uint64_t> Store::mode_counts(std::uint64_t condition,
                                                                   std::uint64_t realisations) const {
-  Statement statement =
-      database_.prepare("SELECT " + row_columns() +
-                        " FROM realisations WHERE condition = ? AND realisation < ? ORDER BY condition, realisation");
-  statement.bind(0, static_cast<std::int64_t>(condition));
-  statement.bind(1, static_cast<std::int64_t>(realisations));
   std::map<section::ResponseMode, std::uint64_t> counts;
-  walk(std::move(statement), [&](const RealisationKey& key, const Summary& summary) {
-    if (key.condition != condition || key.realisation >= realisations) {
-      throw sqlite::UnusableFile(database_.path() + ": is damaged: the row of " + in_words(key) +
-                                 " is not in its place");
-    }
-    ++counts[summary.mode];
+  const auto number = static_cast<std::int64_t>(condition);
+  walk(database_, number, number, [&](const RealisationKey& key, const Summary& summary) {
+    if (key.realisation < realisations) ++counts[summary.mode];
   });
   return counts;
 }

@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "rocking/base/many_parts.hpp"
 #include "rocking/store/sqlite.hpp"
 #include "rocking/store/store_identity.hpp"
 #include "rocking/store/store_row.hpp"
@@ -58,8 +59,12 @@ class Store {
   void close_up();
 
   [[nodiscard]] std::optional<Summary> find(const RealisationKey& key) const;
+  using UseOfRow = std::function<void(const RealisationKey&, const Summary&)>;
   /// Calls `use` for every row, in the order of the keys.
-  void for_each(const std::function<void(const RealisationKey&, const Summary&)>& use) const;
+  void for_each(const UseOfRow& use) const;
+  /// Calls `use` for every durable row, by several threads: those of a condition in their order, by one of them. A part is a
+  /// group of conditions. Rows behind a damaged page may be left out.
+  void for_each_side_by_side(const base::ManyParts& how, const UseOfRow& use) const;
   /// Description of the first damage found in the file; absent if every page and every row is as written. Reads the
   /// whole file.
   [[nodiscard]] std::optional<std::string> damage() const;
@@ -73,7 +78,7 @@ class Store {
   [[nodiscard]] static Store made(sqlite::Database database, const Identity& identity);
   [[nodiscard]] static Store read(sqlite::Database database);
   [[nodiscard]] Row sound_row(const sqlite::Statement& statement) const;
-  void walk(sqlite::Statement statement, const std::function<void(const RealisationKey&, const Summary&)>& use) const;
+  void walk(const sqlite::Database& database, std::int64_t first, std::int64_t last, const UseOfRow& use) const;
 
   sqlite::Database database_;
   Identity identity_;

@@ -113,6 +113,8 @@ std::string read_file(const std::filesystem::path& path, std::size_t most) {
   const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
   if (file.number() < 0) fail(path, "cannot be opened");
   std::string content;
+  struct stat facts {};
+  if (::fstat(file.number(), &facts) == 0) content.reserve(std::min(most, static_cast<std::size_t>(facts.st_size)));
   char buffer[65536];
   while (content.size() <= most) {
     const auto count = ::read(file.number(), buffer, sizeof buffer);

@@ -341,8 +341,4 @@ Story story_of(const Scene& scene, std::int64_t periods, const Care& care) {
   return Block(scene, periods, care.shortest_hop, flow).tell();
 }
 
-Story story_of(const Scene& scene, std::int64_t periods, Flow& flow) {
-  return Block(scene, periods, Care{}.shortest_hop, flow).tell();
-}
-
 }  // namespace rocking::peer

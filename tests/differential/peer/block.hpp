@@ -42,7 +42,5 @@ struct Care {
 
 /// Simulates `scene` over `periods` excitation periods, by CVODE.
 [[nodiscard]] Story story_of(const Scene& scene, std::int64_t periods, const Care& care = {});
-/// The same by another integrator.
-[[nodiscard]] Story story_of(const Scene& scene, std::int64_t periods, Flow& flow);
 
 }  // namespace rocking::peer

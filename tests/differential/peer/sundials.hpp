@@ -7,7 +7,7 @@
 
 #include "differential/peer/flow.hpp"
 
-/// Common parts of CVODE and ARKODE: the functions that they call, and the handling of their return values.
+/// The functions that CVODE calls, and the handling of its return values.
 namespace rocking::peer::sundials {
 
 [[nodiscard]] Vector vector_of(N_Vector vector);

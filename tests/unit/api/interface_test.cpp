@@ -203,7 +203,6 @@ TEST_F(Interface, RefusesARunThatNoCallHasReturned) {
                                                  [&] { static_cast<void>(report(swept, none.run)); },
                                                  [&] { static_cast<void>(table(swept, none.run)); },
                                                  [&] { static_cast<void>(digest_of(none.run)); },
-                                                 [&] { static_cast<void>(report_faults("", none)); },
                                                  [&] { static_cast<void>(write_page(none, in("page.html"))); }};
   for (std::size_t i = 0; i < calls.size(); ++i) EXPECT_THROW(calls[i](), std::exception) << i;
 }
@@ -231,8 +230,6 @@ TEST_F(Interface, VerifiesTheBitsOfARun) {
   EXPECT_EQ(verify(stored).checked, 12U);
   EXPECT_EQ(verify(stored, 4).checked, 4U);
   EXPECT_THAT(verify(stored).findings, ::testing::IsEmpty());
-  const std::string text = report(experiment, stored.run);
-  EXPECT_THAT(report_faults(text, stored), ::testing::IsEmpty());
   EXPECT_EQ(replay(stored, {.realisation = 3}).strobe.size(), 20U);
   EXPECT_THAT(refusal([&] { static_cast<void>(replay(stored, {.realisation = 12})); }), HasSubstr("realisation"));
   EXPECT_THAT(refusal([&] { static_cast<void>(replay(stored, {.condition = 1})); }), HasSubstr("condition 1"));
@@ -251,8 +248,6 @@ TEST_F(Interface, VerifiesTheBitsOfARun) {
   EXPECT_EQ(check.different, different);
   EXPECT_THAT(check.findings.at(0), HasSubstr("condition 0, realisation 0"));
   EXPECT_THROW(static_cast<void>(replay(stored)), DifferentBits);
-  stored.run = again;
-  EXPECT_THAT(report_faults(text, stored), ::testing::Not(::testing::IsEmpty()));
 }
 
 TEST_F(Interface, VerifiesAFolderWithItsReport) {

@@ -63,6 +63,25 @@ TEST(DifferingFields, NamesEachFieldThatDiffers) {
   EXPECT_THAT(differing_fields(filled(1), other), ElementsAre("digest", "rerun_mode", "clamped_restitution"));
 }
 
+TEST(Store, GivesTheRowsOfAConditionInTheirOrderToOneOfSeveralThreads) {
+  const support::TemporaryFolder folder;
+  Store store = Store::create(folder / "a.sqlite", identity);
+  constexpr std::uint64_t conditions = 41;
+  for (std::uint64_t i = 0; i < 3 * conditions; ++i) store.add({i % conditions, i / conditions}, filled(1));
+  const auto expect_all = [&store](const char* state) {
+    std::vector<std::vector<std::uint64_t>> found(conditions);
+    store.for_each_side_by_side({.threads = 3}, [&found](const RealisationKey& key, const Summary&) {
+      found[key.condition].push_back(key.realisation);
+    });
+    EXPECT_THAT(found, ::testing::Each(ElementsAre(0, 1, 2))) << state;
+  };
+  expect_all("not durable yet");
+  store.close_up();
+  expect_all("in its file");
+  std::filesystem::rename(folder / "a.sqlite", folder / "b.sqlite");
+  expect_all("in a file that was moved");
+}
+
 TEST(Store, WalksItsRowsInTheOrderOfTheirKeys) {
   Store store = Store::in_memory(identity);
   for (const RealisationKey key : {RealisationKey{1, 0}, {0, 10}, {0, 9}, {1, 2}, {0, 0}}) store.add(key, filled(1));

@@ -1,12 +1,12 @@
 #include "rocking/studies/cost/cost.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <mutex>
 #include <utility>
 
 #include "rocking/base/many_parts.hpp"
 #include "rocking/ensemble/work_list.hpp"
+#include "rocking/plan/plan.hpp"
 #include "rocking/realisation/realisation_scheduler.hpp"
 #include "rocking/scene/check_condition.hpp"
 #include "rocking/stats/quantile.hpp"
@@ -44,13 +44,6 @@ std::uint64_t realisations_of(const Experiment& experiment, unsigned threads) {
   std::uint64_t all = 0;
   for (const Condition& condition : experiment.conditions) all += effective_realisations(condition);
   return std::max<std::uint64_t>(all / threads, 1);
-}
-
-/// Transient and sampled periods in proportion; at least one sampled period.
-Horizon shortened(const Horizon& horizon, double share) {
-  const auto part = [share](int periods) { return static_cast<int>(std::lround(share * periods)); };
-  return {.transient_periods = part(horizon.transient_periods),
-          .sampled_periods = std::max(1, part(horizon.sampled_periods))};
 }
 
 class Timekeeper {

@@ -1,6 +1,7 @@
 #include "rocking/studies/curves/stripes.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -95,9 +96,9 @@ void set_measures(const Scene& scene, std::string_view intensity, Spectra& spect
 }
 
 /// The outcomes of all conditions. Throws InputError if the store lacks a realisation.
-std::vector<Stripe> filled(const Experiment& experiment, const Store& store) {
+std::vector<Stripe> filled(const Experiment& experiment, const Store& store, unsigned threads) {
   std::vector<Stripe> stripes(experiment.conditions.size());
-  std::uint64_t missing = 0;
+  std::atomic<std::uint64_t> missing = 0;
   for (std::size_t i = 0; i < stripes.size(); ++i) {
     const std::uint64_t realisations = effective_realisations(experiment.conditions[i]);
     stripes[i].overturned.resize(realisations);
@@ -105,7 +106,7 @@ std::vector<Stripe> filled(const Experiment& experiment, const Store& store) {
     stripes[i].without_answer.resize(realisations);
     missing += realisations;
   }
-  store.for_each([&](const RealisationKey& key, const Summary& summary) {
+  store.for_each_side_by_side({.threads = threads}, [&](const RealisationKey& key, const Summary& summary) {
     Stripe& stripe = stripes.at(key.condition);
     if (key.realisation >= stripe.overturned.size()) return;
     stripe.overturned[key.realisation] = summary.mode.kind == section::ResponseKind::overturned;
@@ -175,11 +176,11 @@ stats::IntensityLevel level_of(const Stripe& stripe, const ResponseEvent& event)
   return level;
 }
 
-std::vector<StripeGroup> stripes_of(const Experiment& experiment, const Store& store) {
+std::vector<StripeGroup> stripes_of(const Experiment& experiment, const Store& store, unsigned threads) {
   const std::string_view intensity = intensity_of(experiment);
   ROCKING_EXPECT(!intensity.empty());
   std::vector<StripeGroup> groups;
-  std::vector<Stripe> stripes = filled(experiment, store);
+  std::vector<Stripe> stripes = filled(experiment, store, threads);
   Spectra spectra;
   for (std::size_t i = 0; i < stripes.size(); ++i) {
     Place place = place_of(experiment.conditions[i], intensity);

@@ -94,6 +94,7 @@ struct StripeGroup {
 
 /// Groups by the grid of the other entries of the sweep. An intensity of 0 has no logarithm and is left out. Throws
 /// InputError where the run is not finished.
-[[nodiscard]] std::vector<StripeGroup> stripes_of(const Experiment& experiment, const Store& store);
+[[nodiscard]] std::vector<StripeGroup> stripes_of(const Experiment& experiment, const Store& store,
+                                                  unsigned threads = 1);
 
 }  // namespace rocking

@@ -257,7 +257,7 @@ RunFragility fragility(const Experiment& experiment, const RunResult& run, const
     refuse("/realisations", "until", "a fragility function needs a fixed number of realisations");
   }
   check(question);
-  return run_fragility(with_text(experiment), stripes_of(experiment, store_of(run)), question,
+  return run_fragility(with_text(experiment), stripes_of(experiment, store_of(run), execution.threads), question,
                        OptionsOfExecution(execution).options());
 }
 

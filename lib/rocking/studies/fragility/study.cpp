@@ -118,7 +118,7 @@ Survival survival_of(const Subject& subject, const RunsQuestion& question, const
   std::vector<BlockCurve> blocks;
   for (const NamedRun& run : subject.runs) {
     for (const HazardCurve& hazard : question.branches) check_hazard(hazard, run.stored.experiment);
-    groups.push_back(stripes_of(run.stored.experiment, store_of(run.stored.run)));
+    groups.push_back(stripes_of(run.stored.experiment, store_of(run.stored.run), execution.threads));
   }
   for (std::size_t i = 0; i < groups.size(); ++i) {
     const std::string run = subject.runs.size() > 1 ? subject.runs[i].folder : "";
@@ -239,7 +239,7 @@ std::string document_of_run(const RunShown& run) {
   if (intensity_of(run.experiment).empty() || run.experiment.conditions.front().until) return {};
   RunOptions options;
   options.threads = run.threads;
-  const RunFragility found = run_fragility(run.experiment, stripes_of(run.experiment, run.store),
+  const RunFragility found = run_fragility(run.experiment, stripes_of(run.experiment, run.store, run.threads),
                                            {.hazard = run.hazard, .incremental = true}, options);
   return found.suites.empty() ? "" : fragility_document().text(fragility_report({found}));
 }

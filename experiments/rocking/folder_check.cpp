@@ -63,7 +63,8 @@ FolderCheck check_of(const VerifyRequest& request) {
   }
   for (const Study* study : found) {
     const StudyVerification& how = study->verification;
-    const RunCheck check = checked(how.progress, how.verify);
+    RunCheck check = checked(how.progress, how.verify);
+    for (std::string& finding : check.findings) finding.insert(0, std::string(study->file) + ": ");
     all.add(check, how.units_key,
             fmt::format("{}/{}: {}{} run again, all with the same bits; the rest follows from them\n", request.name,
                         study->file, counted(check.checked, how.unit), how.and_more));

@@ -227,8 +227,8 @@ class Block {
 
 }  // namespace
 
-std::optional<peer::Posture> follow_by_odeint(const peer::Scene& scene, std::int64_t periods, double tolerance) {
-  return Block(scene, tolerance).follow(periods);
+std::optional<peer::Posture> follow_by_odeint(const peer::Scene& scene, std::int64_t period_count, double tolerance) {
+  return Block(scene, tolerance).follow(period_count);
 }
 
 }  // namespace rocking::benchmarks

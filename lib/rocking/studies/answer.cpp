@@ -94,17 +94,6 @@ void check_runs(SubjectKind kind, const StudySubject& about) {
        "give a finished run, or the folder of one"});
 }
 
-std::string_view name_of(SubjectKind kind) {
-  switch (kind) {
-    case SubjectKind::none: return "none";
-    case SubjectKind::files: return "files";
-    case SubjectKind::experiment: return "experiment";
-    case SubjectKind::runs: return "runs";
-    case SubjectKind::two_runs: return "two_runs";
-  }
-  return "";
-}
-
 /// The texts of the caller, and files.
 FileSource files_of(const StudySubject& about) {
   return [&texts = about.texts, read = files_seen_from("")](const std::string& name, std::size_t most) {
@@ -177,7 +166,7 @@ std::string studies_text() {
                     {"sentence", study->sentence},
                     {"notes", study->python_notes},
                     {"example", study->python_example},
-                    {"subject", name_of(study->subject)},
+                    {"subject", subject_names[static_cast<std::size_t>(study->subject)]},
                     {"takes_seed", study->takes_seed},
                     {"realisations", study->realisations},
                     {"kept", study->kept},

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -44,6 +45,8 @@ enum class SubjectKind : std::uint8_t {
   runs,        ///< complete runs
   two_runs,    ///< two runs
 };
+/// Their names, in their order.
+inline constexpr std::array<std::string_view, 5> subject_names{"none", "files", "experiment", "runs", "two_runs"};
 
 struct NamedRun {
   std::string folder;  ///< as the caller named it
@@ -176,6 +179,12 @@ struct Study {
 /// The flags of the command that asks this question, ` --hazard h.csv --years 1,50`: those whose value is neither empty nor
 /// false.
 [[nodiscard]] std::string flags_of(const StructType& fields, const void* question);
+
+/// The figures that `draw` makes of what a document holds: `figures_in<cost_document, analysis::cost_figures>`.
+template <auto document, auto draw>
+[[nodiscard]] std::vector<analysis::Figure> figures_in(const Json& json, std::span<const Json>) {
+  return draw(document().read(json));
+}
 
 /// The functions of a study whose question is a Question. Those after `find` may be null.
 template <class Question>

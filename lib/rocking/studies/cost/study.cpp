@@ -135,11 +135,8 @@ Answer find(const Subject& subject, const CostQuestion& question, const Circumst
           .table = cost_table(measured) + fixed_horizon_note(subject.experiment)};
 }
 
-std::vector<analysis::Figure> figures(const Json& document, std::span<const Json>) {
-  return analysis::cost_figures(cost_document().read(document));
-}
-
-constexpr StudyFunctions<CostQuestion> functions{.check = check, .find = find, .figures = figures};
+constexpr StudyFunctions<CostQuestion> functions{
+    .check = check, .find = find, .figures = figures_in<cost_document, analysis::cost_figures>};
 
 }  // namespace
 

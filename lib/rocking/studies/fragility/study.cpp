@@ -229,10 +229,6 @@ Answer find(const Subject& subject, const RunsQuestion& question, const Circumst
   return answer;
 }
 
-std::vector<analysis::Figure> figures(const Json& document, std::span<const Json>) {
-  return figures_of(fragility_document().read(document));
-}
-
 std::vector<StudyTable> tables(const Json& document) { return fragility_tables(fragility_document().read(document)); }
 
 std::string document_of_run(const RunShown& run) {
@@ -244,8 +240,11 @@ std::string document_of_run(const RunShown& run) {
   return found.suites.empty() ? "" : fragility_document().text(fragility_report({found}));
 }
 
-constexpr StudyFunctions<RunsQuestion> functions{
-    .check = check, .find = find, .figures = figures, .tables = tables, .document_of_run = document_of_run};
+constexpr StudyFunctions<RunsQuestion> functions{.check = check,
+                                                 .find = find,
+                                                 .figures = figures_in<fragility_document, figures_of>,
+                                                 .tables = tables,
+                                                 .document_of_run = document_of_run};
 
 }  // namespace
 

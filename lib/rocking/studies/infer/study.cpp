@@ -102,11 +102,8 @@ Answer find(const Subject& subject, const InferQuestion& question, const Circums
           .end = found.end == InferEnd::stopped ? AnswerEnd::stopped : AnswerEnd::complete};
 }
 
-std::vector<analysis::Figure> figures(const Json& document, std::span<const Json>) {
-  return analysis::infer_figures(infer_document().read(document));
-}
-
-constexpr StudyFunctions<InferQuestion> functions{.check = check, .find = find, .resume = resume, .figures = figures};
+constexpr StudyFunctions<InferQuestion> functions{
+    .check = check, .find = find, .resume = resume, .figures = figures_in<infer_document, analysis::infer_figures>};
 
 }  // namespace
 

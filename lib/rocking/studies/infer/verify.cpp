@@ -77,10 +77,7 @@ RunCheck verify_infer(const std::filesystem::path& folder, std::optional<std::ui
   if (sample == 0) refuse("sample", "0", "must be at least 1");
   const std::filesystem::path file = folder / "infer.json";
   const std::string text = read_file(file);
-  RunCheck check =
-      check_of(infer_report_in(text, file), text, folder, sample.value_or(points_without_sample), execution);
-  for (std::string& finding : check.findings) finding.insert(0, "infer.json: ");
-  return check;
+  return check_of(infer_report_in(text, file), text, folder, sample.value_or(points_without_sample), execution);
 }
 
 }  // namespace rocking

@@ -204,18 +204,16 @@ Answer find(const Subject&, const MotionQuestion& question, const Circumstances&
   return answer;
 }
 
-std::vector<analysis::Figure> figures(const Json& document, std::span<const Json>) {
-  return analysis::motion_figures(motion_document().read(document));
-}
-
 MotionQuestion of_command() {
   MotionQuestion question;
   question.series = false;
   return question;
 }
 
-constexpr StudyFunctions<MotionQuestion> functions{
-    .of_command = of_command, .check = check, .find = find, .figures = figures};
+constexpr StudyFunctions<MotionQuestion> functions{.of_command = of_command,
+                                                   .check = check,
+                                                   .find = find,
+                                                   .figures = figures_in<motion_document, analysis::motion_figures>};
 
 }  // namespace
 

@@ -145,12 +145,12 @@ RunCheck verify_rare(const std::filesystem::path& folder, std::optional<std::uin
   RunCheck check;
   const std::optional<Experiment> experiment = stated_experiment(claimed.input, seen_near(folder));
   if (!experiment) {
-    check.findings = {"rare.json: " + std::string(wrong_digest_of_experiment)};
+    check.findings = {std::string(wrong_digest_of_experiment)};
     return check;
   }
   const std::size_t conditions = experiment->conditions.size();
   if (claimed.conditions.size() != conditions) {
-    check.findings = {"rare.json: does not have one estimate for each condition of its experiment"};
+    check.findings = {"does not have one estimate for each condition of its experiment"};
     return check;
   }
   RareQuestion question = claimed.question;
@@ -162,7 +162,6 @@ RunCheck verify_rare(const std::filesystem::path& folder, std::optional<std::uin
   check.checked = again.repetitions;
   check.different = differing_repetitions(question.earlier, again.estimates);
   check.findings = report_differences(text, rare_document().text(rare_report(*experiment, question, again.estimates)));
-  for (std::string& finding : check.findings) finding.insert(0, "rare.json: ");
   return check;
 }
 

@@ -90,11 +90,8 @@ Answer find(const Subject& subject, const RareQuestion& question, const Circumst
           .end = is_stopped ? AnswerEnd::stopped : AnswerEnd::complete};
 }
 
-std::vector<analysis::Figure> figures(const Json& document, std::span<const Json>) {
-  return analysis::rare_figures(rare_document().read(document));
-}
-
-constexpr StudyFunctions<RareQuestion> functions{.check = check, .find = find, .resume = resume, .figures = figures};
+constexpr StudyFunctions<RareQuestion> functions{
+    .check = check, .find = find, .resume = resume, .figures = figures_in<rare_document, analysis::rare_figures>};
 
 }  // namespace
 

@@ -67,11 +67,8 @@ Answer find(const Subject& subject, const ThresholdQuestion& question, const Cir
   return answer;
 }
 
-std::vector<analysis::Figure> figures(const Json& document, std::span<const Json>) {
-  return figures_of(threshold_document().read(document));
-}
-
-constexpr StudyFunctions<ThresholdQuestion> functions{.check = check, .find = find, .figures = figures};
+constexpr StudyFunctions<ThresholdQuestion> functions{
+    .check = check, .find = find, .figures = figures_in<threshold_document, figures_of>};
 
 }  // namespace
 

@@ -32,11 +32,11 @@ std::string ticks_of(const Axis& axis, bool labelled) {
   return text + (axis.logarithmic ? ") enhanced" : ") noenhanced");
 }
 
-/// As label_of says; symbol and unit, which are never those of a user, are set by their marks.
+/// As label_of says, with the symbol alone set by its marks.
 std::string quoted_label(const Axis& axis) {
   const Axis shown{.quantity = without_marks(cut(printable(axis.quantity), most_letters_of_a_quantity)),
                    .symbol = axis.symbol,
-                   .unit = axis.unit};
+                   .unit = without_marks(axis.unit)};
   return gnuplot_quoted(label_of(shown));
 }
 

@@ -152,7 +152,7 @@ TEST(TheSketch, DrawsEveryPartAndTheCentreOfMassAboveItsEdges) {
   EXPECT_NEAR(points_of(figure, "base of the block").at(1)[0], 0.5 * std::cos(tilt), 2e-6);
   EXPECT_THAT(figure.caption,
               HasSubstr("edges 0.25 m left and 0.25 m right of the centre of mass, which is 0.25 m high"));
-  EXPECT_THAT(figure.caption, HasSubstr("ψ_l = 0.785 rad, ψ_r = 0.785 rad"));
+  EXPECT_THAT(figure.caption, HasSubstr("ψ_l = 0.785 rad = 45 deg, ψ_r = 0.785 rad = 45 deg"));
 }
 
 TEST(TheQuestion, HasBothSidesOfABlockWithUnlikeEdges) {

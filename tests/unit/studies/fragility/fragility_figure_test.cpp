@@ -158,8 +158,8 @@ TEST(SuiteFigure, OfARejectedLawHasTheIsotonicSharesAndNoProbabilityByTheLaw) {
 TEST(SuiteFigure, CallsAProbabilityByItsEvent) {
   EXPECT_EQ(figure_of(suite(overturning_event)).panels[0].y.quantity, "probability of overturning");
   const Figure of_tilt = figure_of(suite(tilt_event));
-  EXPECT_EQ(of_tilt.panels[0].y.quantity, "probability of peak tilt > 0.5");
-  EXPECT_EQ(of_tilt.title, "Probability of peak tilt > 0.5 as a function of intensity");
+  EXPECT_EQ(of_tilt.panels[0].y.quantity, "probability of peak tilt > 0.5 psi");
+  EXPECT_EQ(of_tilt.title, "Probability of peak tilt > 0.5 psi as a function of intensity");
   const Figure both = figure_of(suite(overturning_event), suite(tilt_event));
   ASSERT_EQ(both.panels.size(), 1U);
   EXPECT_EQ(both.panels[0].y.quantity, "probability");
@@ -177,8 +177,8 @@ TEST(FragilityFigure, CallsTheCurvesOfPeakTiltsByTheirEvent) {
   level.estimate = 0.2;
   level.exact = {.low = 0.1, .high = 0.4};
   const Figure figure = figure_of(reported);
-  EXPECT_EQ(figure.panels[0].y.quantity, "probability of peak tilt > 0.5");
-  EXPECT_EQ(layer_of(figure, LayerKind::error_bars)->legend, "peak tilt > 0.5");
+  EXPECT_EQ(figure.panels[0].y.quantity, "probability of peak tilt > 0.5 psi");
+  EXPECT_EQ(layer_of(figure, LayerKind::error_bars)->legend, "peak tilt > 0.5 psi");
   EXPECT_THAT(figure.caption, HasSubstr("share of the realisations with peak tilt > 0.5"));
   EXPECT_THAT(figure.description, HasSubstr("peak tilt > 0.5"));
 }

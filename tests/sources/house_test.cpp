@@ -253,11 +253,11 @@ Weight weight_of(const std::set<std::string>& folders) {
 // - Floors of buildings and walls: building.cpp, 420 lines with keys and reports, walls 220, and 350 of tests.
 // - Blocks at a wall against an integrator of their own (tests/differential/peer/wall_block.cpp): 370 of tests.
 // - `archive`, a run as one file: 330 lines and 120 of tests. Names of swept values and the geometry of each option: 170 and 70.
-// - One sentence of each study, degrees beside psi, names of runs that share a title: 150 lines, of which 110 were given back.
+// - One sentence of each study, degrees beside psi, names of runs that share a title: 150 lines, of which 108 were given back.
 TEST(TheHouse, WeighsNoMoreThanBefore) {
   const Weight product = weight_of({"lib", "analysis", "experiments"});
   EXPECT_LE(product.files, 829U);
-  EXPECT_LE(product.lines, 94'965U);
+  EXPECT_LE(product.lines, 94'966U);
   EXPECT_LE(weight_of({"tests"}).lines, 61'174U);
 }
 

@@ -20,12 +20,13 @@ std::string three_digits(double number) { return significant(number, 3); }
 
 std::string own_tolerance_in_words(const CostReport& report) {
   const Json& experiment = report.input.experiment;
-  if (experiment.is_null()) return "";
-  for (const Json& entry : experiment.value("sweep", Json::array())) {
-    if (entry.at("parameter") == "/accuracy/tolerance") return "The experiment sweeps its tolerance.";
+  const Json::json_pointer place("/accuracy/tolerance");
+  if (!experiment.contains(place) || !experiment[place].is_number()) return "";
+  for (const Json& entry : experiment.contains("sweep") ? experiment["sweep"] : Json::array()) {
+    const bool is_axis = entry.is_object() && entry.contains("parameter");
+    if (is_axis && entry["parameter"] == place.to_string()) return "The experiment sweeps its tolerance.";
   }
-  return "The experiment's own tolerance is " + three_digits(experiment.at("accuracy").at("tolerance").get<double>()) +
-         ".";
+  return "The experiment's own tolerance is " + three_digits(experiment[place].get<double>()) + ".";
 }
 
 Table tolerance_table(const CostReport& report) {

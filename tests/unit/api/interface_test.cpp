@@ -317,8 +317,9 @@ TEST_F(Interface, InfersUnknownsFromCountedTests) {
   const std::vector<double>& shares = found.answer->predicted.at(0).shares;
   const double deviance = 2.0 * (std::log(1.0 / (5.0 * shares.at(0))) + 4.0 * std::log(4.0 / (5.0 * shares.at(1))));
   EXPECT_NEAR(found.answer->fit.statistic, deviance, 1e-9 * (1.0 + deviance));
-  request.earlier = found.design;
-  const Inference resumed = infer_unknowns(experiment, request);
+  write_atomically(in("tests.csv"), "amplitude,overturned,other\n4,1,4\n");
+  const Inference resumed =
+      infer_unknowns(experiment, {.tests_file = in("tests.csv").string(), .earlier = found.design});
   ASSERT_TRUE(resumed.answer);
   EXPECT_EQ(resumed.realisations, found.realisations);
   EXPECT_EQ(resumed.answer->unknowns.at(0).estimate, found.answer->unknowns.at(0).estimate);

@@ -36,8 +36,7 @@ constexpr Limit limits[] = {
      "or wear. Whether a block slides or rocks depends on them (Shenton 1996)."},
     {"No anchorage",
      "No bolts, restrainers, ties or neighbours; a wall is rigid, moves with the floor, holds one side, and the block "
-     "does not slide from "
-     "it. Anchorage is not favourable under every shaking (Makris &amp; Zhang 2001)."},
+     "does not slide from it. Anchorage is not favourable under every shaking (Makris &amp; Zhang 2001)."},
     {"No flight",
      "An edge always touches the floor. A block that hops or bounces is outside the model (Ishiyama 1982); "
      "realisations in which the contact force vanishes are counted in the checks."},

@@ -49,8 +49,8 @@ std::string trust_in_full(const std::vector<Finding>& findings) {
   const auto passed = static_cast<std::size_t>(std::ranges::count(findings, Rating::fine, &Finding::rating));
   return "<p>Possible causes of a wrong result, and what was found:</p>\n" + list(remarks) +
          (fine.empty() ? "" : folded(counted(passed, "check") + " without remark", list(fine))) +
-         "<p><code>rocking trajectory</code> with this folder and the numbers of a condition and a realisation "
-         "prints this realisation in full.</p>\n";
+         "<p><code>rocking trajectory</code> with this folder and the numbers of a condition and a realisation prints "
+         "this realisation in full.</p>\n";
 }
 
 std::string provenance(const Report& report) {

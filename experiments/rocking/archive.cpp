@@ -115,8 +115,8 @@ std::string metadata_of(const Report& report, const Files& files) {
         {"@type", "Dataset"},
         {"name", title},
         {"description",
-         "Realisations of a rocking block, the probabilities of its responses, and all that gives the same bits "
-         "again: rocking verify FILE computes them."},
+         "Realisations of a rocking block, the probabilities of its responses, and all that gives the same bits again: "
+         "rocking verify FILE computes them."},
         {"datePublished", system.start.substr(0, 10)},
         {"license", "not stated: to be chosen by who publishes this"},
         {"hasPart", std::move(parts)},

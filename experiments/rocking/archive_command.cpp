@@ -37,10 +37,8 @@ void add_archive(CLI::App& app, Action& action) {
   command->footer(
       "Example: rocking archive out -o run.zip && rocking verify run.zip\n"
       "writes the files of the folder, the experiment, and ro-crate-metadata.json (RO-Crate 1.1), which describes the "
-      "run "
-      "and has the SHA-256 of each file. The same folder gives the same bytes. Name its author and its licence where "
-      "you "
-      "publish it.");
+      "run and has the SHA-256 of each file. The same folder gives the same bytes. Name its author and its licence "
+      "where you publish it.");
   command->add_option("DIR", request->folder, "Folder of the run")->required()->transform(run_folder());
   command->add_option("-o,--output", request->file, "The archive to be written")->required()->type_name("FILE.zip");
   command->add_flag("--with-records", request->with_records,

@@ -40,8 +40,7 @@ void add_resume(CLI::App& app, Action& action, const ProcessPool& pool) {
       "those of one run of N, or with these levels.\n"
       "`rocking resume out shard1 shard2 shard3` copies the realisations of the three folders to out and writes the "
       "report, with the bytes of one run, except `system`. The order of the folders has no influence; shards may "
-      "overlap "
-      "if their common realisations agree.");
+      "overlap if their common realisations agree.");
   command->add_option("DIR", request->folder, "Folder of the run, or for the whole of the shards")
       ->required()
       ->transform(run_folder());

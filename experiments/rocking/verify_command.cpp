@@ -42,10 +42,9 @@ void add_verify(CLI::App& app, Action& action) {
       "Example: rocking verify out --sample 100\n"
       "checks that out/report.json follows from out/realisations.sqlite, and that about a hundred of its realisations "
       "give the same bits when they are run again. Of an archive (rocking archive) the digests of its files are "
-      "checked "
-      "first. Without --sample all of them are run. Without the store, the report "
-      "is compared with a new run. An out/rare.json is checked, too: by its pilot runs and some of its repetitions; an "
-      "out/infer.json by some points of its design.");
+      "checked first. Without --sample all of them are run. Without the store, the report is compared with a new run. "
+      "An out/rare.json is checked, too: by its pilot runs and some of its repetitions; an out/infer.json by some "
+      "points of its design.");
   command->add_option("DIR", request->folder, "Folder of the run, or its archive, FILE.zip")
       ->required()
       ->transform(run_folder());

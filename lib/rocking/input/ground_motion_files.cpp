@@ -63,8 +63,7 @@ std::optional<std::string> velocity_at_end(const std::vector<dynamics::GroundMot
   return "ends with a velocity of " + base::significant(last, 3) + " m/s, " +
          std::to_string(std::lround(100.0 * last / peak)) +
          " % of its PGV: its acceleration has an offset, or it is cut in mid-motion; correct its baseline, since PGV, "
-         "PGD "
-         "and long periods are not those of the earthquake";
+         "PGD and long periods are not those of the earthquake";
 }
 
 /// That a record ends in strong shaking, in a sentence; absent: its last sample is below a tenth of its PGA, or it is a pulse.

@@ -84,10 +84,9 @@ class HazardTable {
     const bool is_probability = name.starts_with(of_a_level);
     const std::string level(is_probability ? name.substr(of_a_level.size()) : name);
     if (!hazard_number(level)) {
-      return lines_.reject_line(
-          name, "is neither a place nor an intensity",
-          "name the columns lon, lat, depth, poe-0.1, ... as OpenQuake does, or name, lon, lat, 0.1, ... "
-          "with annual rates");
+      return lines_.reject_line(name, "is neither a place nor an intensity",
+                                "name the columns lon, lat, depth, poe-0.1, ... as OpenQuake does, or name, lon, lat, "
+                                "0.1, ... with annual rates");
     }
     if (!columns_->levels.empty() && is_probability != kind_.is_probability) {
       return lines_.reject_line(name, "is of another kind than the columns before it", "give probabilities or rates");

@@ -139,9 +139,9 @@ class ColumnsReader {
                             "give time and horizontal acceleration; for values at even spacing set \"time_step_s\"");
     } else if (count >= most_columns) {
       are_unknown_ = true;
-      problems_.reject_line(line, found + ", which are likely accelerations that run on from line to line",
-                            "put a line NPTS= 4000, DT= .01 SEC above them, with their number and time step, and give "
-                            "\"units\"");
+      problems_.reject_line(
+          line, found + ", which are likely accelerations that run on from line to line",
+          "put a line NPTS= 4000, DT= .01 SEC above them, with their number and time step, and give \"units\"");
     } else {
       are_unknown_ = true;
       problems_.reject_line(

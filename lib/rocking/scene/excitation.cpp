@@ -51,8 +51,7 @@ constexpr std::array<UnitKey, all_strengths.size()> strength_units{
      {{"pgv_m_s", "in place of scale: the peak horizontal velocity [m/s]"}, rules::pgv_m_s},
      {{"sa_g",
        "in place of scale: the spectral acceleration of hazard models, which is the pseudo-acceleration at period_s "
-       "with 5 % "
-       "damping, over gravity_m_s2"},
+       "with 5 % damping, over gravity_m_s2"},
       rules::pga_g},
      {{"sa_p_g", "in place of scale: the same at the period 2 pi/p of the mean block"}, rules::pga_g},
      {{"avgsa_g", "in place of scale: the geometric mean of the same over periods_s, at ten periods with equal ratios"},
@@ -127,16 +126,15 @@ void keys_of_format_and_unit(FieldVisitor& in, GroundMotionReading& how, const R
            records.format_type(), &how.format, Absent::omitted);
   if (in.stands("component", !how.component.empty())) {
     in.value({"component",
-              "of a file that holds several, as its header names it: \"N10E\", \"90\"; two of one name are "
-              "\"channel 1\" and \"channel 2\""},
+              "of a file that holds several, as its header names it: \"N10E\", \"90\"; two of one name are \"channel "
+              "1\" and \"channel 2\""},
              how.component, TextType(), Absent::omitted);
   }
   in.optional("units", how.unit, [&in](RecordUnit& unit) {
-    in.choice(
-        {"units",
-         "of the accelerations; must agree with a file that states its unit; absent: that of the file, and m/s2 for "
-         "columns of numbers, but format columns needs it"},
-        unit, record_unit_names, Absent::omitted);
+    in.choice({"units",
+               "of the accelerations; must agree with a file that states its unit; absent: that of the file, and m/s2 "
+               "for columns of numbers, but format columns needs it"},
+              unit, record_unit_names, Absent::omitted);
   });
 }
 
@@ -338,13 +336,11 @@ void keys_of(FieldVisitor& in, Pulse& pulse, const dynamics::Block&, RecordField
   in.refuse("vertical", "is for harmonic excitation", "omit it, or write \"kind\": \"harmonic\"");
   refuse_building(in);
   const std::size_t problems_before = in.problem_count();
-  in.choice(
-      {"shape",
-       "f, of length 2 pi/Omega_h for sine and cosine, half of it for half_sine, rectangle and triangle; ricker, "
-       "second "
-       "derivative of a Gaussian, cut below 1e-6 of its peak; type_c, C_n of Makris (1997); or the pulse of Mavroeidis "
-       "and Papageorgiou (2003), whose A_h is that of omega times its velocity amplitude"},
-      pulse.shape, pulse_shapes, Absent::error);
+  in.choice({"shape",
+             "f, of length 2 pi/Omega_h for sine and cosine, half of it for half_sine, rectangle and triangle; ricker, "
+             "second derivative of a Gaussian, cut below 1e-6 of its peak; type_c, C_n of Makris (1997); or the pulse "
+             "of Mavroeidis and Papageorgiou (2003), whose A_h is that of omega times its velocity amplitude"},
+            pulse.shape, pulse_shapes, Absent::error);
   const bool is_known = in.problem_count() == problems_before;
   keys_of_amplitude_and_frequency(in, pulse, amplitude_units, frequency_units);
   const auto number = [&](const Key& key, double& value, const Rule& rule, bool has_it, Absent absent,
@@ -410,8 +406,7 @@ dynamics::Excitation Pulse::motion(const dynamics::Geometry& block, const dynami
 void keys_of(FieldVisitor& in, Excitation& excitation, const dynamics::Block& block, RecordFields& records) {
   in.kinds({"kind",
             "harmonic: a_h/g = A_h psi times the sine of Omega_h tau + Phi; recorded: linear between the samples of a "
-            "file; pulse: "
-            "from tau = 0 on one pulse a_h/g = A_h psi f(Omega_h tau), the base is still after it"},
+            "file; pulse: from tau = 0 on one pulse a_h/g = A_h psi f(Omega_h tau), the base is still after it"},
            kind_names, excitation.index(), [&](FieldVisitor& keys, std::size_t kind) {
              if (excitation.index() != kind) excitation = alternative_at<Excitation>(kind);
              std::visit([&](auto& asked) { keys_of(keys, asked, block, records); }, excitation);

@@ -145,8 +145,7 @@ void keys_of_formulation(FieldVisitor& in, Scene& scene) {
   in.value({"restitution",
             "vertical restitution e of an impact; \"jy25\": 1 - 1.5 sin^2(psi); rate_ratio: the measured ratio "
             "abs(w2/w1) of the tilt rates across an impact without slip, from which e follows; a list of two: where "
-            "the left "
-            "and where the right edge lands"},
+            "the left and where the right edge lands"},
            restitution, restitution_type(), in.follows_from({"/formulation", "/block/wall"}));
   scene.restitution = restitution_of(std::move(restitution));
   in.choice({"impact_slip_rule", "when an impact slips"}, scene.impact_slip_rule, impact_slip_rule_names, follows);
@@ -159,11 +158,10 @@ void keys_of(FieldVisitor& in, Friction& friction) {
                                           : Formed{.form = 0, .value = friction.kinetic_coefficient};
   constexpr std::array<Form, 2> forms{{{.name = "", .rule = &rules::friction_coefficient},
                                        {.name = "ratio", .rule = &rules::kinetic_ratio, .may_be_drawn = false}}};
-  in.value(
-      {"kinetic",
-       "mu_k, or its ratio to the mu_s that was drawn; its mean is below the limit of Painleve's paradox for every "
-       "block that can be drawn"},
-      kinetic, FormsType(forms, ""), Absent::error);
+  in.value({"kinetic",
+            "mu_k, or its ratio to the mu_s that was drawn; its mean is below the limit of Painleve's paradox for "
+            "every block that can be drawn"},
+           kinetic, FormsType(forms, ""), Absent::error);
   if (kinetic.form == 1) {
     friction.kinetic_ratio = mean_of(kinetic.value);
   } else {
@@ -383,22 +381,20 @@ void keys_of(FieldVisitor& in, Horizon& horizon, const Scene& scene) {
         {"would be " + std::to_string(standard.sampled_periods) + ", until the block rests after the shaking",
          "lower the frequency, so that strobe periods are longer, or give at most 1000000"});
   }
-  in.value(
-      {"sampled_periods",
-       "periods whose strobe points are used; harmonic: 120, and at least 24 to classify a response, 48 of a random "
-       "one; else until the block rests after the shaking"},
-      horizon.sampled_periods, rules::sampled_periods, follows);
+  in.value({"sampled_periods",
+            "periods whose strobe points are used; harmonic: 120, and at least 24 to classify a response, 48 of a "
+            "random one; else until the block rests after the shaking"},
+           horizon.sampled_periods, rules::sampled_periods, follows);
   in.optional("until_classified", horizon.until_classified, [&](UntilClassified& until) {
     in.object({"until_classified",
                "a realisation that is unresolved goes on, window by window of sampled_periods, until its response is "
                "classified (settling.md); periodic excitation only"},
               Absent::omitted, [&](FieldVisitor& keys) { keys_of(keys, until); });
   });
-  in.choice(
-      {"until",
-       "the end of a motion that overturns: abs(theta) = pi/2, or balance: abs(theta) = psi for the first time, from "
-       "which the base could have brought the block back; both count as overturned"},
-      horizon.until, motion_end_names, Absent::omitted);
+  in.choice({"until",
+             "the end of a motion that overturns: abs(theta) = pi/2, or balance: abs(theta) = psi for the first time, "
+             "from which the base could have brought the block back; both count as overturned"},
+            horizon.until, motion_end_names, Absent::omitted);
 }
 
 void keys_of_goal(FieldVisitor& in, Until& until, Condition& condition) {

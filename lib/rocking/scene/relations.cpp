@@ -538,10 +538,9 @@ std::optional<Refusal> relations::vertical_without_strobe(const Condition& condi
   if (vertical_of(condition.scene.excitation) == nullptr || periods_of_base(condition.scene)) return std::nullopt;
   return Refusal{
       "is neither a whole multiple of the horizontal frequency nor that frequency over a whole number, in every "
-      "realisation: a strobe point once an excitation period would find the vertical motion at another phase "
-      "each time, so that no response would repeat",
-      "give such a frequency, in the same unit as the horizontal one, or look at the motion with `rocking "
-      "trajectory`"};
+      "realisation: a strobe point once an excitation period would find the vertical motion at another phase each "
+      "time, so that no response would repeat",
+      "give such a frequency, in the same unit as the horizontal one, or look at the motion with `rocking trajectory`"};
 }
 
 std::optional<Refusal> relations::one_half_width(const Condition& condition) {

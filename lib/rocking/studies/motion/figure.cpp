@@ -97,8 +97,7 @@ Figure spectra_figure(const MotionReport& report) {
   figure.subtitle = damping;
   figure.caption =
       "Pseudo-acceleration (omega^2 times the largest displacement relative to the base) and largest velocity relative "
-      "to "
-      "the base of a linear oscillator with " +
+      "to the base of a linear oscillator with " +
       damping + ", wherever they are reached.";
   figure.description = "Spectral pseudo-acceleration and velocity against the period of the oscillator.";
   for (const SpectrumPanel& panel : spectrum_panels) {

@@ -71,10 +71,10 @@ static const StructType& fields_of(const ReportedMotion*) {
       field<&Motion::sha256>("sha256", "of the file"),
       inlined<&Motion::measures>(),
       field<&Motion::vertical_pga_g>("vertical_pga_g", "of the vertical component, or null", rule::not_negative),
-      field<&Motion::uplift_scale>("uplift_scale",
-                                   "with `--block`: the least scale at which abs(alpha) reaches (B/H)(1 + alpha_v); "
-                                   "null if no scale does",
-                                   rule::positive, WithoutValue::omitted),
+      field<&Motion::uplift_scale>(
+          "uplift_scale",
+          "with `--block`: the least scale at which abs(alpha) reaches (B/H)(1 + alpha_v); null if no scale does",
+          rule::positive, WithoutValue::omitted),
       field<&Motion::floor_peak_g>("floor_peak_g",
                                    "with `--building`: largest abs(a) of the floor over g, whose motion follows",
                                    rule::not_negative, WithoutValue::omitted),

@@ -112,19 +112,17 @@ const StructType& fields_of(const MotionQuestion*) {
       asked(field<&Type::format>("format", "Format of the files; auto: recognised by their first lines",
                                  Rule{.choices = record_format_choices}),
             {.names = "--format", .letter = "NAME"}),
-      asked(field<&Type::units>(
-                "units",
-                "Unit of the accelerations; must agree with a file that states it; required with the format columns; "
-                "default: that of the file, or m/s2",
-                Rule{.choices = record_unit_names}),
+      asked(field<&Type::units>("units",
+                                "Unit of the accelerations; must agree with a file that states it; required with the "
+                                "format columns; default: that of the file, or m/s2",
+                                Rule{.choices = record_unit_names}),
             {.names = "--units", .letter = "UNIT"}),
       asked(field<&Type::time_step>("time_step", "Of columns without times [s]", rule::positive),
             {.names = "--time-step", .letter = "DT"}),
-      asked(field<&Type::columns>(
-                "columns",
-                "What the columns of a file of numbers are, in its order, between blanks or commas: time, horizontal, "
-                "vertical, other (not used)",
-                Rule{.choices = record_column_names}),
+      asked(field<&Type::columns>("columns",
+                                  "What the columns of a file of numbers are, in its order, between blanks or commas: "
+                                  "time, horizontal, vertical, other (not used)",
+                                  Rule{.choices = record_column_names}),
             {.names = "--columns", .letter = "NAME...", .kind = FlagKind::words}),
       asked(field<&Type::component>("component", "Of files that hold several, as their headers name it: N10E, 90"),
             {.names = "--component", .letter = "NAME"}),
@@ -142,10 +140,9 @@ const StructType& fields_of(const MotionQuestion*) {
             {.names = "--series", .kind = FlagKind::on}),
       asked(field<&Type::block>("block", "Width and height of a block [m], whose least scale of uplift is printed"),
             {.names = "--block", .letter = "W H", .count = 2}),
-      asked(field<&Type::building>(
-                "building",
-                "Frequency [Hz] and damping ratio of a uniform shear building, and the height of a floor over that of "
-                "the building: its motion is measured beside that of the ground"),
+      asked(field<&Type::building>("building",
+                                   "Frequency [Hz] and damping ratio of a uniform shear building, and the height of a "
+                                   "floor over that of the building: its motion is measured beside that of the ground"),
             {.names = "--building", .letter = "F Z H", .count = 3}),
   };
   return fields;
@@ -222,10 +219,9 @@ const Study& motion_study() {
       .name = "motion",
       .sentence = "Read ground motions, and print their intensity measures",
       .example = "record.at2 --periods 0.2 0.5 1 --block 0.35 1.6 --figure out",
-      .text =
-          "prints what was read, peak acceleration, velocity and displacement, Arias intensity, cumulative absolute "
-          "velocity, significant duration, the response spectrum, and the least scale at which the block rocks; draws "
-          "the motion and its spectra into the folder out.",
+      .text = "prints what was read, peak acceleration, velocity and displacement, Arias intensity, cumulative "
+              "absolute velocity, significant duration, the response spectrum, and the least scale at which the block "
+              "rocks; draws the motion and its spectra into the folder out.",
       .python_notes = "Columns are needed where there are more than a time and an acceleration, or a header. Raises "
                       "InputError with file, line and value of each fault.",
       .python_example = R"(>>> import os, rocking, tempfile

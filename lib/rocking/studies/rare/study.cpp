@@ -36,13 +36,13 @@ const StructType& fields_of(const RareQuestion*) {
       asked(field<&Type::relative_error>("relative_error", "Standard error over the probability that is aimed at",
                                          Rule{.least = 1e-3, .most = 1.0}),
             {.names = "--relative-error", .letter = "E"}),
-      asked(field<&Type::event>(
-                "event",
-                "What the probability is of: overturning, tilt > X psi, deg or rad (the largest; 1 psi is the unstable "
-                "equilibrium); where all numbers are drawn once also slip > X m (the largest), displacement > X m (the "
-                "slip at the end); an overturned block has every event",
-                event_text_type()),
-            {.names = "--event", .letter = "EVENT"}),
+      asked(
+          field<&Type::event>("event",
+                              "What the probability is of: overturning, tilt > X psi, deg or rad (the largest; 1 psi "
+                              "is the unstable equilibrium); where all numbers are drawn once also slip > X m (the "
+                              "largest), displacement > X m (the slip at the end); an overturned block has every event",
+                              event_text_type()),
+          {.names = "--event", .letter = "EVENT"}),
       asked(field<&Type::seconds>("seconds",
                                   "Stop after this time for all conditions together, e.g. 10min; what is finished then "
                                   "counts, so that the result depends on the time",

@@ -164,21 +164,14 @@ auto with_part(const Scene& scene, const Use& use) -> decltype(use(VerticalHarmo
   return std::nullopt;
 }
 
-/// Of a part whose amplitude is given in this unit.
 template <bool vertical>
-std::optional<Quantity> amplitude_in(AccelerationUnit unit, const Scene& scene) {
-  return with_part<vertical>(scene, [unit](const auto& part) -> std::optional<Quantity> {
-    const auto& given = part.physical_amplitude;
-    return given && given->unit == unit ? std::optional(given->value) : std::nullopt;
-  });
+std::optional<PhysicalAmplitude> physical_amplitude(const Scene& scene) {
+  return with_part<vertical>(scene, [](const auto& part) { return part.physical_amplitude; });
 }
 
 template <bool vertical>
-std::optional<Quantity> frequency_in(FrequencyUnit unit, const Scene& scene) {
-  return with_part<vertical>(scene, [unit](const auto& part) -> std::optional<Quantity> {
-    const auto& given = part.physical_frequency;
-    return given && given->unit == unit ? std::optional(given->value) : std::nullopt;
-  });
+std::optional<PhysicalFrequency> physical_frequency(const Scene& scene) {
+  return with_part<vertical>(scene, [](const auto& part) { return part.physical_frequency; });
 }
 
 /// The amplitude that is the largest A_h of the most slender block, in the unit in which it is given.
@@ -186,15 +179,14 @@ double largest_amplitude(const Scene& scene) {
   return rules::largest_amplitude * amplitude_unit(scene, shapes_of(scene.block).most_slender);
 }
 
-template <AccelerationUnit unit, bool vertical>
+template <bool vertical>
 std::optional<Refusal> amplitude_beyond_bounds(const Condition& condition) {
   const Scene& scene = condition.scene;
-  const auto asked = amplitude_in<vertical>(unit, scene);
+  const auto asked = physical_amplitude<vertical>(scene);
   if (!asked) return std::nullopt;
-  const double amplitude = reach_of(*asked).largest;
-  const PhysicalAmplitude in_unit{.value = amplitude, .unit = unit};
+  const double amplitude = reach_of(asked->value).largest;
   const double largest =
-      rules::largest_amplitude * amplitude_unit(in_unit, shapes_of(scene.block).most_slender, scene.block.gravity);
+      rules::largest_amplitude * amplitude_unit(asked, shapes_of(scene.block).most_slender, scene.block.gravity);
   if (amplitude <= largest) return std::nullopt;
   return Refusal{std::string("makes ") + (vertical ? "A_v" : "A_h") + " = " +
                      shown(amplitude / largest * rules::largest_amplitude) + " for this block, above 1e6",
@@ -208,21 +200,31 @@ std::optional<Refusal> amplitude_sigma_beyond_bounds(const Condition& condition)
                  "give a standard deviation of at most " + shown(largest)};
 }
 
-template <FrequencyUnit unit, bool vertical>
+/// Reach of Omega over all blocks.
+Reach frequencies_of(const PhysicalFrequency& physical, const SceneBlock& block) {
+  const auto [smallest, largest] = sizes_of(block);
+  const auto [least, most] = reach_of(physical.value);
+  const auto at = [unit = physical.unit](double value, const dynamics::Geometry& own) {
+    return frequency_ratio({.value = value, .unit = unit}, own);
+  };
+  return physical.unit == FrequencyUnit::hertz ? Reach{at(least, largest), at(most, smallest)}
+                                               : Reach{at(most, largest), at(least, smallest)};
+}
+
+template <bool vertical>
 std::optional<Refusal> frequency_beyond_bounds(const Condition& condition) {
-  const auto value = frequency_in<vertical>(unit, condition.scene);
-  if (!value) return std::nullopt;
+  const auto asked = physical_frequency<vertical>(condition.scene);
+  if (!asked) return std::nullopt;
+  if (reach_of(asked->value).least <= 0.0) {
+    return Refusal{"may be zero or negative", "add \"between\" to the law, or write a lognormal one"};
+  }
+  const auto [low, high] = frequencies_of(*asked, condition.scene.block);
+  if (rules::frequency_ratio.allows(low) && rules::frequency_ratio.allows(high)) return std::nullopt;
   constexpr double two_pi = 2.0 * std::numbers::pi;
   const auto [smallest, largest] = sizes_of(condition.scene.block);
-  const auto [slow, fast] = reach_of(*value);
-  if (slow <= 0.0) return Refusal{"may be zero or negative", "add \"between\" to the law, or write a lognormal one"};
-  const bool rises = unit == FrequencyUnit::hertz;  // Omega with the number
-  const double low = frequency_ratio({.value = rises ? slow : fast, .unit = unit}, largest);
-  const double high = frequency_ratio({.value = rises ? fast : slow, .unit = unit}, smallest);
-  if (rules::frequency_ratio.allows(low) && rules::frequency_ratio.allows(high)) return std::nullopt;
   const double least = rules::least_frequency_ratio * smallest.frequency_parameter / two_pi;
   const double most = rules::largest_frequency_ratio * largest.frequency_parameter / two_pi;
-  const bool in_hertz = unit == FrequencyUnit::hertz;
+  const bool in_hertz = asked->unit == FrequencyUnit::hertz;
   return Refusal{std::string("makes ") + (vertical ? "Omega_v" : "Omega_h") + " = " +
                      shown(rules::frequency_ratio.allows(low) ? high : low) +
                      " for this block, which must lie from 0.001 to 1e6",
@@ -238,36 +240,24 @@ std::optional<Refusal> part_of_a_cycle(const Condition& condition) {
                  "give 1 or 2"};
 }
 
-/// Reach of Omega over all blocks.
-template <class Part>
-Reach frequencies_of(const Part& part, const Scene& scene) {
-  if (!part.physical_frequency) return reach_of(part.frequency_ratio);
-  const auto [smallest, largest] = sizes_of(scene.block);
-  const auto [least, most] = reach_of(part.physical_frequency->value);
-  const FrequencyUnit unit = part.physical_frequency->unit;
-  const auto at = [unit](double value, const dynamics::Geometry& block) {
-    return frequency_ratio({.value = value, .unit = unit}, block);
-  };
-  return unit == FrequencyUnit::hertz ? Reach{at(least, largest), at(most, smallest)}
-                                      : Reach{at(most, largest), at(least, smallest)};
-}
-
 std::optional<Refusal> vertical_too_fast(const Condition& condition) {
   const VerticalHarmonic* vertical = vertical_of(condition.scene.excitation);
   if (vertical == nullptr) return std::nullopt;
-  const auto& harmonic = std::get<Harmonic>(condition.scene.excitation);
-  const double slowest = frequencies_of(harmonic, condition.scene).least;
-  const double fastest = frequencies_of(*vertical, condition.scene).largest;
+  const auto reach = [&block = condition.scene.block](const auto& part) {
+    return part.physical_frequency ? frequencies_of(*part.physical_frequency, block) : reach_of(part.frequency_ratio);
+  };
+  const double slowest = reach(std::get<Harmonic>(condition.scene.excitation)).least;
+  const double fastest = reach(*vertical).largest;
   constexpr double most = 1e4;
   if (fastest <= most * slowest) return std::nullopt;
   return Refusal{"is more than 1e4 times the horizontal frequency, so that too many steps fall in an excitation period",
                  "give at most 1e4 times the horizontal frequency"};
 }
 
-std::string_view place_of_vertical_frequency(const Condition& condition) {
-  return quantities::in_unit_of(vertical_of(condition.scene.excitation)->physical_frequency,
-                                quantities::vertical_frequencies)
-      .place;
+template <bool vertical>
+std::string_view place_of_frequency(const Condition& condition) {
+  const auto& units = vertical ? quantities::vertical_frequencies : quantities::frequencies;
+  return quantities::in_unit_of(physical_frequency<vertical>(condition.scene), units).place;
 }
 
 std::string vertical_frequency_text(const Condition& condition) {
@@ -361,27 +351,38 @@ constexpr Relation rate_ratio_of_block{
     [](const Condition& c) { return text_of(*numbers_of(c.scene.restitution)[number].value); },
     [](const Condition& c) { return numbers_of(c.scene.restitution)[number].place; }};
 
-template <AccelerationUnit unit, bool vertical>
+template <bool vertical>
 constexpr Relation amplitude_of_block{
     "/excitation",
     {"/block", "/excitation"},
-    amplitude_beyond_bounds<unit, vertical>,
-    [](const Condition& c) { return base::shortest(mean_of(*amplitude_in<vertical>(unit, c.scene))); },
-    [](const Condition&) {
+    amplitude_beyond_bounds<vertical>,
+    [](const Condition& c) { return base::shortest(mean_of(physical_amplitude<vertical>(c.scene)->value)); },
+    [](const Condition& c) {
       const auto& units = vertical ? quantities::vertical_amplitudes : quantities::amplitudes;
-      return quantities::in_unit_of(std::optional(PhysicalAmplitude{.unit = unit}), units).place;
+      return quantities::in_unit_of(physical_amplitude<vertical>(c.scene), units).place;
     }};
 
-template <FrequencyUnit unit, bool vertical>
+template <bool vertical>
 constexpr Relation frequency_of_block{
     "/excitation",
     {"/block", "/excitation"},
-    frequency_beyond_bounds<unit, vertical>,
-    [](const Condition& c) { return text_of(*frequency_in<vertical>(unit, c.scene)); },
-    [](const Condition&) {
-      const auto& units = vertical ? quantities::vertical_frequencies : quantities::frequencies;
-      return quantities::in_unit_of(std::optional(PhysicalFrequency{.unit = unit}), units).place;
-    }};
+    frequency_beyond_bounds<vertical>,
+    [](const Condition& c) { return text_of(physical_frequency<vertical>(c.scene)->value); },
+    place_of_frequency<vertical>};
+
+/// Of a number of the state at the start.
+template <Quantity InitialState::*number, StateUnit InitialUnits::*unit, const std::array<NamedPlace, 2>& units>
+constexpr Relation about_start(std::array<std::string_view, 4> values,
+                               std::optional<Refusal> (*refusal)(const Condition&)) {
+  return {units[0].place, values, refusal, [](const Condition& c) { return text_of(c.scene.initial.*number); },
+          [](const Condition& c) { return quantities::in_unit(c.scene.initial.units.*unit, units).place; }};
+}
+constexpr auto about_tilt = about_start<&InitialState::tilt, &InitialUnits::tilt, quantities::tilts>;
+constexpr auto about_tilt_rate =
+    about_start<&InitialState::tilt_rate, &InitialUnits::tilt_rate, quantities::tilt_rates>;
+constexpr auto about_slip = about_start<&InitialState::slip, &InitialUnits::slip, quantities::slips>;
+constexpr auto about_slip_rate =
+    about_start<&InitialState::slip_rate, &InitialUnits::slip_rate, quantities::slip_rates>;
 
 /// In the order in which the problems of a file are reported.
 constexpr auto all_relations = std::to_array<Relation>({
@@ -427,55 +428,24 @@ constexpr auto all_relations = std::to_array<Relation>({
      {"/friction", "/block", "/slide_inertia", "/formulation"},
      painleve,
      [](const Condition& c) { return base::shortest(mean_kinetic(*c.scene.friction)); }},
-    {"/initial/tilt",
-     {"/block", "/initial/tilt", "/initial/tilt_rad"},
-     tilt_of_overturned,
-     [](const Condition& c) { return text_of(c.scene.initial.tilt); },
-     [](const Condition& c) { return quantities::in_unit(c.scene.initial.units.tilt, quantities::tilts).place; }},
-    {"/initial/tilt",
-     {"/block", "/initial/tilt", "/initial/tilt_rad", "/horizon/until"},
-     tilt_beyond_balance,
-     [](const Condition& c) { return text_of(c.scene.initial.tilt); },
-     [](const Condition& c) { return quantities::in_unit(c.scene.initial.units.tilt, quantities::tilts).place; }},
+    about_tilt({"/block", "/initial/tilt", "/initial/tilt_rad"}, tilt_of_overturned),
+    about_tilt({"/block", "/initial/tilt", "/initial/tilt_rad", "/horizon/until"}, tilt_beyond_balance),
     {"/friction", {"/friction", "/block/wall"}, friction_at_wall, no_value},
     {"/block/wall", {"/block/wall", "/restitution"}, wall_without_ratio, no_value},
-    {"/initial/tilt",
-     {"/block", "/initial/tilt", "/initial/tilt_rad"},
-     start_in_wall<&InitialState::tilt>,
-     [](const Condition& c) { return text_of(c.scene.initial.tilt); },
-     [](const Condition& c) { return quantities::in_unit(c.scene.initial.units.tilt, quantities::tilts).place; }},
-    {"/initial/tilt_rate",
-     {"/block", "/initial/tilt_rate", "/initial/tilt_rate_rad_s"},
-     start_in_wall<&InitialState::tilt_rate>,
-     [](const Condition& c) { return text_of(c.scene.initial.tilt_rate); },
-     [](const Condition& c) {
-       return quantities::in_unit(c.scene.initial.units.tilt_rate, quantities::tilt_rates).place;
-     }},
-    {"/initial/slip",
-     {"/initial/slip", "/initial/slip_m"},
-     slip_without_friction<&InitialState::slip>,
-     [](const Condition& c) { return text_of(c.scene.initial.slip); },
-     [](const Condition& c) { return quantities::in_unit(c.scene.initial.units.slip, quantities::slips).place; }},
-    {"/initial/slip_rate",
-     {"/initial/slip_rate", "/initial/slip_rate_m_s"},
-     slip_without_friction<&InitialState::slip_rate>,
-     [](const Condition& c) { return text_of(c.scene.initial.slip_rate); },
-     [](const Condition& c) {
-       return quantities::in_unit(c.scene.initial.units.slip_rate, quantities::slip_rates).place;
-     }},
-    amplitude_of_block<AccelerationUnit::gravity, false>,
-    amplitude_of_block<AccelerationUnit::m_s2, false>,
-    frequency_of_block<FrequencyUnit::hertz, false>,
-    frequency_of_block<FrequencyUnit::period_s, false>,
-    amplitude_of_block<AccelerationUnit::gravity, true>,
-    amplitude_of_block<AccelerationUnit::m_s2, true>,
-    frequency_of_block<FrequencyUnit::hertz, true>,
-    frequency_of_block<FrequencyUnit::period_s, true>,
+    about_tilt({"/block", "/initial/tilt", "/initial/tilt_rad"}, start_in_wall<&InitialState::tilt>),
+    about_tilt_rate({"/block", "/initial/tilt_rate", "/initial/tilt_rate_rad_s"},
+                    start_in_wall<&InitialState::tilt_rate>),
+    about_slip({"/initial/slip", "/initial/slip_m"}, slip_without_friction<&InitialState::slip>),
+    about_slip_rate({"/initial/slip_rate", "/initial/slip_rate_m_s"}, slip_without_friction<&InitialState::slip_rate>),
+    amplitude_of_block<false>,
+    frequency_of_block<false>,
+    amplitude_of_block<true>,
+    frequency_of_block<true>,
     {"/excitation/vertical",
      {"/block", "/excitation"},
      vertical_too_fast,
      vertical_frequency_text,
-     place_of_vertical_frequency},
+     place_of_frequency<true>},
     {"/excitation/cycles",
      {"/excitation"},
      part_of_a_cycle,
@@ -518,7 +488,7 @@ void check_strobe(const Experiment& experiment) {
   for (const Condition& condition : experiment.conditions) {
     auto refusal = relations::vertical_without_strobe(condition);
     if (!refusal) continue;
-    throw base::InputError({.place = std::string(place_of_vertical_frequency(condition)),
+    throw base::InputError({.place = std::string(place_of_frequency<true>(condition)),
                             .value = vertical_frequency_text(condition),
                             .reason = std::move(refusal->reason),
                             .remedy = std::move(refusal->remedy)});

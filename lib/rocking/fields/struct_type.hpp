@@ -259,6 +259,16 @@ template <class Owner>
   return derived;
 }
 
+/// A field that a document has only where its owner has it: `only_where<[](const Outer& outer) { return ...; }>(field)`.
+template <auto has>
+[[nodiscard]] Field only_where(Field made) {
+  made.without_value = WithoutValue::omitted;
+  made.has_value = [](const void* owner) {
+    return has(*static_cast<const typename detail::OwnerOf<decltype(has)>::Type*>(owner));
+  };
+  return made;
+}
+
 /// A field that follows from others: `derived<[](const Outer& outer) { return ...; }>("ratio", ...)`.
 template <auto get>
 [[nodiscard]] Field derived(std::string_view key, std::string_view sentence, const Rule& rule = {},

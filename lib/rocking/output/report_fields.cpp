@@ -73,10 +73,9 @@ static const StructType& fields_of(const ReportedEffort*) {
 
 /// Read over, and never written.
 static Field warnings_of_earlier_programs() {
-  Field field = derived<[](const Report&) { return std::optional<std::vector<std::string>>(); }>(
-      "warnings", "of earlier programs, in place of `findings`", {}, WithoutValue::omitted);
-  field.has_value = [](const void*) { return false; };
-  return field;
+  return only_where<[](const Report&) { return false; }>(
+      derived<[](const Report&) { return std::optional<std::vector<std::string>>(); }>(
+          "warnings", "of earlier programs, in place of `findings`"));
 }
 
 const StructType& fields_of(const Report*) {

@@ -14,11 +14,8 @@ namespace rocking {
 /// A count that stands in a document only where it is not 0.
 template <auto member>
 [[nodiscard]] Field count_if_any(std::string_view key, std::string_view sentence) {
-  Field made = field<member>(key, sentence, {}, WithoutValue::omitted);
-  made.has_value = [](const void* owner) {
-    return static_cast<const typename detail::OwnerOf<decltype(member)>::Type*>(owner)->*member > 0;
-  };
-  return made;
+  using Owner = typename detail::OwnerOf<decltype(member)>::Type;
+  return only_where<[](const Owner& owner) { return owner.*member != 0; }>(field<member>(key, sentence));
 }
 
 /// `[low, high]`.

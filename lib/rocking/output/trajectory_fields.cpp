@@ -168,11 +168,9 @@ Field part_in_units(std::string_view key, std::string_view sentence) {
 }
 
 Field history_field() {
-  Field made = part_in_units<&TrajectoryReport::history>(
-      "history", "states evenly spaced in time from tau = 0 on, with `--samples`; they change no other value");
-  made.without_value = WithoutValue::omitted;
-  made.has_value = [](const void* report) { return !static_cast<const TrajectoryReport*>(report)->history.empty(); };
-  return made;
+  return only_where<[](const TrajectoryReport& report) { return !report.history.empty(); }>(
+      part_in_units<&TrajectoryReport::history>(
+          "history", "states evenly spaced in time from tau = 0 on, with `--samples`; they change no other value"));
 }
 
 const StructType& energy_fields() {
@@ -223,13 +221,10 @@ const StructType& mass_fields() {
 
 Field shape_angles_field() {
   using dynamics::Block;
-  Field made = derived<[](const Block& block) {
+  return only_where<[](const Block& block) { return block.mass.has_value(); }>(derived<[](const Block& block) {
     const dynamics::Geometry geometry = geometry_of(block);
     return Pair{geometry.edges[0].shape_angle, geometry.edges[1].shape_angle};
-  }>("shape_angles_rad", "psi of the left and of the right edge [rad]");
-  made.without_value = WithoutValue::omitted;
-  made.has_value = [](const void* block) { return static_cast<const Block*>(block)->mass.has_value(); };
-  return made;
+  }>("shape_angles_rad", "psi of the left and of the right edge [rad]"));
 }
 
 }  // namespace
@@ -260,13 +255,9 @@ struct TypeOf<TrajectoryUnits> : OnlyType<NamedType<TrajectoryUnits, trajectory_
 namespace {
 
 Field backing_field() {
-  Field made = derived<[](const TrajectoryReport& report) { return *backing_of(report); }>(
-      "backed_by", "what backs a label (m,n): a stable orbit, points that repeat, or clouds");
-  made.without_value = WithoutValue::omitted;
-  made.has_value = [](const void* report) {
-    return backing_of(*static_cast<const TrajectoryReport*>(report)).has_value();
-  };
-  return made;
+  return only_where<[](const TrajectoryReport& report) { return backing_of(report).has_value(); }>(
+      derived<[](const TrajectoryReport& report) { return *backing_of(report); }>(
+          "backed_by", "what backs a label (m,n): a stable orbit, points that repeat, or clouds"));
 }
 
 }  // namespace

@@ -150,13 +150,12 @@ static const StructType& fields_of(const CommittorMap*) {
 }  // namespace rare
 
 static Field unresolved_field() {
-  Field made = field<&ReportedRare::estimate, &RareEstimate::unresolved>(
-      "unresolved",
-      "probability that a motion ends without an answer, by a budget or by Painleve's paradox; the upper end of the "
-      "interval counts these as the event; absent: 0",
-      rule::share, WithoutValue::omitted);
-  made.has_value = [](const void* owner) { return static_cast<const ReportedRare*>(owner)->estimate.unresolved > 0.0; };
-  return made;
+  return only_where<[](const ReportedRare& reported) { return reported.estimate.unresolved != 0.0; }>(
+      field<&ReportedRare::estimate, &RareEstimate::unresolved>(
+          "unresolved",
+          "probability that a motion ends without an answer, by a budget or by Painleve's paradox; the upper end of "
+          "the interval counts these as the event; absent: 0",
+          rule::share));
 }
 
 static const StructType& fields_of(const ReportedRare*) {
@@ -233,10 +232,8 @@ constexpr std::array<std::string_view, 4> event_keys{"overturned", "peak_tilt", 
 /// A threshold that stands in the file only where it is that of the event.
 template <EventName name>
 Field threshold_field(std::string_view key, std::string_view sentence) {
-  Field made = field<&RareReport::question, &RareQuestion::event>(key, sentence, threshold_type(name),
-                                                                  Rule{.above = 0.0}, WithoutValue::omitted);
-  made.has_value = [](const void* owner) { return static_cast<const RareReport*>(owner)->question.event.name == name; };
-  return made;
+  return only_where<[](const RareReport& report) { return report.question.event.name == name; }>(
+      field<&RareReport::question, &RareQuestion::event>(key, sentence, threshold_type(name), Rule{.above = 0.0}));
 }
 
 const StructType& question_fields() {

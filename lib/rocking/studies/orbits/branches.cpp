@@ -189,16 +189,11 @@ class BranchSearch {
   /// off, and their test functions, are known less well than those that go on.
   bool solve(const MapFamily& orbits, LocatedBifurcation& located) const {
     if (located.kind == BifurcationKind::grazing || located.kind == BifurcationKind::contact_change) return true;
-    const ConditionPlane plane = [this](double value, double) { return question_->conditions(value); };
-    const Unknowns& near = located.point.at;
     for (const CriticalOrbits& critical : critical_orbits(located.kind, orbits.orbits())) {
-      const CriticalFamily family{.conditions = &plane,
-                                  .ranges = {question_->range, {}},
-                                  .orbits = critical.orbits,
-                                  .multiplier = critical.multiplier};
-      const auto found = critical_near(family, {near[0], near[1], near[2], near[3], 0.0}, stop_);
+      const MapFamily family(question_->conditions, question_->range, critical.orbits);
+      const auto found = critical_near(family, critical.multiplier, located.point.at, stop_);
       if (!found || !is_in_range(found->at[3])) continue;
-      const Unknowns at{found->at[0], found->at[1], found->at[2], found->at[3]};
+      const Unknowns& at = found->at;
       auto image = orbits.image(at);
       if (!image) continue;
       located.point.residual = distance(image->end(), state_of(at));

@@ -2,7 +2,6 @@
 
 #include "rocking/ensemble/run.hpp"
 #include "rocking/studies/orbits/branch.hpp"
-#include "rocking/studies/orbits/fold_and_flip.hpp"
 #include "rocking/studies/orbits/map_family.hpp"
 #include "rocking/studies/orbits/orbit.hpp"
 #include "rocking/studies/orbits/question.hpp"

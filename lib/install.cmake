@@ -63,7 +63,7 @@ file(WRITE \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_LIBDIR}/pkgc
 
 # Licences of what is compiled into the library and the program, or into the pages that it writes, as Debian has them.
 foreach(package libjs-dygraphs librandom123-dev nlohmann-json3-dev libeigen3-dev libboost1.81-dev libboost-dev libfmt-dev
-    libcli11-dev pybind11-dev libssl-dev libsqlite3-dev libpugixml-dev)
+    libcli11-dev pybind11-dev libssl-dev libsqlite3-dev libpugixml-dev libzip-dev libopenmpi-dev)
   if(EXISTS /usr/share/doc/${package}/copyright)
     install(FILES /usr/share/doc/${package}/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR}/licences RENAME ${package})
   endif()

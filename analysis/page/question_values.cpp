@@ -75,8 +75,6 @@ std::vector<std::string_view> common_keys(const Report& report) {
   return keys;
 }
 
-bool is_amplitude(std::string_view key) { return key.starts_with("amplitude"); }
-
 std::string other_form_html(const Report& report, std::string_view key) {
   return " (" + form_html(report, other_form_of(key), 3) + ')';
 }

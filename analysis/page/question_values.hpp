@@ -32,7 +32,6 @@ template <class NumberOf>
 
 /// The keys by which every condition gives its amplitude and its frequency, without one in which they differ.
 [[nodiscard]] std::vector<std::string_view> common_keys(const Report& report);
-[[nodiscard]] bool is_amplitude(std::string_view key);
 
 /// The amplitude or the frequency as the file gives it, with the other form, in HTML: `A_h = 4.5 (1.1 g)`.
 [[nodiscard]] std::string both_forms_html(const Report& report, std::string_view key);

@@ -19,10 +19,6 @@ constexpr std::size_t most_motions = 6;
 constexpr std::uint64_t most_searched = 50'000;  ///< realisations of a condition in which a mode is looked for
 constexpr std::int64_t longest_run = 10'000;     ///< periods that are computed again for a page
 
-std::int64_t horizon_of(const Condition& condition) {
-  return std::int64_t{condition.horizon.transient_periods} + condition.horizon.sampled_periods;
-}
-
 /// A realisation to show, and its response.
 struct Choice {
   RealisationKey key;
@@ -96,7 +92,7 @@ analysis::ShownAnimations animations_of(const Experiment& experiment, const Stor
   const bool divided = least && report.conditions[*least].result.non_recurrence->differ > 0.0;
   const std::vector<Choice> choices = divided ? choices_within(store, report, *least) : choices_across(store, report);
   for (const Choice& choice : choices) {
-    const std::int64_t periods = horizon_of(experiment.conditions.at(choice.key.condition));
+    const std::int64_t periods = experiment.conditions.at(choice.key.condition).horizon.periods();
     if (periods > longest_run) continue;
     auto motion = animation_of(experiment, choice.key,
                                {.periods = periods,

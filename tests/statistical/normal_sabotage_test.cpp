@@ -90,7 +90,7 @@ TEST(Sabotage, ASpareOfThePairBeforeIsFoundOutByALag) {
 
 TEST(Sabotage, ASpareNeverRenewedIsFoundOutByEveryTest) {
   const NormalPair stale = Draws(2012, 0).standard_normal_pair(Source::check_normal, 0);
-  Sample sample = sample_normal(SamplerKind::box_muller, 2012, 20000, 0.0, 1.0);
+  Sample sample = sample_of(SamplerKind::box_muller, 2012, 20000);
   for (std::size_t i = 1; i < sample.size(); i += 2) sample[i] = stale.sine;
   const NormalCheck check = check_of(sample);
   EXPECT_LT(check.kolmogorov_smirnov.p_value, false_alarm);
@@ -130,7 +130,7 @@ TEST(Sabotage, OneUniformNumberForRadiusAndAngleIsFoundOut) {
 TEST(Sabotage, ASpareThatIsTheFirstNumberWithASignOfItsOwnIsFoundOutBySquares) {
   FalseAlarms alarms;
   PhiloxEngine engine(Draws(2012, 1), Source::check_normal);
-  Sample sample = sample_normal(SamplerKind::box_muller, 2012, 20000, 0.0, 1.0);
+  Sample sample = sample_of(SamplerKind::box_muller, 2012, 20000);
   for (std::size_t i = 1; i < sample.size(); i += 2) sample[i] = engine() % 2 == 0 ? sample[i - 1] : -sample[i - 1];
   const NormalCheck check = check_of(sample);
   EXPECT_GT(check.correlations[1].test.moment.z, largest_score);
@@ -139,7 +139,9 @@ TEST(Sabotage, ASpareThatIsTheFirstNumberWithASignOfItsOwnIsFoundOutBySquares) {
 }
 
 TEST(Sabotage, AShiftOfATwentiethOfSigmaIsFoundOutInALargeSample) {
-  const NormalCheck check = check_of(sample_normal(SamplerKind::box_muller, 2012, large, 0.05, 1.0));
+  Sample sample = sample_of(SamplerKind::box_muller, 2012, large);
+  for (double& number : sample) number += 0.05;
+  const NormalCheck check = check_of(sample);
   EXPECT_LT(check.kolmogorov_smirnov.p_value, false_alarm);
   EXPECT_LT(check.anderson_darling.p_value, 1e-9);  // the p-value at this size is at least 6e-10
   EXPECT_GT(check.mean.moment.z, largest_score);
@@ -153,8 +155,8 @@ TEST(Sabotage, RealisationsThatLoseTheirLowestBitAreFoundOut) {
     across.push_back(Draws(2012, k - k % 2).standard_normal(Source::static_friction, 0));
   }
   EXPECT_GT(lag_correlation(across, {}, 1).z, largest_score);
-  const Sample sample = sample_normal(SamplerKind::box_muller, 2012, 20000, 0.0, 1.0);
-  const Sample other = sample_normal(SamplerKind::box_muller, 2013, 20000, 0.0, 1.0);
+  const Sample sample = sample_of(SamplerKind::box_muller, 2012, 20000);
+  const Sample other = sample_of(SamplerKind::box_muller, 2013, 20000);
   EXPECT_TRUE(is_refuted(check_normal({sample, sample, other}, {}).value()));
   EXPECT_TRUE(is_refuted(check_normal({sample, other, sample}, {}).value()));
 }

@@ -33,19 +33,23 @@ inline double uniformity(std::vector<double> p_values) {
   return std::min(1.0, 2.0 * std::exp(-2.0 * n * distance * distance));
 }
 
+/// `n` numbers from N(0, 1), from the draws of `rocking check-normal` in a realisation.
+inline Sample sample_of(random::SamplerKind kind, std::uint64_t seed, std::size_t n, std::uint64_t realisation = 0) {
+  return random::standard_sample(kind, random::Draws(seed, realisation), random::Source::check_normal, n);
+}
+
 /// The check of `rocking check-normal`: a sample of a sampler, its next realisation and the next source.
 inline stats::NormalCheck check_of(random::SamplerKind kind, std::uint64_t seed, std::size_t n) {
-  const Sample sample = random::standard_sample(kind, random::Draws(seed, 0), random::Source::check_normal, n);
-  const Sample of_next_realisation =
-      random::standard_sample(kind, random::Draws(seed, 1), random::Source::check_normal, n);
+  const Sample sample = sample_of(kind, seed, n);
+  const Sample of_next_realisation = sample_of(kind, seed, n, 1);
   const Sample of_next_source = random::standard_sample(kind, random::Draws(seed, 0), random::Source::slip_rate, n);
   return stats::check_normal({sample, of_next_realisation, of_next_source}, {}).value();
 }
 
 /// The check of a given sample, with good neighbours.
 inline stats::NormalCheck check_of(const Sample& sample) {
-  const Sample a = random::sample_normal(random::SamplerKind::box_muller, 1, sample.size(), 0.0, 1.0);
-  const Sample b = random::sample_normal(random::SamplerKind::box_muller, 2, sample.size(), 0.0, 1.0);
+  const Sample a = sample_of(random::SamplerKind::box_muller, 1, sample.size());
+  const Sample b = sample_of(random::SamplerKind::box_muller, 2, sample.size());
   return stats::check_normal({sample, a, b}, {}).value();
 }
 

@@ -68,10 +68,6 @@ Experiment experiment_in(std::string_view text) {
   return experiment;
 }
 
-std::int64_t periods_of(const Condition& asked) {
-  return std::int64_t{asked.horizon.transient_periods} + asked.horizon.sampled_periods;
-}
-
 /// An experiment and its state: realisations in progress, those that have been counted.
 class Session {
  public:
@@ -86,7 +82,7 @@ class Session {
     return Json({{"sha256", base::to_hex(base::sha256(experiment_.canonical_text))},
                  {"experiment", Json::parse(experiment_.canonical_text)},
                  {"realisations", realisations()},
-                 {"periods", periods_of(asked())}})
+                 {"periods", asked().horizon.periods()}})
         .dump();
   }
 
@@ -143,7 +139,7 @@ class Session {
 
   /// A realisation with this response mode, as the script of the page of a report animates it, and its strobe points.
   [[nodiscard]] std::string motion(std::uint64_t number) const {
-    const std::int64_t periods = periods_of(asked());
+    const std::int64_t periods = asked().horizon.periods();
     const RealisationKey key{.condition = condition, .realisation = number};
     const RealisationResult result = realise(asked(), experiment_.seed, number);
     const section::ResponseMode mode = result.classification.mode;

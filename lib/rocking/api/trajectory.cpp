@@ -16,7 +16,7 @@ void check_request(const Experiment& experiment, const TrajectoryRequest& reques
 
 std::int64_t periods_of(const Experiment& experiment, const TrajectoryRequest& request) {
   const Horizon& horizon = experiment.conditions[request.condition].horizon;
-  return request.periods.value_or(std::int64_t{horizon.transient_periods} + horizon.sampled_periods);
+  return request.periods.value_or(horizon.periods());
 }
 
 Trajectory trajectory(const Experiment& experiment, const TrajectoryRequest& request, const Execution& execution) {

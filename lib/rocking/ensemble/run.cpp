@@ -65,7 +65,7 @@ class Journal {
   void add(const Pair& pair, const std::vector<Summary>& summaries) {
     for (std::size_t i = 0; i < summaries.size(); ++i) store_->add({pair.condition, pair.first + i}, summaries[i]);
     const Horizon& horizon = experiment_->conditions[pair.condition].horizon;
-    const std::int64_t periods = std::int64_t{horizon.transient_periods} + horizon.sampled_periods;
+    const std::int64_t periods = horizon.periods();
     uncommitted_ += summaries.size() * static_cast<std::uint64_t>(periods);
     if (options_->commit_is_due ? !options_->commit_is_due() : uncommitted_ < periods_between_commits) return;
     store_->commit();

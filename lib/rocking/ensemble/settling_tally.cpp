@@ -122,7 +122,7 @@ SettlingResult SettlingTally::result(const Condition& condition, const std::map<
     result.long_runs = long_runs(confidence);
   }
   stats::EventTally pairs;
-  const std::int64_t horizon = std::int64_t{condition.horizon.transient_periods} + condition.horizon.sampled_periods;
+  const std::int64_t horizon = condition.horizon.periods();
   for (const auto& [period, count] : diverged) pairs[{.time = period, .event = 0}] = count;
   if (later > 0) pairs[{.time = horizon, .event = std::nullopt}] = later;
   if (!pairs.empty()) result.divergence = curve_of(pairs, 0, confidence);
@@ -145,7 +145,7 @@ ResponseTimes ResponseTimesTally::result(const Condition& condition,
                                          const std::map<std::int64_t, std::uint64_t>& diverged,
                                          std::uint64_t later) const {
   const Horizon& horizon = condition.horizon;
-  const std::int64_t fixed = std::int64_t{horizon.transient_periods} + horizon.sampled_periods;
+  const std::int64_t fixed = horizon.periods();
   // A response that appears in the last windows cannot be held for long enough: it is at risk only before them.
   const std::int64_t confirmation = confirmation_periods(horizon);
   stats::EventTally tally;

@@ -135,11 +135,11 @@ std::vector<UsedGroundMotion> used_ground_motions(const std::vector<Condition>& 
   return all;
 }
 
+std::string last_part(const std::string& path) { return path.substr(path.rfind('/') + 1); }
+
 namespace {
 
 constexpr std::size_t most_kinds = 5;
-
-std::string last_part(const std::string& path) { return path.substr(path.rfind('/') + 1); }
 
 /// `time step: 0.005 to 0.02 s; duration: 20 to 60 s`; the step of uneven times is the mean.
 std::string times_in_words(const std::vector<UsedGroundMotion>& motions) {

@@ -70,6 +70,9 @@ struct FloorPeaks {
 /// Earthq. Eng. Struct. Dyn. 36(13), 1813-1835).
 inline constexpr double largest_usual_scale = 4.0;
 
+/// The name of a file without its folder.
+[[nodiscard]] std::string last_part(const std::string& path);
+
 /// `ground motions: ...` and `scale factors: ...`, a line each: how the files were read, together where they were read
 /// alike, and the range of the factors. Empty without ground motions.
 [[nodiscard]] std::vector<std::string> ground_motion_lines(const std::vector<UsedGroundMotion>& motions);

@@ -177,8 +177,7 @@ void read_conditions(Report& report) {
 std::optional<std::uint64_t> Report::periods() const {
   const auto periods_of = [](const ReportedCondition& condition) -> std::optional<std::uint64_t> {
     if (!condition.states_horizon) return std::nullopt;
-    const Horizon& horizon = condition.asked.horizon;
-    return static_cast<std::uint64_t>(horizon.transient_periods) + static_cast<std::uint64_t>(horizon.sampled_periods);
+    return static_cast<std::uint64_t>(condition.asked.horizon.periods());
   };
   const auto first = periods_of(conditions.front());
   const bool differs = std::ranges::any_of(conditions, [&](const auto& each) { return periods_of(each) != first; });

@@ -177,10 +177,4 @@ std::map<std::string, std::string> table_files(const Report& report, const std::
   return files;
 }
 
-std::string table_file(const Report& report, const std::string& name) {
-  const auto files = table_files(report, {"csv", "latex"});
-  const auto found = files.find(name);
-  return found == files.end() ? "" : found->second;
-}
-
 }  // namespace rocking

@@ -28,9 +28,6 @@ namespace rocking {
 [[nodiscard]] std::map<std::string, std::string> table_files(const Report& report,
                                                              const std::set<std::string>& formats);
 
-/// The text of table_files() with this name; empty if there is none.
-[[nodiscard]] std::string table_file(const Report& report, const std::string& name);
-
 /// The response modes for LaTeX or for a page.
 [[nodiscard]] RunTable response_table(const Report& report, look::Media medium);
 

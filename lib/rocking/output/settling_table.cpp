@@ -171,7 +171,7 @@ std::uint64_t unresolved_at_horizon(const ReportedCondition& condition) {
 std::optional<std::int64_t> fixed_horizon(const ReportedCondition& condition) {
   const Horizon& horizon = condition.asked.horizon;
   if (!condition.states_horizon) return std::nullopt;
-  return std::int64_t{horizon.transient_periods} + horizon.sampled_periods;
+  return horizon.periods();
 }
 
 std::optional<std::int64_t> limit_of(const ReportedCondition& condition) {
@@ -336,8 +336,7 @@ std::string unresolved_remedy(const Report& report) {
   if (largest <= worrying_unresolved_share || !worst->states_horizon || !is_periodic(worst->asked.scene.excitation)) {
     return "";
   }
-  const Horizon& horizon = worst->asked.horizon;
-  const std::int64_t limit = rounded_up(first_limit_horizons * (horizon.transient_periods + horizon.sampled_periods));
+  const std::int64_t limit = rounded_up(first_limit_horizons * worst->asked.horizon.periods());
   return "add \"until_classified\": {\"at_most_periods\": " + std::to_string(limit) +
          "} to /horizon: unresolved realisations then go on until they are classified, and the report tells which "
          "horizon would do";

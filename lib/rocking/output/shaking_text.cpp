@@ -24,8 +24,6 @@ const ShakingNumber& entry_of(std::string_view key) {
   return *found;
 }
 
-bool is_amplitude(std::string_view key) { return key.starts_with("amplitude"); }
-
 bool is_swept(const std::vector<std::string>& swept, std::string_view key) {
   return std::ranges::find(swept, "/excitation/" + std::string(key)) != swept.end();
 }
@@ -59,6 +57,8 @@ void set_given(const Given& read, const ReadingPlace& place, Shaking& shaking) {
 using GivenType = ConvertedType<Shaking, Given, given_of, set_given>;
 
 }  // namespace
+
+bool is_amplitude(std::string_view key) { return key.starts_with("amplitude"); }
 
 std::string_view other_form_of(std::string_view key) {
   if (key == "amplitude") return "amplitude_g";

@@ -16,6 +16,8 @@ namespace rocking {
 /// The key of the other form.
 [[nodiscard]] std::string_view other_form_of(std::string_view key);
 
+[[nodiscard]] bool is_amplitude(std::string_view key);
+
 /// The number with this key (see shaking_numbers).
 [[nodiscard]] double number_of(const Shaking& shaking, std::string_view key);
 

@@ -34,9 +34,7 @@ class Deadline {
   std::jthread watch_;
 };
 
-double periods_of(const Condition& condition) {
-  return static_cast<double>(condition.horizon.transient_periods) + condition.horizon.sampled_periods;
-}
+double periods_of(const Condition& condition) { return static_cast<double>(condition.horizon.periods()); }
 
 /// Up to 1024 conditions, spread evenly over the sweep, also in every initial part of the list: in the order of their
 /// reversed bits.

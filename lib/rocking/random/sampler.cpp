@@ -5,7 +5,6 @@
 #include <boost/math/distributions/normal.hpp>
 #include <boost/random/normal_distribution.hpp>
 
-#include "rocking/base/error.hpp"
 #include "rocking/random/draws.hpp"
 #include "rocking/random/uniform.hpp"
 
@@ -37,13 +36,6 @@ std::vector<double> standard_sample(SamplerKind kind, const Draws& draws, Source
     case SamplerKind::ziggurat: fill_by_ziggurat(sample, {draws, source}); break;
     case SamplerKind::inverse_cdf: fill_by_inverse_cdf(sample, {draws, source}); break;
   }
-  return sample;
-}
-
-std::vector<double> sample_normal(SamplerKind kind, std::uint64_t seed, std::size_t n, double mean, double sigma) {
-  ROCKING_EXPECT(sigma >= 0.0);
-  std::vector<double> sample = standard_sample(kind, Draws(seed, 0), Source::check_normal, n);
-  for (double& value : sample) value = mean + sigma * value;
   return sample;
 }
 

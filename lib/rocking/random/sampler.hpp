@@ -33,8 +33,4 @@ inline constexpr std::array<std::string_view, 3> sampler_names{"box-muller", "zi
 /// `inverse_cdf`.
 [[nodiscard]] std::vector<double> standard_sample(SamplerKind kind, const Draws& draws, Source source, std::size_t n);
 
-/// `n` numbers from N(mean, sigma^2), sigma >= 0, from the source `check_normal` of realisation 0.
-[[nodiscard]] std::vector<double> sample_normal(SamplerKind kind, std::uint64_t seed, std::size_t n, double mean,
-                                                double sigma);
-
 }  // namespace rocking::random

@@ -83,7 +83,7 @@ class HorizonRun {
       : condition_(&condition),
         draws_(draws),
         shape_angle_(beginning.setting.block.shape_angle),
-        recorder_(beginning.setting.block, condition.horizon.transient_periods + condition.horizon.sampled_periods),
+        recorder_(beginning.setting.block, condition.horizon.periods()),
         motion_(make_motion(recorder_)) {
     result_.operations.initial_draws = beginning.draws;
     result_.clamps = beginning.clamps;
@@ -102,8 +102,7 @@ class HorizonRun {
   [[nodiscard]] bool go_on() {
     if (at_window_) return false;
     at_window_ = motion_;
-    const Horizon& horizon = condition_->horizon;
-    const std::int64_t more = horizon.transient_periods + horizon.sampled_periods - strobes_before_window(*condition_);
+    const std::int64_t more = condition_->horizon.periods() - strobes_before_window(*condition_);
     if (more > 0) motion_.extend(more);
     return !motion_.ended();
   }

@@ -249,6 +249,8 @@ struct Horizon {
   int sampled_periods = 120;    ///< excitation periods whose strobe points are classified
   std::optional<UntilClassified> until_classified = std::nullopt;  ///< absent: every realisation ends there
   MotionEnd until = MotionEnd::overturned;
+
+  [[nodiscard]] std::int64_t periods() const { return std::int64_t{transient_periods} + sampled_periods; }
   friend bool operator==(const Horizon&, const Horizon&) = default;
 };
 

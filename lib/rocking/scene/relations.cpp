@@ -283,7 +283,7 @@ std::optional<Refusal> until_classified_without_loss(const Condition& condition)
 
 std::optional<Refusal> until_classified_too_short(const Condition& condition) {
   const Horizon& horizon = condition.horizon;
-  const std::int64_t fixed = std::int64_t{horizon.transient_periods} + horizon.sampled_periods;
+  const std::int64_t fixed = horizon.periods();
   if (!horizon.until_classified || horizon.until_classified->at_most_periods >= fixed) return std::nullopt;
   return Refusal{"is less than the transient and sampled periods, " + std::to_string(fixed),
                  "give at least " + std::to_string(fixed + horizon.sampled_periods) + ", one window more"};

@@ -22,7 +22,7 @@ namespace {
 
 using rocking::Json;
 using rocking::report_in;
-using rocking::table_file;
+using rocking::table_files;
 using rocking::analysis::bifurcation_figures;
 using rocking::analysis::Cell;
 using rocking::analysis::cost_figures;
@@ -364,18 +364,19 @@ TEST(Tables, BoundWhatDidNotOccurAndShowNoIntervalWhereNothingIsRandom) {
   Json json = sample_report();
   const auto high = json["result"]["conditions"][0]["probabilities"]["overturned"]["simultaneous"][1].get<double>();
   EXPECT_EQ(json["result"]["conditions"][0]["counts"]["overturned"], 0);
-  EXPECT_THAT(table_file(report_in(json), "modes.tex"), HasSubstr("$<$ " + rocking::per_cent(high)));
+  EXPECT_THAT(table_files(report_in(json), {"csv", "latex"}).at("modes.tex"),
+              HasSubstr("$<$ " + rocking::per_cent(high)));
   for (Json& condition : json["result"]["conditions"]) condition["stopped_because"] = "deterministic";
   const auto report = report_in(json);
   EXPECT_FALSE(report.is_random());
-  EXPECT_THAT(table_file(report, "modes.tex"), Not(ContainsRegex("\\[[0-9]")));
-  EXPECT_THAT(table_file(report, "modes.csv"), HasSubstr(",4,0.13333333333333333,,\n"));
+  EXPECT_THAT(table_files(report, {"csv", "latex"}).at("modes.tex"), Not(ContainsRegex("\\[[0-9]")));
+  EXPECT_THAT(table_files(report, {"csv", "latex"}).at("modes.csv"), HasSubstr(",4,0.13333333333333333,,\n"));
 }
 
 TEST(Tables, SetTextForLatexSoThatItIsText) {
   Json json = sample_report();
   json["input"]["experiment"]["title"] = "50 % of #1_a \\input{x} a\u202eb";
-  const std::string latex = table_file(report_in(json), "modes.tex");
+  const std::string latex = table_files(report_in(json), {"csv", "latex"}).at("modes.tex");
   EXPECT_THAT(latex, HasSubstr("50 \\% of \\#1\\_a \\textbackslash{}input\\{x\\} a\\textbackslash{}u202eb. Response"));
   EXPECT_THAT(latex, HasSubstr("0.35/0.3 & 4 & 0.9799 & 30 & 83.3 ["));
 }

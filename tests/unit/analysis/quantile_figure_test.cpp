@@ -80,7 +80,7 @@ TEST(QuantileFigures, AreNoneWithoutQuantiles) {
 }
 
 TEST(QuantilesCsv, HasALineForEachLevelAndUnit) {
-  const std::string csv = table_file(made(), "quantiles.csv");
+  const std::string csv = table_files(made(), {"csv"}).at("quantiles.csv");
   EXPECT_THAT(csv, HasSubstr("/excitation/amplitude,n,quantity,unit,of,beyond,level,value,low,high\n"));
   EXPECT_THAT(csv, HasSubstr("2.0,30,peak_tilt,1,30,2,0.5,0.5,0.25,0.75\n"));
   EXPECT_THAT(csv, HasSubstr("2.0,30,peak_tilt,1,30,2,0.95,,0.5,\n"));

@@ -113,7 +113,7 @@ std::string fixed_horizon_note(const Experiment& experiment) {
   for (const Condition& condition : experiment.conditions) {
     const Horizon& horizon = condition.horizon;
     if (!horizon.until_classified) continue;
-    const double fixed = static_cast<double>(horizon.transient_periods) + horizon.sampled_periods;
+    const double fixed = static_cast<double>(horizon.periods());
     most = std::max(most, static_cast<double>(horizon.until_classified->at_most_periods) / fixed);
   }
   if (most <= 1.0) return "";

@@ -32,11 +32,11 @@ constexpr int wanted_rounds = 3;
 constexpr std::size_t most_rounds = 9;
 
 int longest_horizon(const Experiment& experiment) {
-  int longest = 0;
+  std::int64_t longest = 0;
   for (const Condition& condition : experiment.conditions) {
-    longest = std::max(longest, condition.horizon.transient_periods + condition.horizon.sampled_periods);
+    longest = std::max(longest, condition.horizon.periods());
   }
-  return longest;
+  return static_cast<int>(longest);
 }
 
 /// Realisations per thread of the run.

@@ -87,7 +87,7 @@ inline constexpr double most_disagreement = 0.15;
 /// Mean annual rate of a suite, by the law and by isotonic shares, and what decides it. Below the least intensity that
 /// lifts the block the probability is 0 in both; above the levels that by shares stays at the last one.
 struct SuiteRate {
-  AnnualRate chosen;                    ///< by the RateBasis
+  AnnualRate chosen;                    ///< by the law where it holds for every option, else by isotonic shares
   std::vector<RateEstimate> estimates;  ///< by law (if there is one), isotonic
   /// Larger over smaller of both, less 1; 0 without a law. Absent if the smaller is 0 and the larger is not.
   std::optional<double> disagreement;

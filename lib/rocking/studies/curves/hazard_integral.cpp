@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "rocking/base/error.hpp"
 #include "rocking/stats/normal_law.hpp"
@@ -13,6 +12,7 @@ namespace {
 
 using stats::mills_ratio;
 using stats::normal_cdf;
+using stats::normal_density;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -37,8 +37,6 @@ void cut(HazardPiece& piece, double from, double to) {
   if (to < whole.high) piece = {piece.low, to, piece.rate_low, whole.rate_at(to), whole.exponent};
 }
 
-double density(double z) { return std::exp(-0.5 * z * z) / std::sqrt(2.0 * std::numbers::pi); }
-
 /// Integral of H dP over a piece.
 double rise_on(const HazardPiece& piece, const LognormalCapacity& capacity) {
   if (!(piece.low < piece.high)) return 0.0;
@@ -48,12 +46,12 @@ double rise_on(const HazardPiece& piece, const LognormalCapacity& capacity) {
   const double u_first = first + shift;
   const double u_last = last + shift;
   if (u_first >= 0.0) {
-    const double beyond = std::isinf(last) ? 0.0 : piece.rate_high * density(last) * mills_ratio(u_last);
-    return piece.rate_low * density(first) * mills_ratio(u_first) - beyond;
+    const double beyond = std::isinf(last) ? 0.0 : piece.rate_high * normal_density(last) * mills_ratio(u_last);
+    return piece.rate_low * normal_density(first) * mills_ratio(u_first) - beyond;
   }
   if (u_last <= 0.0) {
-    return piece.rate_high * density(last) * mills_ratio(-u_last) -
-           piece.rate_low * density(first) * mills_ratio(-u_first);
+    return piece.rate_high * normal_density(last) * mills_ratio(-u_last) -
+           piece.rate_low * normal_density(first) * mills_ratio(-u_first);
   }
   // exp((u^2 - z^2)/2) with u + z < 0 < u - z: at most 1.
   return piece.rate_low * std::exp(0.5 * shift * (first + u_first)) *

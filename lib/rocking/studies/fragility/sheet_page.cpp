@@ -9,6 +9,7 @@
 #include "analysis/page/sections.hpp"
 #include "rocking/figures/sweep_view.hpp"
 #include "rocking/output/findings.hpp"
+#include "rocking/output/ground_motion_facts.hpp"
 #include "rocking/output/shaking_text.hpp"
 #include "rocking/studies/fragility/study.hpp"
 #include "rocking/text/number_text.hpp"
@@ -18,8 +19,6 @@ namespace {
 
 constexpr std::size_t most_records_named = 30;
 constexpr std::size_t most_options = 5;
-
-std::string last_part(const std::string& path) { return path.substr(path.rfind('/') + 1); }
 
 const ResponseEvent& event_of(const SheetContent& sheet) { return sheet.suites.front().curve.subject.event; }
 

@@ -30,9 +30,7 @@ struct BlockPaths {
   /// Called by any thread with the simulated time since it called last, in realisations to the horizon.
   std::function<void(double work)> on_work = {};
 
-  [[nodiscard]] std::int64_t periods() const {
-    return condition->horizon.transient_periods + condition->horizon.sampled_periods;
-  }
+  [[nodiscard]] std::int64_t periods() const { return condition->horizon.periods(); }
   void note_work(double work) const {
     if (on_work) on_work(work);
   }

@@ -21,15 +21,17 @@ constexpr int directions = 9;
 /// Keeps the contact states and their changes too.
 class SectionObserver final : public dynamics::Observer {
  public:
-  SectionObserver(const dynamics::Geometry& block, int periods) : recorder_(block, periods + 1) {}
+  SectionObserver(const dynamics::Geometry& block, int periods) : block_(block), recorder_(block, periods + 1) {}
 
   void event(dynamics::EventKind kind, double tau, const dynamics::State& state) override {
     recorder_.event(kind, tau, state);
+    events_.push_back({kind, state});
     note(kind, state);
   }
   void strobe(const dynamics::State& state) override {
     recorder_.strobe(state);
     contacts_.push_back(state.contact);
+    at_strobe_ = state;
   }
 
   /// Without the first strobe point.
@@ -43,6 +45,26 @@ class SectionObserver final : public dynamics::Observer {
   [[nodiscard]] dynamics::ContactState first_contact() const { return contacts_.front(); }
   [[nodiscard]] const std::vector<section::Period>& periods() const { return recorder_.periods(); }
   [[nodiscard]] const ContactSequence& sequence() const { return sequence_; }
+
+  /// Where a chatter ends, the impacts in the middle one of three rounds of the motion: a strobe instant may cut it, and it
+  /// counts once.
+  [[nodiscard]] int impacts() const {
+    const auto ends_chatter = [](const auto& event) {
+      return event.first == dynamics::EventKind::to_rest || event.first == dynamics::EventKind::to_slide;
+    };
+    if (std::ranges::none_of(events_, ends_chatter)) {
+      int sum = 0;
+      for (std::size_t k = 1; k < periods().size(); ++k) sum += periods()[k].impacts;
+      return sum;
+    }
+    StrobeRecorder rounds(block_, 4);
+    rounds.strobe(at_strobe_);
+    for (int round = 0; round < 3; ++round) {
+      for (const auto& [kind, state] : events_) rounds.event(kind, 0.0, state);
+      rounds.strobe(at_strobe_);
+    }
+    return rounds.periods()[2].impacts;
+  }
 
  private:
   void note(dynamics::EventKind kind, const dynamics::State& after) {
@@ -60,7 +82,10 @@ class SectionObserver final : public dynamics::Observer {
     return kind == dynamics::EventKind::impact_stick || kind == dynamics::EventKind::impact_slip;
   }
 
+  dynamics::Geometry block_;
   StrobeRecorder recorder_;
+  std::vector<std::pair<dynamics::EventKind, dynamics::State>> events_;  ///< each with the state after it
+  dynamics::State at_strobe_;                                            ///< the newest one
   std::vector<dynamics::ContactState> contacts_;
   ContactSequence sequence_;
 };
@@ -144,12 +169,12 @@ std::optional<PoincareImage> PoincareMap::image(const section::StrobePoint& from
   PoincareImage image{.contact = observer.first_contact(),
                       .states = observer.later_states(),
                       .derivative = in_units_of_section(motion.at_strobe(), psi_at(from), psi_at_end),
+                      .impacts = observer.impacts(),
                       .not_differentiable = motion.not_differentiable(),
                       .sequence = observer.sequence(),
                       .crossings = log.crossings(),
                       .minima = log.minima()};
   for (std::size_t k = 1; k < observer.periods().size(); ++k) {
-    image.impacts += observer.periods()[k].impacts;
     image.moved = image.moved || observer.periods()[k].moved;
   }
   return image;

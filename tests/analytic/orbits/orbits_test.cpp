@@ -129,6 +129,32 @@ TEST(Orbits, ContainTheResponseOfTheRun) {
   }
 }
 
+TEST(Orbits, BackTheLabelOfARunThatIsOnTheWayToThem) {
+  Condition condition;
+  condition.horizon = {.transient_periods = 50, .sampled_periods = 30};
+  condition.scene.block = {.width = 0.35, .height = 1.9};
+  condition.scene.excitation = Harmonic{.physical_amplitude = PhysicalAmplitude{.value = 0.3},
+                                        .physical_frequency = PhysicalFrequency{.value = 2.0}};
+  const OrbitsOfCondition found = orbits_of(condition, 1);
+  EXPECT_EQ(found.mode, section::periodic(1, 1));
+  EXPECT_FALSE(found.run_on);
+  EXPECT_EQ(found.is_certified(), true);
+}
+
+TEST(Orbits, HaveAChatterOnceWhereverAStrobeInstantCutsIt) {
+  for (const double phase : {0.0, 1.0, 2.0}) {
+    Condition condition;
+    condition.horizon = {.transient_periods = 200, .sampled_periods = 120};
+    condition.scene.block = {.width = 0.4, .height = 2.425};
+    condition.scene.restitution = RateRatio{0.61};
+    condition.scene.excitation = Harmonic{.amplitude = 1.093, .frequency_ratio = 2.198, .phase = phase};
+    const OrbitsOfCondition found = orbits_of(condition, 1);
+    EXPECT_EQ(found.mode, section::periodic(1, 1)) << phase;
+    ASSERT_TRUE(found.run_on) << phase;
+    EXPECT_EQ(found.orbits[*found.run_on].cycles, 1) << phase;
+  }
+}
+
 TEST(Orbits, AreDistinctAndPairedWithTheirMirrorImages) {
   std::set<std::string> seen;
   std::size_t pairs = 0;

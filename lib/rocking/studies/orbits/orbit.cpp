@@ -114,9 +114,12 @@ std::optional<std::vector<SectionState>> mirror_image_of(const PoincareMap& map,
 
 std::optional<bool> OrbitsOfCondition::is_certified() const {
   if (mode.kind != section::ResponseKind::periodic) return std::nullopt;
-  if (!run_on) return false;
-  const Orbit& orbit = orbits[*run_on];
-  return orbit.stability.is_stable() && section::periodic(orbit.cycles, orbit.period) == mode;
+  const auto is_of_response = [this](const Orbit& orbit) {
+    return orbit.stability.is_stable() && section::periodic(orbit.cycles, orbit.period) == mode;
+  };
+  if (run_on) return is_of_response(orbits[*run_on]);
+  return std::ranges::any_of(
+      orbits, [&](const Orbit& orbit) { return orbit.found_by == FoundBy::run && is_of_response(orbit); });
 }
 
 OrbitLabels labels_of(const OrbitStudy& study) {

@@ -160,7 +160,9 @@ static const StructType& run_fields() {
           "orbit", "place of the stable orbit on which it ended; null: none is within 1e-6 of its last strobe point"),
       derived<[](const Found& found) { return found.is_certified(); }>(
           "certified",
-          "whether it ended on a stable orbit of the m and n of its response; null: the response is not (m,n)"),
+          "whether it ended on a stable orbit of the m and n of its response, or on the way to one that Newton's "
+          "method found from "
+          "there; null: the response is not (m,n)"),
   };
   return fields;
 }

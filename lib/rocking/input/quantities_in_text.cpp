@@ -26,6 +26,8 @@ std::vector<NamedPlace> collected_places() {
   add_places(scene, places);
   scene.initial.units = {StateUnit::si, StateUnit::si, StateUnit::si, StateUnit::si};
   add_places(scene, places);
+  scene.initial.units.tilt = StateUnit::degrees;
+  add_places(scene, places);
   scene.restitution = RateRatio{.right = 1.0};
   add_places(scene, places);
   for (std::size_t law = 1; law < std::variant_size_v<Restitution>; ++law) {

@@ -67,15 +67,16 @@ std::string name_of(const std::vector<Parameter>& parameters) {
 }
 
 /// Units of the numbers whose keys end so; the longest first.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 9> unit_endings{{{"_m_s2", "m/s²"},
-                                                                                     {"_rad_s", "rad/s"},
-                                                                                     {"_m_s", "m/s"},
-                                                                                     {"_kg", "kg"},
-                                                                                     {"_rad", "rad"},
-                                                                                     {"_hz", "Hz"},
-                                                                                     {"_g", "g"},
-                                                                                     {"_m", "m"},
-                                                                                     {"_s", "s"}}};
+constexpr std::array<std::pair<std::string_view, std::string_view>, 10> unit_endings{{{"_m_s2", "m/s²"},
+                                                                                      {"_rad_s", "rad/s"},
+                                                                                      {"_m_s", "m/s"},
+                                                                                      {"_kg", "kg"},
+                                                                                      {"_rad", "rad"},
+                                                                                      {"_deg", "degrees"},
+                                                                                      {"_hz", "Hz"},
+                                                                                      {"_g", "g"},
+                                                                                      {"_m", "m"},
+                                                                                      {"_s", "s"}}};
 
 /// `centre height` and `m` of `centre_height_m`.
 std::pair<std::string, std::string> words_and_unit(std::string key) {

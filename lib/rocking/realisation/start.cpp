@@ -91,7 +91,7 @@ dynamics::State state_of(const InitialState& initial, const dynamics::Geometry& 
   const double psi = block.tilt_unit(tilt, tilt_rate);
   const double p = block.frequency_parameter, radius = block.half_diagonal;
   const InitialUnits& units = initial.units;
-  return {.tilt = units.tilt == StateUnit::si ? tilt : psi * tilt,
+  return {.tilt = tilt_unit(units.tilt, psi) * tilt,
           .tilt_rate = units.tilt_rate == StateUnit::si ? tilt_rate / p : psi * tilt_rate,
           .slip = units.slip == StateUnit::si ? slip / radius : slip,
           .slip_rate = units.slip_rate == StateUnit::si ? slip_rate / (p * radius) : slip_rate};

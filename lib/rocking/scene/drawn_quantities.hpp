@@ -106,8 +106,9 @@ inline constexpr std::array<NamedPlace, all_strengths.size()> strengths{
      {"/excitation/avgsa_g", "average spectral acceleration", "avgSa"},
      {"/excitation/sa_absolute_g", "absolute spectral acceleration"}}};
 /// In the order of StateUnit.
-inline constexpr std::array<NamedPlace, 2> tilts{
-    {{"/initial/tilt", "initial tilt", "Θ_0"}, {"/initial/tilt_rad", "initial tilt", "θ_0"}}};
+inline constexpr std::array<NamedPlace, 3> tilts{{{"/initial/tilt", "initial tilt", "Θ_0"},
+                                                  {"/initial/tilt_rad", "initial tilt", "θ_0"},
+                                                  {"/initial/tilt_deg", "initial tilt", "θ_0"}}};
 inline constexpr std::array<NamedPlace, 2> tilt_rates{
     {{"/initial/tilt_rate", "initial tilt rate", "Θ′_0"}, {"/initial/tilt_rate_rad_s", "initial tilt rate"}}};
 inline constexpr std::array<NamedPlace, 2> slips{
@@ -120,7 +121,8 @@ template <class Physical>
                                                      const std::array<NamedPlace, 3>& units) {
   return units[physical ? static_cast<std::size_t>(physical->unit) + 1 : 0];
 }
-[[nodiscard]] constexpr const NamedPlace& in_unit(StateUnit unit, const std::array<NamedPlace, 2>& units) {
+template <std::size_t size>
+[[nodiscard]] constexpr const NamedPlace& in_unit(StateUnit unit, const std::array<NamedPlace, size>& units) {
   return units[static_cast<std::size_t>(unit)];
 }
 

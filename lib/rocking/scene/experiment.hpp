@@ -197,8 +197,8 @@ struct Fluctuation {
   friend bool operator==(const Fluctuation&, const Fluctuation&) = default;
 };
 
-/// Whether a number of a state is normalised by the block of the realisation, or given in rad, m and s.
-enum class StateUnit : std::uint8_t { normalised, si };
+/// Whether a number of a state is normalised by the block of the realisation, or given in rad, m and s; a tilt also in degrees.
+enum class StateUnit : std::uint8_t { normalised, si, degrees };
 
 struct InitialUnits {
   StateUnit tilt = StateUnit::normalised;
@@ -209,13 +209,19 @@ struct InitialUnits {
 };
 
 struct InitialState {
-  Quantity tilt = 0.0;       ///< Theta = theta/psi [-], or theta [rad]
+  Quantity tilt = 0.0;       ///< Theta = theta/psi [-], or theta [rad] or [degrees]
   Quantity tilt_rate = 0.0;  ///< Theta' = w/psi [-], or p w [rad/s]
   Quantity slip = 0.0;       ///< X [-], or X R [m]
   Quantity slip_rate = 0.0;  ///< V [-], or V p R [m/s]
   InitialUnits units = {};
   friend bool operator==(const InitialState&, const InitialState&) = default;
 };
+
+/// [rad], of a number of a tilt beside the shape angle psi.
+[[nodiscard]] constexpr double tilt_unit(StateUnit unit, double psi) {
+  constexpr double degree = 0x1.1df46a2529d39p-6;
+  return unit == StateUnit::normalised ? psi : unit == StateUnit::degrees ? degree : 1.0;
+}
 
 /// One block on one shaken base: everything that determines the motion of a realisation, except its random numbers.
 struct Scene {

@@ -290,10 +290,11 @@ void keys_of_fluctuation(FieldVisitor& in, Scene& scene) {
             });
 }
 
-/// Two keys of each number of a state, in the order of StateUnit.
-constexpr std::array<UnitKey, 2> tilt_units{
+/// Keys of each number of a state, in the order of StateUnit.
+constexpr std::array<UnitKey, 3> tilt_units{
     {{{"tilt", "Theta = theta/psi; abs(theta) < pi/2 for every block that can be drawn"}, rules::initial_value},
-     {{"tilt_rad", "in place of tilt: theta [rad], > 0 about the left edge"}, rules::initial_value}}};
+     {{"tilt_rad", "in place of tilt: theta [rad], > 0 about the left edge"}, rules::initial_value},
+     {{"tilt_deg", "likewise [degrees]"}, rules::initial_value}}};
 constexpr std::array<UnitKey, 2> tilt_rate_units{
     {{{"tilt_rate", "Theta' = dTheta/dtau"}, rules::initial_value},
      {{"tilt_rate_rad_s", "in place of tilt_rate: dtheta/dt [rad/s]"}, rules::initial_value}}};
@@ -306,7 +307,7 @@ constexpr std::array<UnitKey, 2> slip_rate_units{
      {{"slip_rate_m_s", "in place of slip_rate: the velocity [m/s]"}, rules::initial_value}}};
 
 void keys_of(FieldVisitor& in, InitialState& initial, bool slides) {
-  const auto number = [&in](const std::array<UnitKey, 2>& keys, Quantity& value, StateUnit& unit, Absent absent) {
+  const auto number = [&in](const auto& keys, Quantity& value, StateUnit& unit, Absent absent) {
     QuantityInUnit given{.unit = static_cast<std::size_t>(unit), .value = value};
     if (!one_of(in, keys, given, absent)) return;
     value = std::move(given.value);

@@ -74,23 +74,24 @@ std::optional<Refusal> painleve(const Condition& condition) {
 
 std::optional<Refusal> tilt_of_overturned(const Condition& condition) {
   const InitialState& initial = condition.scene.initial;
-  const bool in_rad = initial.units.tilt == StateUnit::si;
   const dynamics::Geometry squat = shapes_of(condition.scene.block).squattest;
   const double psi = std::max(squat.edges[0].shape_angle, squat.edges[1].shape_angle);
-  const double overturned = 0.5 * std::numbers::pi / (in_rad ? 1.0 : psi);
+  const double overturned = 0.5 * std::numbers::pi / tilt_unit(initial.units.tilt, psi);
   const auto [least, largest] = reach_of(initial.tilt);
   if (std::max(std::abs(least), std::abs(largest)) < overturned) return std::nullopt;
-  return Refusal{std::string("reaches the tilt of an overturned block: abs(") +
-                     (in_rad ? "tilt_rad) must be below pi/2 = " : "tilt) must be below pi/2/psi = ") +
-                     shown(overturned),
-                 in_rad ? "give a smaller tilt, in rad" : "give a smaller tilt, in units of the shape angle"};
+  const auto [limit, unit] = std::array<std::array<const char*, 2>, 3>{
+      {{"tilt) must be below pi/2/psi = ", "units of the shape angle"},
+       {"tilt_rad) must be below pi/2 = ", "rad"},
+       {"tilt_deg) must be below ", "degrees"}}}[static_cast<std::size_t>(initial.units.tilt)];
+  return Refusal{std::string("reaches the tilt of an overturned block: abs(") + limit + shown(overturned),
+                 std::string("give a smaller tilt, in ") + unit};
 }
 
 std::optional<Refusal> tilt_beyond_balance(const Condition& condition) {
   if (condition.horizon.until != MotionEnd::balance) return std::nullopt;
   const InitialState& initial = condition.scene.initial;
-  const bool in_rad = initial.units.tilt == StateUnit::si;
-  const double balance = in_rad ? shapes_of(condition.scene.block).most_slender.shape_angle : 1.0;
+  const double psi = shapes_of(condition.scene.block).most_slender.shape_angle;
+  const double balance = psi / tilt_unit(initial.units.tilt, psi);
   const auto [least, largest] = reach_of(initial.tilt);
   if (std::max(std::abs(least), std::abs(largest)) < balance) return std::nullopt;
   return Refusal{"reaches the balance, at which \"until\": \"balance\" ends the motion",
@@ -336,7 +337,7 @@ std::string no_value(const Condition&) { return ""; }
 
 struct Relation {
   std::string_view place;                  ///< of the value that the problem names
-  std::array<std::string_view, 4> values;  ///< that it is about, as places; the rest is empty
+  std::array<std::string_view, 5> values;  ///< that it is about, as places; the rest is empty
   std::optional<Refusal> (*refusal)(const Condition&);
   std::string (*value)(const Condition&);
   /// In place of `place`, where it follows from the form of the value; null: it does not.
@@ -371,8 +372,8 @@ constexpr Relation frequency_of_block{
     place_of_frequency<vertical>};
 
 /// Of a number of the state at the start.
-template <Quantity InitialState::*number, StateUnit InitialUnits::*unit, const std::array<NamedPlace, 2>& units>
-constexpr Relation about_start(std::array<std::string_view, 4> values,
+template <Quantity InitialState::*number, StateUnit InitialUnits::*unit, const auto& units>
+constexpr Relation about_start(std::array<std::string_view, 5> values,
                                std::optional<Refusal> (*refusal)(const Condition&)) {
   return {units[0].place, values, refusal, [](const Condition& c) { return text_of(c.scene.initial.*number); },
           [](const Condition& c) { return quantities::in_unit(c.scene.initial.units.*unit, units).place; }};
@@ -428,11 +429,13 @@ constexpr auto all_relations = std::to_array<Relation>({
      {"/friction", "/block", "/slide_inertia", "/formulation"},
      painleve,
      [](const Condition& c) { return base::shortest(mean_kinetic(*c.scene.friction)); }},
-    about_tilt({"/block", "/initial/tilt", "/initial/tilt_rad"}, tilt_of_overturned),
-    about_tilt({"/block", "/initial/tilt", "/initial/tilt_rad", "/horizon/until"}, tilt_beyond_balance),
+    about_tilt({"/block", "/initial/tilt", "/initial/tilt_rad", "/initial/tilt_deg"}, tilt_of_overturned),
+    about_tilt({"/block", "/initial/tilt", "/initial/tilt_rad", "/initial/tilt_deg", "/horizon/until"},
+               tilt_beyond_balance),
     {"/friction", {"/friction", "/block/wall"}, friction_at_wall, no_value},
     {"/block/wall", {"/block/wall", "/restitution"}, wall_without_ratio, no_value},
-    about_tilt({"/block", "/initial/tilt", "/initial/tilt_rad"}, start_in_wall<&InitialState::tilt>),
+    about_tilt({"/block", "/initial/tilt", "/initial/tilt_rad", "/initial/tilt_deg"},
+               start_in_wall<&InitialState::tilt>),
     about_tilt_rate({"/block", "/initial/tilt_rate", "/initial/tilt_rate_rad_s"},
                     start_in_wall<&InitialState::tilt_rate>),
     about_slip({"/initial/slip", "/initial/slip_m"}, slip_without_friction<&InitialState::slip>),

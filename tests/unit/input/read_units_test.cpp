@@ -230,8 +230,12 @@ TEST(TheBalanceInFiles, MayEndAMotionThatBeginsBelowIt) {
   EXPECT_THAT(refusal_of(document), HasSubstr("/initial/tilt = -1.0: reaches the balance"));
   document["initial"] = {{"tilt_rad", 0.25}};  // psi is 0.245
   EXPECT_THAT(refusal_of(document), HasSubstr("/initial/tilt_rad = 0.25: reaches the balance"));
-  document["initial"] = {{"tilt_rad", 0.24}};
-  EXPECT_EQ(refusal_of(document), "");
+  document["initial"] = {{"tilt_deg", 14.1}};
+  EXPECT_THAT(refusal_of(document), HasSubstr("/initial/tilt_deg = 14.1: reaches the balance"));
+  for (const Json& below : {Json{{"tilt_rad", 0.24}}, Json{{"tilt_deg", 14.0}}}) {
+    document["initial"] = below;
+    EXPECT_EQ(refusal_of(document), "");
+  }
 }
 
 TEST(AnInitialStateInFiles, IsGivenInSiUnitsOrNormalised) {
@@ -365,6 +369,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadUnit{"/initial", R"({"tilt": 0.1, "tilt_rad": 0.1})", "/initial/tilt_rad", "excludes \"tilt\"", "keep one",
                 false},
         BadUnit{"/initial", R"({"tilt_rad": -1.6})", "/initial/tilt_rad", "below pi/2 = 1.5708", "in rad", false},
+        BadUnit{"/initial", R"({"tilt_deg": 90})", "/initial/tilt_deg", "below 90", "in degrees", false},
         BadUnit{"/initial", R"({"slip_m": 0.1})", "/initial/slip_m", "cannot slide", "friction", false},
         BadUnit{"/initial", R"({"slip_rate_m_s": 0.1})", "/initial/slip_rate_m_s", "cannot slide", "friction", false},
         BadUnit{"/sweep", R"([{"parameter": "/initial/tilt_rad", "values": [0.1]}])", "/sweep/0/parameter",

@@ -77,6 +77,8 @@ TEST(Start, TakesNumbersInSiUnits) {
   EXPECT_EQ(start.state.slip_rate, 0.25 / (p * radius));
   scene.initial.units.tilt = StateUnit::normalised;
   EXPECT_EQ(start_of(scene, draws_of_start).state.tilt, -0.05 * std::atan(0.5 / 1.6)) << "the right edge";
+  scene.initial.units.tilt = StateUnit::degrees;
+  EXPECT_DOUBLE_EQ(start_of(scene, draws_of_start).state.tilt, -0.05 * std::acos(-1.0) / 180.0);
   scene.initial.units = {.tilt = StateUnit::si};
   scene.initial.slip = 0.75;
   EXPECT_EQ(start_of(scene, draws_of_start).state.tilt_rate, 0.2 * std::atan(0.5 / 1.6)) << "the side of the tilt";

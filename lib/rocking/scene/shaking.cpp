@@ -39,8 +39,13 @@ void add_frequencies(const std::optional<PhysicalFrequency>& physical, double p,
 }  // namespace
 
 BalanceAngles balance_of(const Scene& scene) {
-  const auto edges = dynamics::geometry_of(mean_block(scene)).edges;
-  const auto [least, largest] = std::minmax(edges[0].shape_angle, edges[1].shape_angle);
+  const dynamics::Geometry block = dynamics::geometry_of(mean_block(scene));
+  const double left = block.edges[0].shape_angle, right = block.edges[1].shape_angle;
+  if (block.open_side != 0.0) {
+    const double only = block.open_side > 0.0 ? left : right;
+    return {.least = only, .largest = only, .is_of_mean_block = is_drawn(scene.block)};
+  }
+  const auto [least, largest] = std::minmax(left, right);
   return {.least = least, .largest = largest, .is_of_mean_block = is_drawn(scene.block)};
 }
 

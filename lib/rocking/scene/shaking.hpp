@@ -46,7 +46,7 @@ inline constexpr std::array<ShakingNumber, 6> shaking_numbers{{{"amplitude", &Sh
                                                                {"frequency_hz", &Shaking::frequency_hz},
                                                                {"period_s", &Shaking::period_s}}};
 
-/// psi of the sides of blocks, at which they are in balance [rad]; of drawn blocks that of the mean one.
+/// psi of the sides of blocks, at which they are in balance [rad]; of drawn blocks that of the mean one, at a wall of one side.
 struct BalanceAngles {
   double least = 0.0;
   double largest = 0.0;

@@ -103,6 +103,8 @@ TEST(ResponseEvent, OfATiltInDegreesIsAShareOfTheBalanceOfTheBlock) {
               AllOf(HasSubstr("0.356 psi of the mean block"), Not(HasSubstr("a run for each"))));
   document["block"] = Json::parse(R"({"edges_m": [0.5, 0.25], "centre_height_m": 2, "radius_of_gyration_m": 1.2})");
   EXPECT_THAT(complaint("tilt > 5 deg"), AllOf(HasSubstr("as `tilt > 0.702 psi`"), Not(HasSubstr("a run for each"))));
+  document["block"]["wall"] = Json::parse(R"({"side": "left", "rate_ratio": 0.5})");
+  EXPECT_EQ(complaint("tilt > 5 deg"), "") << "a block at a wall turns about one edge";
 }
 
 TEST(ResponseEvent, OfATiltInPsiIsToldInDegreesToo) {

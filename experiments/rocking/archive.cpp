@@ -191,7 +191,11 @@ std::optional<std::string> entry_of(zip_t* zip, zip_uint64_t index, const std::s
       file && zip_fread(file.get(), bytes.data(), bytes.size()) == static_cast<zip_int64_t>(bytes.size());
   char past = 0;
   if (is_read && zip_fread(file.get(), &past, 1) == 0) return bytes;  // at the end the checksum is compared
-  faults.push_back(name + ": cannot be read: " + (file ? zip_file_strerror(file.get()) : zip_strerror(zip)));
+  const bool has_no_error = file && zip_error_code_zip(zip_file_get_error(file.get())) == ZIP_ER_OK;  // other lengths
+  faults.push_back(name + ": cannot be read: " +
+                   (has_no_error ? "its bytes are damaged"
+                    : file       ? zip_file_strerror(file.get())
+                                 : zip_strerror(zip)));
   return std::nullopt;
 }
 
@@ -220,6 +224,16 @@ void compare(const Files& files, std::vector<std::string>& faults) {
   }
 }
 
+void expect_no_other_file(const fs::path& archive) {
+  if (archive.extension() != ".zip") {
+    throw UsageError("--output " + shell_word(archive.string()) + ": must end with .zip; give a name such as run.zip");
+  }
+  if (!fs::exists(archive)) return;
+  if (fs::is_regular_file(archive) && read_file(archive, 4).starts_with("PK\x03\x04")) return;
+  throw InTheWay(archive.string() +
+                 ": already exists and is no archive, so it is not replaced; choose another name, or remove it");
+}
+
 /// The store reads its records from the archive.
 void read_records_from(const fs::path& store, const fs::path& folder) {
   sqlite::Database database(store, sqlite::Access::write);
@@ -232,7 +246,7 @@ void read_records_from(const fs::path& store, const fs::path& folder) {
 }  // namespace
 
 std::vector<std::string> write_archive(const fs::path& folder, const fs::path& archive, bool with_records) {
-  if (fs::is_directory(archive)) throw UsageError(archive.string() + ": is a folder; give the name of a file");
+  expect_no_other_file(archive);
   const RunFolder run(folder);
   run.expect_installed();
   if (!run.has_report() || !run.has_store()) {

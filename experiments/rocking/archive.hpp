@@ -13,8 +13,9 @@ namespace rocking::program {
 inline constexpr const char* archived_records = "records";
 
 /// Writes the archive of a finished run. The same folder gives the same bytes. Returns the names of the files in it, in
-/// their order. Throws MissingInput if there is no finished run or a record cannot be read, UsageError if a record lies
-/// outside of the folder of the experiment, and std::system_error with the path if the archive cannot be written.
+/// their order. An earlier archive is replaced. Throws MissingInput if there is no finished run or a record cannot be read,
+/// UsageError if the name does not end with .zip or a record lies outside of the folder of the experiment, InTheWay if
+/// another file has this name, and std::system_error with the path if the archive cannot be written.
 std::vector<std::string> write_archive(const std::filesystem::path& folder, const std::filesystem::path& archive,
                                        bool with_records);
 

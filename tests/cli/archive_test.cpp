@@ -56,6 +56,11 @@ TEST_F(AnArchive, TellsWhichFileIsNotAsItWas) {
   verified = rocking("verify changed.zip");
   EXPECT_EQ(verified.exit_code, 1);
   EXPECT_THAT(verified.output, HasSubstr("realisations.sqlite: cannot be read"));
+  python(
+      "import struct\nsize = zipfile.ZipFile(\"run.zip\").getinfo(\"report.json\").file_size\n"
+      "longer = [struct.pack(\"<I\", each) for each in (size, size + 1)]\n"
+      "open(\"changed.zip\", \"wb\").write(open(\"run.zip\", \"rb\").read().replace(*longer))");
+  EXPECT_THAT(rocking("verify changed.zip").output, HasSubstr("report.json: cannot be read: its bytes are damaged"));
   write("changed.zip", "no archive");
   EXPECT_EQ(rocking("verify changed.zip").exit_code, 65);
   EXPECT_EQ(rocking("verify absent.zip").exit_code, 66);
@@ -63,7 +68,19 @@ TEST_F(AnArchive, TellsWhichFileIsNotAsItWas) {
   verified = rocking("verify changed.zip");
   EXPECT_EQ(verified.exit_code, 1);
   EXPECT_THAT(verified.output, HasSubstr("report.json: is not in ro-crate-metadata.json"));
-  EXPECT_EQ(rocking("archive out -o out").exit_code, 64) << "a folder";
+}
+
+TEST_F(AnArchive, ReplacesOnlyAnArchive) {
+  for (int i = 0; i < 2; ++i) EXPECT_EQ(rocking("archive out -o run.zip").exit_code, 0);
+  write("notes.zip", "PK, no archive");
+  const auto refused = rocking("archive out -o notes.zip");
+  EXPECT_EQ(refused.exit_code, 74);
+  EXPECT_THAT(refused.errors, HasSubstr("notes.zip: already exists and is no archive"));
+  EXPECT_EQ(read("notes.zip"), "PK, no archive");
+  for (const char* name : {"out", "quick.json", "''"}) {
+    EXPECT_EQ(rocking(std::string("archive out -o ") + name).exit_code, 64) << name;
+  }
+  EXPECT_FALSE(exists(".unfinished"));
 }
 
 TEST_F(AnArchive, KeepsTheRulesOfRoCrate) {

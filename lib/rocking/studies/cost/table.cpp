@@ -120,9 +120,13 @@ std::string advice(const MeasuredCost& measured) {
   const std::string bearable = per_cent(found.bearable, 2) + " %";
   if (!found.sample_needed)
     return " With this share of changes, no sample can show that it is less than " + bearable + '.';
-  const double seconds = measured.system.duration_s * ratio(*found.sample_needed, cost.sample);
+  double seconds = 0.0;
+  for (std::size_t i = 0; i < cost.curve.size(); ++i) {
+    seconds += static_cast<double>(cost.curve[i].periods) * cost.seconds_per_period(i);
+  }
   return " To show that at most " + bearable + " change requires " + std::to_string(*found.sample_needed) +
-         " realisations, if the share stays the same: about " + time_in_words(seconds) + " at this rate.";
+         " realisations, if the share stays the same: about " +
+         time_in_words(seconds * ratio(*found.sample_needed, cost.sample)) + " of processor time.";
 }
 
 std::string blame_words(const Cost& cost) {

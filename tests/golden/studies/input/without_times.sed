@@ -1,4 +1,4 @@
-s/about [0-9.e-]+ (s|min|h|days) at this rate/about * at this rate/
+s/about [0-9.e-]+ (s|min|h|days) of processor time/about * of processor time/
 s/It is [0-9.]+ times (faster|slower)/It is * times faster/
 # Columns "us" and "speed" of the first table, "time" of the second; all are at the end of a line.
 s/ +us +speed$/ us speed/

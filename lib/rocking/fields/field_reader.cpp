@@ -150,11 +150,6 @@ void FieldReader::reject(std::string_view key, Refusal refusal) {
                         std::move(refusal.remedy)});
 }
 
-void FieldReader::reject_once(std::string_view key, Refusal refusal) {
-  const auto is_known = [place = place_of(key)](const base::Problem& known) { return known.place.starts_with(place); };
-  if (std::ranges::none_of(*problems_, is_known)) reject(key, std::move(refusal));
-}
-
 void FieldReader::ignore_others() { source_ = &no_keys(); }
 
 Json FieldReader::finish() {

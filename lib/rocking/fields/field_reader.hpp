@@ -39,7 +39,6 @@ class FieldReader final : public FieldVisitor {
   [[nodiscard]] const Json* found(std::string_view key) override;
   void write(std::string_view key, Json canonical) override;
   void reject(std::string_view key, Refusal refusal) override;
-  void reject_once(std::string_view key, Refusal refusal) override;
   void ignore_others() override;
 
   [[nodiscard]] bool has(std::string_view key) { return found(key) != nullptr; }

@@ -81,8 +81,6 @@ class FieldVisitor {
   virtual void write(std::string_view, Json) {}
   /// Refuses what a file has at this key; of an empty key, the object itself.
   virtual void reject(std::string_view, Refusal) {}
-  /// The same, unless something at the key or within is refused already.
-  virtual void reject_once(std::string_view, Refusal) {}
   /// From now on no key is unknown: what they mean depends on one that was refused.
   virtual void ignore_others() {}
   [[nodiscard]] std::size_t problem_count() const { return problems_ == nullptr ? 0 : problems_->size(); }

@@ -187,7 +187,9 @@ void FiledRecords::file(FieldVisitor& in, const Key& file, const Key& digest, st
 
 bool FiledRecords::suite(FieldVisitor& in, const Key& key) {
   if (in.found(key.name) == nullptr) return true;
-  in.reject_once(key.name, {"cannot stand in a value of the sweep", "write it in \"excitation\""});
+  // One that stands in "excitation" was taken out before, or is refused already.
+  if (in.problem_count() == 0)
+    in.reject(key.name, {"cannot stand in a value of the sweep", "write it in \"excitation\""});
   in.ignore_others();
   return false;
 }

@@ -47,8 +47,10 @@ std::array<double, 2> rate_ratios_of(const Scene& scene, const dynamics::Geometr
 }  // namespace
 
 bool impacts_take_energy(const Scene& scene) {
-  const auto [left, right] = rate_ratios_of(scene, dynamics::geometry_of(mean_block(scene)));
-  return !(left == 1.0 && right == 1.0);
+  const dynamics::Geometry block = dynamics::geometry_of(mean_block(scene));
+  const auto [left, right] = rate_ratios_of(scene, block);
+  const bool has_base = block.edge(1.0).sine > 0.0;  // without one the block is refused anyway
+  return !(left == 1.0 && right == 1.0 && has_base);
 }
 
 std::int64_t periods_until_rest(const Scene& scene) {

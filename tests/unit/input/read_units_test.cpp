@@ -214,6 +214,10 @@ TEST(ARateRatioInFiles, OfOneNeedsAHorizon) {
   document["excitation"] = parse_json(R"({"kind": "pulse", "shape": "sine", "amplitude": 3, "frequency_ratio": 5})");
   document["horizon"] = parse_json(R"({"transient_periods": 0})");
   EXPECT_THAT(refusal_of(document), HasSubstr("/horizon/sampled_periods: is missing: at a rate ratio of 1"));
+  Json bad_block = document;
+  bad_block.erase("restitution");
+  bad_block["block"]["width_m"] = -1;
+  EXPECT_THAT(refusal_of(bad_block), testing::Not(HasSubstr("/horizon")));
   document["horizon"] = parse_json(R"({"sampled_periods": 50})");
   EXPECT_EQ(refusal_of(document), "");
 }

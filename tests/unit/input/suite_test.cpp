@@ -23,6 +23,7 @@ using namespace rocking;
 using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 class Suite : public ::testing::Test {
  protected:
@@ -220,6 +221,9 @@ TEST_F(Suite, ThatCannotBeReadIsRefusedWithItsPlace) {
   EXPECT_THAT(refusal_of(experiment("null")), HasSubstr("must be a list of 1 to 10000 files"));
   EXPECT_THAT(refusal_of(experiment("[3]")), HasSubstr("must be the name of a file"));
   EXPECT_THAT(refusal_of(experiment(R"([{"file": "v.at2", "scale": 2}])")), HasSubstr("/excitation/suite/0/scale"));
+  files_["selected.csv"] = "level,file,factor\n0.2,v.at2,-1\n";
+  EXPECT_THAT(refusal_of(experiment(R"({"levels": "selected.csv"})")),
+              AllOf(HasSubstr("selected.csv, line 2 = \"-1\""), Not(HasSubstr("/excitation/suite"))));
   Json both = experiment(R"(["v.at2"])");
   both["excitation"]["file"] = "v.at2";
   EXPECT_THAT(refusal_of(both), HasSubstr("excludes \"file\""));

@@ -65,9 +65,11 @@ FolderCheck check_of(const VerifyRequest& request) {
     const StudyVerification& how = study->verification;
     RunCheck check = checked(how.progress, how.verify);
     for (std::string& finding : check.findings) finding.insert(0, std::string(study->file) + ": ");
-    all.add(check, how.units_key,
-            fmt::format("{}/{}: {}{} run again, all with the same bits; the rest follows from them\n", request.name,
-                        study->file, counted(check.checked, how.unit), how.and_more));
+    const std::string right = check.checked == 0
+                                  ? fmt::format("has no {} yet, so there is nothing to verify in it", how.unit)
+                                  : fmt::format("{}{} run again, all with the same bits; the rest follows from them",
+                                                counted(check.checked, how.unit), how.and_more);
+    all.add(check, how.units_key, fmt::format("{}/{}: {}\n", request.name, study->file, right));
   }
   return all;
 }

@@ -249,6 +249,13 @@ TEST_F(Rare, IsNotVerifiedWithOtherNumbersOrWithoutSense) {
   EXPECT_EQ(rocking("verify nowhere").exit_code, 66);
 }
 
+TEST_F(Rare, HasNothingToVerifyWithoutRepetitions) {
+  ASSERT_EQ(rocking("rare quick.json -q -o out --max-time 0.000001s").exit_code, 0);
+  const auto outcome = rocking("verify out");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
+  EXPECT_EQ(outcome.output, "out/rare.json: has no repetition yet, so there is nothing to verify in it\n");
+}
+
 TEST_F(Rare, IsTheLowerTailOfAnAnnualRate) {
   Json strong = Json::parse(read("quick.json"));
   strong["sweep"][0]["values"] = {6.0, 9.0, 12.0};

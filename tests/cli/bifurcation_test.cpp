@@ -65,12 +65,15 @@ TEST_F(Bifurcation, NamesTheFiguresOfAGridByTheirParameters) {
   Json grid = quick_experiment();
   grid["sweep"].push_back(Json::parse(R"({"parameter": "/friction", "values": [
     {"static": 0.35, "kinetic": 0.3}, {"static": 0.4, "kinetic": 0.35}]})"));
+  grid["sweep"][1]["names"] = {"", "rough"};
   write("grid.json", grid.dump());
   const auto outcome = rocking("bifurcation grid.json -o out --no-progress");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+  EXPECT_THAT(outcome.output,
+              AllOf(HasSubstr("\n/friction = {\"static\":0.35,\"kinetic\":0.3}\n"), HasSubstr("\nrough\n")));
   ASSERT_EQ(rocking("report out/bifurcation.json -o drawn").exit_code, 0);
   EXPECT_TRUE(exists("drawn/bifurcation_friction_0.35_0.3.tsv"));
-  EXPECT_TRUE(exists("drawn/bifurcation_friction_0.4_0.35.svg"));
+  EXPECT_TRUE(exists("drawn/bifurcation_friction_rough.svg"));
   EXPECT_EQ(shell("rm out/bifurcation.json").exit_code, 0);
   EXPECT_EQ(rocking("bifurcation grid.json -o out -q").exit_code, 74);
 }

@@ -56,6 +56,15 @@ std::string setting_in_words(const std::vector<Parameter>& values) {
   return words;
 }
 
+/// That of the sweep for the same value; empty: it has none.
+std::string name_in_sweep(const Experiment& experiment, const Parameter& tested) {
+  for (const Condition& condition : experiment.conditions) {
+    const auto swept = std::ranges::find(condition.parameters, tested);
+    if (swept != condition.parameters.end()) return swept->name;
+  }
+  return "";
+}
+
 class TestReader {
  public:
   TestReader(const std::string& name, const Experiment& experiment, const std::filesystem::path& folder)
@@ -104,6 +113,7 @@ class TestReader {
     std::string parameters;
     for (std::size_t i = 0; i < columns_.parameters.size(); ++i) {
       condition.parameters.push_back({columns_.parameters[i], value_of(fields[i])});
+      condition.parameters.back().name = name_in_sweep(*experiment_, condition.parameters.back());
       parameters += (i == 0 ? "" : ", ") + fields[i];
     }
     for (std::size_t i = columns_.parameters.size(); i < fields.size(); ++i)

@@ -38,6 +38,14 @@ std::string complaint(const std::string& text) {
   return "";
 }
 
+TEST(ReadTests, TakesTheNamesOfTheSweep) {
+  const Experiment named = tested_experiment(R"({"parameter": "/friction/static", "from": 0.3, "to": 0.4}],
+      "sweep": [{"parameter": "/excitation/amplitude", "values": [4.5, 6], "names": ["weak", "strong"]})");
+  const CountedTests found = read_tests("amplitude,overturned\n6.0,3\n5,1\n", "t.csv", named, ".");
+  EXPECT_EQ(found.conditions[0].parameters[0].name, "strong");
+  EXPECT_EQ(found.conditions[1].parameters[0].name, "");
+}
+
 TEST(ReadTests, TakesParametersAndCounts) {
   const CountedTests found = tests_in("amplitude,\"(1,1)\",chaotic,other\n4.5,5,2,3\n6,1,0,0\n");
   ASSERT_EQ(found.conditions.size(), 2U);

@@ -84,7 +84,8 @@ std::string all_tables(const Experiment& experiment, const std::vector<Diagram>&
     const auto& parameters = parameters_of(experiment, diagram.conditions.front());
     std::string name;
     for (std::size_t k = 1; k < parameters.size(); ++k) {
-      name += (name.empty() ? "" : ", ") + parameters[k].pointer + " = " + json_text_of(parameters[k].value);
+      const auto& [pointer, value, given] = parameters[k];
+      name += (name.empty() ? "" : ", ") + (given.empty() ? pointer + " = " + json_text_of(value) : given);
     }
     const std::string next = (name.empty() ? "" : name + '\n') + table_of(experiment, diagram, extent) + '\n';
     if (i > 0 && !is_printed_whole(text + next, extent)) {

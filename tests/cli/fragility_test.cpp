@@ -63,6 +63,15 @@ TEST_F(Fragility, CountsWhatTheReportCountsByGrowingAmplitudeForEachPointOfTheGr
   }
 }
 
+TEST_F(Fragility, SaysAWholeSentenceOfEachOfTwoEqualRuns) {
+  Json experiment = random_phase();
+  experiment["sweep"].erase(0);
+  static_cast<void>(fragility_of(experiment, "first"));
+  ASSERT_EQ(shell("cp -r first second").exit_code, 0);
+  EXPECT_THAT(rocking("fragility first second").output,
+              AllOf(HasSubstr("first: The block overturn"), HasSubstr(".\nsecond: The block overturn")));
+}
+
 // The same shaking in g and in m/s^2: the same counts, and each output has the other form beside the intensity.
 TEST_F(Fragility, TakesAPhysicalAmplitudeAsItsIntensity) {
   const double psi_g = std::atan(1.0 / 8.0) * 9.81;

@@ -19,8 +19,10 @@ struct Told {
   std::string shares = {};  ///< from the weakest to the strongest level
 };
 
+/// Options of one run.
 bool belong_together(const Told& a, const Told& b) {
-  return a.run->experiment == b.run->experiment && a.subject->event == b.subject->event;
+  return a.run->experiment == b.run->experiment && a.run->title == b.run->title &&
+         a.subject->event == b.subject->event && !have_equal_values(a.subject->others, b.subject->others);
 }
 
 /// `0.0 % at PGA = 0.2 g to 94.3 % at PGA = 0.8 g`.

@@ -62,6 +62,12 @@ TEST_F(MotionCommand, SaysWhatWasReadInEachFormat) {
   EXPECT_DOUBLE_EQ(found[2]["pgv_m_s"], 1.5);
 }
 
+TEST_F(MotionCommand, TellsOfAFloorBesideTheGround) {
+  const auto outcome = rocking("motion a.AT2 --building 5 0.05 1 --block 0.2 1.6");
+  EXPECT_THAT(outcome.output, AllOf(HasSubstr("the ground motion a.AT2 has a PGA of 0.25 g"),
+                                    HasSubstr(" times its strength; on the floor it has a PGA of ")));
+}
+
 TEST_F(MotionCommand, ChangesWithTheGravityOnlyWhatIsInMetres) {
   const Json here = measured("a.AT2 --gravity 9.81")["motions"][0];
   const Json moon = measured("a.AT2 --gravity 1.62")["motions"][0];

@@ -99,21 +99,29 @@ look::Table spectra_summary(const std::vector<ReportedMotion>& motions) {
 
 }  // namespace
 
-/// PGA, PGV, and what lifts the block, in a sentence; of several motions their ranges.
+/// PGA, PGV, and what lifts the block, in a sentence; of several motions their ranges, and apart from them of floors.
 static std::string answer_of(const MotionReport& report) {
-  NumberRange pga, pgv, uplift;
+  std::vector<const ReportedMotion*> grounds, floors;
   for (const ReportedMotion& motion : report.motions) {
-    pga.add(motion.measures.pga_g);
-    pgv.add(motion.measures.pgv_m_s);
-    if (const auto scale = motion.uplift_scale.value_or(std::nullopt)) uplift.add(*scale);
+    const bool is_floor = floors.size() < grounds.size() && grounds.back()->floor_peak_g;
+    (is_floor ? floors : grounds).push_back(&motion);
   }
-  const bool is_one = report.motions.size() == 1;
-  return (is_one ? "the ground motion " + report.motions.front().facts.file + " has"
-                 : counted(report.motions.size(), "ground motion") + " have") +
-         " a PGA of " + pga.text() + " g and a PGV of " + pgv.text() + " m/s" +
-         (uplift.least > uplift.largest ? ""
-          : is_one                      ? ", and lifts the block at " + uplift.text() + " times its strength"
-                                        : ", and lift the block at " + uplift.text() + " times their strength");
+  const bool is_one = grounds.size() == 1;
+  const auto measures_of = [is_one](const std::vector<const ReportedMotion*>& motions) {
+    NumberRange pga, pgv, uplift;
+    for (const ReportedMotion* motion : motions) {
+      pga.add(motion->measures.pga_g);
+      pgv.add(motion->measures.pgv_m_s);
+      if (const auto scale = motion->uplift_scale.value_or(std::nullopt)) uplift.add(*scale);
+    }
+    return (is_one ? " has a PGA of " : " have a PGA of ") + pga.text() + " g and a PGV of " + pgv.text() + " m/s" +
+           (uplift.least > uplift.largest ? ""
+            : is_one                      ? ", and lifts the block at " + uplift.text() + " times its strength"
+                                          : ", and lift the block at " + uplift.text() + " times their strength");
+  };
+  return (is_one ? "the ground motion " + grounds.front()->facts.file : counted(grounds.size(), "ground motion")) +
+         measures_of(grounds) +
+         (floors.empty() ? "" : (is_one ? "; on the floor it" : "; on the floor they") + measures_of(floors));
 }
 
 std::string motion_table(const MotionReport& report, Extent extent) {

@@ -87,9 +87,11 @@ void tell_ground_motion_notes(const Experiment& experiment) {
     const std::string& name = used.motion->name;
     for (const std::string& warning : used.motion->warnings) print_notice(name + ": " + warning);
     if (used.may_move) continue;
-    print_notice(name + ": is too weak to lift the block at any scale of this run, at most " +
-                 significant(used.largest_scale, 3) + "; it lifts the block from a scale of " +
-                 (used.uplift_scale ? significant(*used.uplift_scale, 4) : "infinity") + " on");
+    print_notice(name + (used.uplift_scale
+                             ? ": is too weak to lift the block at any scale of this run, at most " +
+                                   significant(used.largest_scale, 3) + "; it lifts the block from a scale of " +
+                                   significant(*used.uplift_scale, 4) + " on"
+                             : ": lifts the block at no scale"));
   }
 }
 

@@ -192,6 +192,16 @@ std::string flag_taken_for_value(const CLI::App& app, const std::vector<std::str
 
 }  // namespace
 
+/// `--from: "x" is not a number` in place of `Could not convert: --from = x`.
+static std::string words_of(const CLI::ParseError& error) {
+  constexpr std::string_view beginning = "Could not convert: ";
+  const std::string words = error.what();
+  const std::size_t equals = words.find(" = ");
+  if (!words.starts_with(beginning) || equals == std::string::npos) return words;
+  return fmt::format("{}: \"{}\" is not a number", words.substr(beginning.size(), equals - beginning.size()),
+                     words.substr(equals + 3));
+}
+
 ExitCode carry_out_command_line(int argc, const char* const* argv, const ProcessPool& pool) {
   hold_standard_streams();
   meet_limits_as_errors();
@@ -211,7 +221,7 @@ ExitCode carry_out_command_line(int argc, const char* const* argv, const Process
     if (const auto gone = explain_gone_flag(words)) return fail(ExitCode::bad_input, *gone);
     const auto explanation = explain_unknown_word(app, words);
     return fail(ExitCode::usage,
-                fmt::format("{}\nTry `{} --help`.", explanation.value_or(error.what()), called_command(app, words)));
+                fmt::format("{}\nTry `{} --help`.", explanation.value_or(words_of(error)), called_command(app, words)));
   }
   if (const std::string fault = flag_taken_for_value(app, words); !fault.empty()) return fail(ExitCode::usage, fault);
   return carry_out(action);

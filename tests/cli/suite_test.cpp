@@ -82,6 +82,8 @@ TEST_F(SuiteRun, TellsBeforeItStartsWhichRecordLiftsTheBlockAtNoScale) {
   EXPECT_THAT(planned.errors, AllOf(HasSubstr("records/weak.at2: is too weak to lift the block at any scale"),
                                     HasSubstr("from a scale of 218.7 on"), Not(HasSubstr("push.at2: is too weak")),
                                     Not(HasSubstr("shake.at2: is too weak"))));
+  write("records/weak.at2", rocking::support::peer_at2({0.0, 0.0, 0.0}, ".01"));
+  EXPECT_THAT(rocking("run e.json --dry-run").errors, HasSubstr("records/weak.at2: lifts the block at no scale\n"));
   Json moving = experiment();
   moving["initial"]["tilt"] = 0.1;
   write("m.json", moving.dump());

@@ -49,7 +49,9 @@ class SimpleType final : public ValueType {
     if (!fits(json)) return place.reject(json, std::string("must be ") + kind);
     if constexpr (is_number) {
       if (json.is_number_float() && !(std::abs(json.get<double>()) <= largest_number)) {
-        return place.reject(json, "exceeds 1e18 in absolute value, which does not occur in files of rocking");
+        return place.reject(json, std::isnan(json.get<double>())
+                                      ? "NaN is not a number"
+                                      : "exceeds 1e18 in absolute value, which does not occur in files of rocking");
       }
       if (!place.rule.allows(json.get<double>())) return place.reject(json, in_words(place.rule));
     } else if constexpr (std::is_same_v<T, std::string>) {

@@ -127,9 +127,11 @@ std::string read_swept_place(FieldReader& in, const Json& experiment) {
     if (kind == Recorded::name) {
       for (const std::string_view key : all_strengths) known.push_back("/excitation/" + std::string(key));
     }
-    const auto nearest = nearest_word(pointer, known);
-    const auto of_excitation = std::ranges::find_if(
-        known, [](const std::string& place) { return place.starts_with("/excitation/") && !place.ends_with("/kind"); });
+    const auto named = std::ranges::find_if(known, [&](const auto& place) { return last_key(place) == pointer; });
+    const auto nearest = named != known.end() ? *named : nearest_word(pointer, known);
+    const auto of_excitation = std::ranges::find_if(known, [&experiment](const std::string& place) {
+      return place.starts_with("/excitation/") && experiment.value(Json::json_pointer(place), Json()).is_number();
+    });
     const std::string example = kind == Recorded::name         ? "/excitation/pga_g"
                                 : of_excitation != known.end() ? *of_excitation
                                                                : "/block/width_m";

@@ -256,6 +256,8 @@ TEST(Fields, RefuseAnotherFormatAndNumbersThatNoFileHas) {
   Json json = json_of(document().text(example()));
   json["pair"][0] = 1e19;
   EXPECT_THAT(complaints(json), ::testing::ElementsAre(::testing::HasSubstr("/pair/0 = 1e+19: exceeds 1e18")));
+  json["pair"][0] = std::nan("");
+  EXPECT_THAT(complaints(json), ::testing::ElementsAre(::testing::HasSubstr("NaN is not a number")));
   json["format"] = "rocking.another/1";
   EXPECT_THAT(complaints(json), ::testing::ElementsAre(::testing::HasSubstr("no file of rocking.everything/1")));
   EXPECT_THAT(complaints(Json::array()), ::testing::SizeIs(1));

@@ -202,5 +202,13 @@ TEST(BlockInABuilding, HasAMotionOfItsOwnInEachRealisationWhereTheBuildingIsRand
   EXPECT_EQ(first, realise(condition, 1, 0).peaks.tilt);
 }
 
+TEST(FloorInWords, SaysWhatIsAMeanOfDraws) {
+  Building building = one_mode(2.5, 0.05);
+  EXPECT_EQ(floor_in_words(building), "on a floor of a building of 2.5 Hz, 5 % damping, with 1 mode");
+  building.modes.push_back({.frequency_hz = Uniform{.low = 5.0, .high = 8.0}});
+  EXPECT_EQ(floor_in_words(building),
+            "on a floor of a building of 2.5 Hz, 5 % damping, with 2 modes (means of what is drawn)");
+}
+
 }  // namespace
 }  // namespace rocking

@@ -4,6 +4,7 @@
 #include <array>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "rocking/base/error.hpp"
 #include "rocking/fields/container_types.hpp"
@@ -102,16 +103,20 @@ std::vector<std::string_view> shaking_columns(const std::vector<std::string>& sw
 }
 
 std::string common_shaking(const std::vector<std::string>& swept, Shakings shakings) {
-  std::string text;
-  bool follows_amplitude = false;
+  std::array<std::string, 2> forms;  // of the amplitude, of the frequency
   for (const std::string_view key : shown_forms(shakings)) {
     if (is_swept(swept, key) || differs(shakings, key)) continue;
-    const bool is_other = !text.empty() && follows_amplitude == is_amplitude(key);
-    text += (text.empty() ? ""
-             : is_other   ? " = "
-                          : ", ") +
-            in_unit(key, significant(number_of(*shakings.front(), key), is_other ? 3 : 6));
-    follows_amplitude = is_amplitude(key);
+    std::string& form = forms[is_amplitude(key) ? 0 : 1];
+    const int digits = form.empty() ? 6 : 3;
+    form += (form.empty() ? "" : " = ") + in_unit(key, significant(number_of(*shakings.front(), key), digits));
+  }
+  std::string text;
+  for (const auto& [form, is_drawn] :
+       {std::pair(forms[0], &Shaking::has_drawn_amplitude), std::pair(forms[1], &Shaking::has_drawn_frequency)}) {
+    if (form.empty()) continue;
+    const bool is_mean =
+        std::ranges::any_of(shakings, [drawn = is_drawn](const auto& each) { return each && (*each).*drawn; });
+    text += (text.empty() ? "" : ", ") + form + (is_mean ? " (mean of what is drawn)" : "");
   }
   const auto& vertical = shakings.front() ? shakings.front()->vertical : std::nullopt;
   const bool is_common = vertical && std::ranges::all_of(shakings, [&](const std::optional<Shaking>& shaking) {
@@ -154,7 +159,7 @@ const StructType& fields_of(const Shaking*) {
 
 std::vector<std::optional<Shaking>> shakings_of(const Report& report) {
   std::vector<std::optional<Shaking>> shakings;
-  for (const ReportedCondition& condition : report.conditions) shakings.push_back(condition.shaking);
+  for (const ReportedCondition& each : report.conditions) shakings.push_back(shaking_of(each.asked.scene));
   return shakings;
 }
 

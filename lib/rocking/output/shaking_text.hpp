@@ -39,7 +39,7 @@ using Shakings = std::span<const std::optional<Shaking>>;
 [[nodiscard]] std::vector<std::string_view> shaking_columns(const std::vector<std::string>& swept, Shakings shakings);
 
 /// What a table need not repeat in every row, `A_h 4.5 = 1.1 g, Omega_h 10 = 3.01 Hz`: the forms that are neither
-/// columns nor swept. Empty if there are none.
+/// columns nor swept. Of numbers that are drawn it says that they are means. Empty if there are none.
 [[nodiscard]] std::string common_shaking(const std::vector<std::string>& swept, Shakings shakings);
 
 /// The number of a column in four digits; a point without a shaking.

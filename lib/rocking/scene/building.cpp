@@ -13,6 +13,7 @@
 #include "rocking/base/natural_logarithm.hpp"
 #include "rocking/base/number_text.hpp"
 #include "rocking/scene/drawn_quantities.hpp"
+#include "rocking/text/number_text.hpp"
 
 namespace rocking {
 namespace {
@@ -225,8 +226,9 @@ std::string floor_in_words(const Building& building) {
   const std::vector<BuildingMode> modes = modes_of(building);
   const std::string of = "a building of " + number(modes.front().frequency_hz) + " Hz, " +
                          base::significant(100.0 * mean_of(modes.front().damping_ratio), 3) + " % damping";
-  if (!building.modes.empty()) return "on a floor of " + of + ", with " + std::to_string(modes.size()) + " modes";
-  return "on a floor at " + number(building.height_ratio) + " of the height of " + of;
+  const std::string means = is_drawn(building) ? " (means of what is drawn)" : "";
+  if (!building.modes.empty()) return "on a floor of " + of + ", with " + counted(modes.size(), "mode") + means;
+  return "on a floor at " + number(building.height_ratio) + " of the height of " + of + means;
 }
 
 double settling_time(const Building& building) {

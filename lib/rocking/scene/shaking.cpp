@@ -36,6 +36,11 @@ void add_frequencies(const std::optional<PhysicalFrequency>& physical, double p,
   shaking.period_s = in_hertz ? 1.0 / value : value;
 }
 
+template <class Physical>
+bool is_given_drawn(const std::optional<Physical>& physical, const Quantity& ratio) {
+  return is_drawn(physical ? physical->value : ratio);
+}
+
 }  // namespace
 
 BalanceAngles balance_of(const Scene& scene) {
@@ -64,6 +69,8 @@ std::optional<Shaking> shaking_of(const Scene& scene) {
         if constexpr (requires { kind.physical_amplitude; }) {
           add_amplitudes(kind.physical_amplitude, scene.block, mean.shape_angle, shaking);
           add_frequencies(kind.physical_frequency, mean.frequency_parameter, shaking);
+          shaking.has_drawn_amplitude = is_given_drawn(kind.physical_amplitude, kind.amplitude);
+          shaking.has_drawn_frequency = is_given_drawn(kind.physical_frequency, kind.frequency_ratio);
           if constexpr (requires { kind.vertical; }) {
             if (kind.vertical) {
               const dynamics::VerticalSine sine = kind.vertical_sine(mean, scene.block.gravity);

@@ -30,6 +30,8 @@ struct Shaking {
   std::string_view given_amplitude = "amplitude";
   std::string_view given_frequency = "frequency_ratio";
   std::optional<VerticalShaking> vertical = std::nullopt;  ///< beside a harmonic excitation
+  bool has_drawn_amplitude = false;                        ///< whether amplitudes are means of what is drawn
+  bool has_drawn_frequency = false;                        ///< whether frequencies and the period are
 };
 
 /// A number of a Shaking with the key that it has in files.

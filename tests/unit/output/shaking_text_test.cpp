@@ -110,6 +110,13 @@ TEST(ShakingColumns, AreAllFormsWhereTheUnitIsSweptToo) {
   EXPECT_EQ(common_to(experiment), "0.5 s = Omega_h 6.65");
 }
 
+TEST(Shaking, IsToldAsAMeanWhereItIsDrawn) {
+  const auto drawn = shaken_by(R"({"amplitude_g": 1.1, "period_s": {"uniform": [0.4, 0.6]}})");
+  EXPECT_EQ(common_to(drawn), "1.1 g = A_h 4.49, 0.5 s = Omega_h 6.65 (mean of what is drawn)");
+  const auto phase = shaken_by(R"({"amplitude_g": 1.1, "period_s": 0.5, "phase_rad": {"uniform": [0, 1]}})");
+  EXPECT_EQ(common_to(phase), "1.1 g = A_h 4.49, 0.5 s = Omega_h 6.65");
+}
+
 TEST(ShakingColumns, AreAbsentWithoutShaking) {
   EXPECT_THAT(shaking_columns({}, std::vector<std::optional<Shaking>>{std::nullopt, std::nullopt}), IsEmpty());
   EXPECT_EQ(common_shaking({}, std::vector<std::optional<Shaking>>{std::nullopt}), "");

@@ -6,7 +6,6 @@
 #include <string>
 
 #include <boost/math/special_functions/erf.hpp>
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "rocking/random/draws.hpp"

@@ -28,7 +28,7 @@ struct Score {
       ++exponents;
       return std::optional(exponent);
     };
-    const Classification classification = classify({periods, true, 1e-7}, estimate);
+    const Classification classification = classify({.periods = periods, .random = true, .resolution = 1e-7}, estimate);
     ++series;
     const bool open = classification.mode.kind == ResponseKind::unresolved;
     unresolved += open ? 1 : 0;

@@ -193,7 +193,8 @@ Labels score_of(const Response& response, std::size_t count, double noise, std::
       periods.push_back({p, 2, true});
     }
     const ExponentEstimate unclear{2e-4 * draw.normal(), 2e-4};
-    const Classification found = classify({periods, noise > 0.0, 1e-7}, [&] { return std::optional(unclear); });
+    const Classification found = classify({.periods = periods, .random = noise > 0.0, .resolution = 1e-7},
+                                          [&] { return std::optional(unclear); });
     const bool open = found.mode.kind == ResponseKind::unresolved;
     if (found.mode.kind == ResponseKind::quasi_periodic) {
       ++score.quasi_periodic;

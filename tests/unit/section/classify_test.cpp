@@ -18,7 +18,7 @@ struct CountedExponent {
   int calls = 0;
 
   Classification classification_of(const std::vector<Period>& periods, bool random) {
-    return classify({periods, random, 1e-7}, [this] {
+    return classify({.periods = periods, .random = random, .resolution = 1e-7}, [this] {
       ++calls;
       return estimate;
     });

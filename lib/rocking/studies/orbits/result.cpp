@@ -259,7 +259,7 @@ static const StructType& fields_of(const OrbitLabels*) {
   static const StructType fields{
       "OrbitLabels",
       field<&OrbitLabels::periodic>("periodic", "runs with a response (m,n)"),
-      field<&OrbitLabels::certified>("certified", "of these, those that ended on a stable orbit of this m and n"),
+      field<&OrbitLabels::certified>("certified", "of these, those that a stable orbit of this m and n backs"),
       field<&OrbitLabels::not_certified>("not_certified", "places of the other conditions"),
   };
   return fields;

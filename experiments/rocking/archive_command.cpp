@@ -40,7 +40,9 @@ void add_archive(CLI::App& app, Action& action) {
       "run and has the SHA-256 of each file. The same folder gives the same bytes. Name its author and its licence "
       "where you publish it.");
   command->add_option("DIR", request->folder, "Folder of the run")->required()->transform(run_folder());
-  command->add_option("-o,--output", request->file, "The archive to be written")->required()->type_name("FILE.zip");
+  command->add_option("-o,--output", request->file, "The archive to be written, in place of an earlier one")
+      ->required()
+      ->type_name("FILE.zip");
   command->add_flag("--with-records", request->with_records,
                     "Include the ground motions that the experiment names, where they may be published");
   add_loudness(*command, request->loudness);

@@ -159,7 +159,9 @@ const StructType& fields_of(const Shaking*) {
 
 std::vector<std::optional<Shaking>> shakings_of(const Report& report) {
   std::vector<std::optional<Shaking>> shakings;
-  for (const ReportedCondition& each : report.conditions) shakings.push_back(shaking_of(each.asked.scene));
+  for (const ReportedCondition& each : report.conditions) {
+    shakings.push_back(each.shaking ? shaking_of(each.asked.scene) : std::nullopt);
+  }
   return shakings;
 }
 

@@ -208,7 +208,6 @@ inline section::PendingClassification HorizonRun::classification_without_exponen
   const std::int64_t sampled = condition_->horizon.sampled_periods;
   return section::classify(
       {.periods = std::span(recorder_.periods()).last(static_cast<std::size_t>(sampled)),
-       .unfinished = recorder_.unfinished(),
        .random = is_random_along_the_way(condition_->scene),
        .resolution = resolution_of(condition_->tolerance),
        .find_orbit = [this](const section::StrobePoint& near, int periods) { return find_orbit(near, periods); }});

@@ -46,7 +46,6 @@ struct PendingClassification {
 
 struct ClassifierInput {
   std::span<const Period> periods;  ///< the sampled periods, in order and without gaps
-  std::size_t unfinished = 0;       ///< so many of the last ones have impacts of a chatter that the end may cut
   bool random = false;              ///< whether anything is random along the way
   double resolution = 1e-7;         ///< accuracy of a strobe point, in units of Theta; > 0
   Thresholds thresholds = {};

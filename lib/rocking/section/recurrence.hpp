@@ -19,10 +19,9 @@ struct Recurrence {
   std::vector<int> candidates;
 };
 
-/// Compares points 1 ... 12 periods apart. Needs at least 24 periods. Where they repeat, and the impacts do not, those of
-/// the last `unfinished` periods are not counted: they may be of a chatter that the end cuts.
+/// Compares points 1 ... 12 periods apart. Needs at least 24 periods.
 [[nodiscard]] Recurrence find_recurrence(std::span<const Period> periods, double resolution,
-                                         const Thresholds& thresholds = {}, std::size_t unfinished = 0);
+                                         const Thresholds& thresholds = {});
 
 /// Whether points some number of periods up to 12 apart come closer from third to third, however slowly: by a twentieth.
 [[nodiscard]] bool come_closer(std::span<const StrobePoint> points);

@@ -20,7 +20,7 @@ namespace rocking {
 /// 6: a block that sticks without contact slips as soon as that presses it on the base, with a sample there or not.
 /// 7: an impact at the strobe doubles no period, and slow orbits of 13 to 24 periods are not quasi-periodic.
 /// 8: an impact at a wall whose ratio of the rates is 0 leaves no rate.
-/// 9: a chatter that the end of a window cuts does not keep a response that repeats from its label.
+/// 9: a chatter that a strobe instant cuts is one impact of an orbit.
 inline constexpr std::uint64_t results_version = 9;
 
 /// What a store belongs to. Only realisations of the same experiment and results version may be combined.

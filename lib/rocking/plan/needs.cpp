@@ -53,11 +53,11 @@ std::uint64_t strobe_points(const Experiment& experiment, std::uint64_t realisat
       sizeof(section::Period) + sizeof(section::StrobePoint);  // in progress, and in its result
   std::uint64_t longest = 0;
   for (const Condition& condition : experiment.conditions) {
-    const auto transient = condition.horizon.transient_periods;
-    const auto sampled = condition.horizon.sampled_periods;
-    longest = std::max(longest, static_cast<std::uint64_t>(transient) + static_cast<std::uint64_t>(sampled));
+    longest = std::max(longest, static_cast<std::uint64_t>(condition.horizon.periods()));
   }
-  const auto side_by_side = 6 * static_cast<std::uint64_t>(lanes::available_kernels().back().lanes) + 2;
+  // Which kernel is the fastest is measured, and may differ from run to run: the widest needs the most.
+  const int widest = std::ranges::max(lanes::available_kernels(), {}, &lanes::Kernels::lanes).lanes;
+  const auto side_by_side = 6 * static_cast<std::uint64_t>(widest) + 2;
   return longest * a_point * std::min(realisations, threads * side_by_side);
 }
 

@@ -79,6 +79,9 @@ start_in_clone() {
 # as_owner COMMAND...
 as_owner() { ${drop_root[@]+"${drop_root[@]}"} "$@"; }
 
+# note_step WORDS BEGAN: adds a row to build/log/steps, from which tests/support/record_of_tests makes a table.
+note_step() { say "| $1 | $((SECONDS - $2)) | done |" | as_owner tee -a "$logs/steps" >/dev/null; }
+
 # step NAME WORDS COMMAND...: writes the output of the command to build/log/NAME.log.
 step() {
   local name=$1 words=$2 began=$SECONDS
@@ -87,6 +90,7 @@ step() {
   as_owner touch "$logs/$name.log"
   if "$@" >"$logs/$name.log" 2>&1; then
     say "done in $((SECONDS - began)) s"
+    note_step "$words" "$began"
     return
   fi
   say "failed after $((SECONDS - began)) s; the end of what it said:"

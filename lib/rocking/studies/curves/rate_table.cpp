@@ -155,6 +155,10 @@ std::string rate_sources_in_words(const AnnualRate& rate, const CurveSubject& su
         "no function is fitted: the rate is that of the levels, interpolated; its interval assumes that the "
         "probability does not decrease\n";
   }
+  if (!rate.interval) {
+    text += rate.value > 0.0 ? "no interval of the rate: too few bootstrap samples over the records have a law\n"
+                             : "no interval of the rate: it is too small for a double\n";
+  }
   text += rare_use_in_words(rate);
   if (rate.source == RateSource::isotonic) {
     text += "no law holds, or not for every option: the rate is that of the isotonic shares\n";

@@ -1,10 +1,10 @@
 // The mean annual rate: closed forms, ranges that add up, and curves without a function.
 
 #include <cmath>
-#include <numeric>
 
 #include <gtest/gtest.h>
 
+#include "rocking/studies/curves/look.hpp"
 #include "rocking/studies/fragility/fragility.hpp"
 
 namespace rocking {
@@ -54,6 +54,15 @@ TEST(AnnualRate, IsTheSumOfItsRanges) {
   EXPECT_FALSE(rate.by_level.front().is_tested);
   EXPECT_TRUE(rate.by_level[1].is_tested);
   EXPECT_FALSE(rate.by_level.back().to.has_value());
+}
+
+TEST(AnnualRate, SaysWhyItHasNoInterval) {
+  AnnualRate rate = rate_by_law(suite_with(1.0, 0.3, 0.2));
+  ASSERT_FALSE(rate.interval);
+  EXPECT_EQ(rate_sources_in_words(rate, {}),
+            "no interval of the rate: too few bootstrap samples over the records have a law\n");
+  rate.interval = {.low = 0.0, .high = 1.0};
+  EXPECT_EQ(rate_sources_in_words(rate, {}), "");
 }
 
 TEST(AnnualRate, DoesNotCountIntensitiesThatCannotLiftTheBlock) {

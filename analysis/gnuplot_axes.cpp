@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
-#include <vector>
 
 #include "analysis/figure_scripts.hpp"
 #include "analysis/gnuplot_text.hpp"

@@ -14,7 +14,6 @@
 #include "analysis/page/question_values.hpp"
 #include "analysis/page/words.hpp"
 #include "rocking/figures/sweep_view.hpp"
-#include "rocking/input/quantities_in_text.hpp"
 #include "rocking/output/overview.hpp"
 #include "rocking/output/parameter_text.hpp"
 #include "rocking/output/shaking_text.hpp"

@@ -18,7 +18,6 @@
 #include "rocking/random/draws.hpp"
 #include "rocking/scene/check_condition.hpp"
 #include "rocking/studies/studies.hpp"
-#include "usage.hpp"
 
 namespace rocking::program {
 namespace {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
-#include <utility>
 #include <variant>
 
 #include <fmt/format.h>
@@ -16,7 +15,6 @@
 #include "rocking/output/ground_motion_facts.hpp"
 #include "rocking/output/plan_text.hpp"
 #include "rocking/plan/plan.hpp"
-#include "rocking/text/json.hpp"
 #include "rocking/text/number_text.hpp"
 #include "study_file.hpp"
 

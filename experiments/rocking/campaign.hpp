@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "arguments.hpp"
 #include "rocking/api/folder_run.hpp"
 

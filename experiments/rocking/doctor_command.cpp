@@ -6,7 +6,6 @@
 #include "machine.hpp"
 #include "output.hpp"
 #include "program.hpp"
-#include "rocking/rocking.hpp"
 
 namespace rocking::program {
 namespace {

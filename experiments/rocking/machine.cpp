@@ -6,7 +6,6 @@
 #include <ctime>
 #include <filesystem>
 #include <fstream>
-#include <string_view>
 #include <system_error>
 #include <thread>
 

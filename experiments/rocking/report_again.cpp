@@ -20,7 +20,6 @@
 #include "rocking/rocking.hpp"
 #include "rocking/studies/studies.hpp"
 #include "rocking/text/files.hpp"
-#include "usage.hpp"
 
 namespace rocking::program {
 namespace fs = std::filesystem;

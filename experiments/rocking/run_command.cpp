@@ -7,7 +7,6 @@
 #include "arguments.hpp"
 #include "before_run.hpp"
 #include "campaign.hpp"
-#include "machine.hpp"
 #include "output.hpp"
 #include "program.hpp"
 #include "rocking/rocking.hpp"

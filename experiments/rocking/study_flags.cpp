@@ -1,6 +1,5 @@
 #include "study_flags.hpp"
 
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <string>

@@ -12,7 +12,6 @@
 /// Stable between patch versions: what these headers declare in namespace rocking, and the structs that they return.
 /// Whatever else is installed with them are their details.
 #include <filesystem>
-#include <functional>
 #include <map>
 #include <string>
 #include <string_view>

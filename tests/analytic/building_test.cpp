@@ -1,7 +1,6 @@
 // Floors of buildings: against closed forms, against the superposition of the ramps of a record, and against a reference.
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <fstream>

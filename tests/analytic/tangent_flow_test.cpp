@@ -8,7 +8,6 @@
 #include <cstdio>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include <gtest/gtest.h>
 

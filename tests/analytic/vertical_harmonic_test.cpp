@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cmath>
-#include <memory>
 #include <numbers>
 #include <utility>
 #include <vector>

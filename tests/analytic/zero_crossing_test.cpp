@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <span>
-#include <vector>
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,6 @@
 // periods. If the exponent is needed, a negative one is given.
 
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <vector>
 

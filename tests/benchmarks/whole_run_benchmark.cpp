@@ -8,7 +8,6 @@
 // rounds, which other work on the machine disturbs least, their ratio, and the least and the largest ratio of a round.
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -16,7 +15,6 @@
 #include <fstream>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include <fcntl.h>

@@ -1,6 +1,5 @@
 // Cost of a period of motion in the lanes of each instruction set of the machine, on one thread. The bits are the same.
 
-#include <cstdint>
 #include <string>
 
 #include <benchmark/benchmark.h>

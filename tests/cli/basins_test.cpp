@@ -1,7 +1,6 @@
 // experiments/basins: a small version of the run whose table is in its README.
 
 #include <algorithm>
-#include <cstdlib>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

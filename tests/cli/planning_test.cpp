@@ -1,7 +1,5 @@
 // What a user learns and decides before a run: its time, where the experiment comes from, whether there is a page.
 
-#include <string>
-
 #include <gmock/gmock.h>
 
 #include "cli/program.hpp"

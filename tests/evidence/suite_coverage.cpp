@@ -7,9 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "rocking/api/run.hpp"

@@ -13,7 +13,6 @@
 #include <cmath>
 #include <cstdio>
 #include <numbers>
-#include <string>
 #include <vector>
 
 #include "evidence/long_run.hpp"

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cmath>
-#include <cstdint>
 #include <stdexcept>
 #include <string>
 #include <string_view>

@@ -4,11 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <memory>
 #include <numbers>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include <boost/math/quadrature/gauss.hpp>
 #include <gtest/gtest.h>

@@ -1,9 +1,6 @@
 // N <= 0 in full contact, where N = (4/3)(1 + alpha_v): the base accelerates downwards faster than the block can fall
 // (lib/docs/model.md, 7).
 
-#include <cmath>
-#include <cstdint>
-#include <memory>
 #include <utility>
 #include <vector>
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <memory>
 
 #include <gtest/gtest.h>
 

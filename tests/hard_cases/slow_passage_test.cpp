@@ -8,7 +8,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <memory>
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,6 @@
 // Left and right are equivalent: the mirror image of a motion is the motion of the mirror image, to the bit. The mirror
 // image of a block with unequal edges has them exchanged.
 
-#include <cmath>
 #include <cstdint>
 #include <numbers>
 #include <string>

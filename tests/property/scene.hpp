@@ -2,10 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
 #include <memory>
-#include <numbers>
 #include <vector>
 
 #include "rocking/dynamics/excitation/recorded.hpp"

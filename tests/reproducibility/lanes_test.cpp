@@ -13,11 +13,9 @@
 #include <map>
 #include <memory>
 #include <new>
-#include <numbers>
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>

@@ -3,12 +3,9 @@
 // offences, and is tested with invented offences before it is applied to the tree.
 
 #include <algorithm>
-#include <filesystem>
 #include <fstream>
 #include <map>
-#include <regex>
 #include <set>
-#include <sstream>
 #include <string>
 #include <vector>
 

@@ -9,7 +9,6 @@
 #include <functional>
 #include <numbers>
 #include <numeric>
-#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>

@@ -2,10 +2,8 @@
 // tests/evidence/label_truth.cpp, whose truth stands in tests/reference/labels.csv: no false alarm.
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <fstream>
-#include <optional>
 #include <sstream>
 #include <string>
 #include <vector>

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cmath>
-#include <vector>
 
 #include <boost/math/distributions/binomial.hpp>
 #include <gtest/gtest.h>

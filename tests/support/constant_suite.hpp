@@ -1,13 +1,10 @@
 #pragma once
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <map>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include "rocking/input/read_experiment.hpp"

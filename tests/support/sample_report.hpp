@@ -2,8 +2,6 @@
 
 #include <cstdint>
 #include <map>
-#include <string>
-#include <vector>
 
 #include "rocking/base/digest.hpp"
 #include "rocking/input/read_experiment.hpp"

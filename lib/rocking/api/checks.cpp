@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <string>
-#include <utility>
 
 #include "rocking/api/question_check.hpp"
 #include "rocking/api/refuse.hpp"

@@ -1,6 +1,5 @@
 #include "rocking/api/run.hpp"
 
-#include <stdexcept>
 #include <utility>
 
 #include "rocking/api/folder_run.hpp"

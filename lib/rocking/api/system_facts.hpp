@@ -2,7 +2,6 @@
 
 #include <filesystem>
 #include <optional>
-#include <string>
 
 #include "rocking/api/question_check.hpp"
 #include "rocking/api/run.hpp"

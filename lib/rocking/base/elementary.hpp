@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 
 #include "rocking/base/lane.hpp"
 #include "rocking/base/natural_logarithm.hpp"

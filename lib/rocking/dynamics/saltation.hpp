@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cmath>
-
 #include "rocking/base/jet.hpp"
 #include "rocking/dynamics/contact.hpp"
 #include "rocking/dynamics/forces.hpp"

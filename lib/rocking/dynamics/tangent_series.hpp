@@ -1,8 +1,5 @@
 #pragma once
 
-#include <array>
-#include <cstddef>
-
 #include "rocking/base/lane.hpp"
 #include "rocking/dynamics/motion_series.hpp"
 #include "rocking/dynamics/series_products.hpp"

@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <map>
 #include <optional>
-#include <vector>
 
 #include "rocking/ensemble/settling.hpp"
 #include "rocking/scene/experiment.hpp"

@@ -1,7 +1,6 @@
 #include "rocking/input/fixed_fields.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 
 namespace rocking {

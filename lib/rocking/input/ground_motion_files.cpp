@@ -11,7 +11,6 @@
 #include "rocking/base/number_text.hpp"
 #include "rocking/input/line_problems.hpp"
 #include "rocking/input/record_component.hpp"
-#include "rocking/scene/defaults.hpp"
 #include "rocking/scene/intensity_measures.hpp"
 #include "rocking/scene/rules.hpp"
 

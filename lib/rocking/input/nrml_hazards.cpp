@@ -6,7 +6,6 @@
 #include <pugixml.hpp>
 
 #include "rocking/base/error.hpp"
-#include "rocking/base/number_text.hpp"
 #include "rocking/input/read_hazard.hpp"
 
 namespace rocking {

@@ -1,7 +1,3 @@
-#include <array>
-#include <cctype>
-#include <utility>
-
 #include "rocking/base/number_text.hpp"
 #include "rocking/input/fixed_fields.hpp"
 #include "rocking/input/header_words.hpp"

@@ -1,7 +1,6 @@
 #include "rocking/input/read_experiment.hpp"
 
 #include <algorithm>
-#include <array>
 #include <string>
 #include <string_view>
 #include <utility>

@@ -1,7 +1,6 @@
 #include "rocking/input/read_question.hpp"
 
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "rocking/fields/field_reader.hpp"

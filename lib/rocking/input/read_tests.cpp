@@ -4,7 +4,6 @@
 #include <charconv>
 #include <functional>
 #include <numeric>
-#include <optional>
 #include <utility>
 
 #include "rocking/base/error.hpp"

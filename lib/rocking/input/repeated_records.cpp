@@ -6,7 +6,6 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
-#include <optional>
 
 #include "rocking/base/number_text.hpp"
 #include "rocking/input/record_component.hpp"

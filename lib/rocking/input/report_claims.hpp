@@ -2,7 +2,6 @@
 
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "rocking/base/error.hpp"
 #include "rocking/text/json.hpp"

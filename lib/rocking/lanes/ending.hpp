@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 
 #include "rocking/dynamics/peaks.hpp"
 #include "rocking/lanes/crossings.hpp"

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cstdint>
-
 #include "rocking/dynamics/peaks.hpp"
 #include "rocking/lanes/ending.hpp"
 #include "rocking/lanes/grid_intervals.hpp"

@@ -4,7 +4,6 @@
 #include <cstdio>
 #include <string>
 #include <string_view>
-#include <utility>
 
 #include "rocking/base/error.hpp"
 #include "rocking/base/utf8.hpp"

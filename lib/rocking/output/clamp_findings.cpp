@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <string_view>
 #include <variant>
 
 #include "rocking/ensemble/law_in_force.hpp"

@@ -6,7 +6,6 @@
 #include <string_view>
 #include <tuple>
 #include <utility>
-#include <variant>
 
 #include "rocking/look/text_table.hpp"
 #include "rocking/output/mode_look.hpp"

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cstddef>
-#include <string_view>
 
 #include "rocking/base/error.hpp"
 #include "rocking/base/number_text.hpp"

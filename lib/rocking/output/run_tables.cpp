@@ -1,6 +1,5 @@
 #include "rocking/output/run_tables.hpp"
 
-#include <iterator>
 #include <limits>
 #include <string_view>
 #include <utility>

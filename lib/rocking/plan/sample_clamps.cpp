@@ -1,5 +1,3 @@
-#include <algorithm>
-
 #include "rocking/plan/plan.hpp"
 #include "rocking/random/draws.hpp"
 #include "rocking/realisation/start.hpp"

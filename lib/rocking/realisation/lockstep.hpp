@@ -3,7 +3,6 @@
 #include <functional>
 #include <memory>
 #include <span>
-#include <utility>
 
 #include "rocking/base/stop_request.hpp"
 #include "rocking/dynamics/observer.hpp"

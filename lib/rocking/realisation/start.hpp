@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <variant>
 
 #include "rocking/dynamics/block_motion.hpp"
 #include "rocking/integrate/hybrid.hpp"

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numeric>
 #include <string>
-#include <utility>
 
 #include "rocking/base/elementary.hpp"
 #include "rocking/base/normal_law.hpp"

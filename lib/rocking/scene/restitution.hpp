@@ -5,7 +5,6 @@
 #include <limits>
 #include <optional>
 #include <string>
-#include <string_view>
 
 #include "rocking/base/error.hpp"
 #include "rocking/dynamics/block.hpp"

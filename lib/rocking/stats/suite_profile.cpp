@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include <Eigen/Cholesky>
 #include <boost/math/tools/toms748_solve.hpp>

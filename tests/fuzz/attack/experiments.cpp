@@ -1,7 +1,5 @@
 // Experiment files that are damaged, or valid but unusual.
 
-#include <string>
-
 #include "fuzz/attack/attack.hpp"
 #include "fuzz/mutate_json.hpp"
 

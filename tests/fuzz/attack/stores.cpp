@@ -1,10 +1,8 @@
 // Stores that are damaged, by a disk or by editing with SQLite.
 
-#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
-#include <utility>
 
 #include <sqlite3.h>
 

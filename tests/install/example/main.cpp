@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <iostream>
 #include <string>
-#include <utility>
 
 #include <rocking/rocking.hpp>
 

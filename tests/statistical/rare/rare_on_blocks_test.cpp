@@ -1,7 +1,6 @@
 // Rare probabilities of blocks are unbiased: compared with a closed form where numbers are drawn once, and with plain
 // sampling where they are drawn along the way. A run with wrong weights must fail the comparison.
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>

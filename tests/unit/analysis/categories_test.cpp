@@ -1,7 +1,6 @@
 // Values with intervals at categories, between which no line means anything.
 
 #include <algorithm>
-#include <string>
 #include <variant>
 #include <vector>
 

@@ -1,6 +1,5 @@
 // Figures of trajectories, bifurcations and draws, and the tables of a report: their numbers are those of the files.
 
-#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>

@@ -1,6 +1,5 @@
 // Questions that callers in C++ ask: each number out of its range, each list of another length is refused with its place.
 
-#include <cmath>
 #include <functional>
 #include <limits>
 #include <string>

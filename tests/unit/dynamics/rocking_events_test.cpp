@@ -2,7 +2,6 @@
 // (lib/docs/model.md, sections 3 and 5). H/B = 4 unless stated.
 
 #include <cmath>
-#include <numbers>
 
 #include <gtest/gtest.h>
 

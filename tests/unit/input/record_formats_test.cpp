@@ -1,6 +1,5 @@
 // Formats of recorded ground motions: the header in each of its wordings, the unit, the number of samples, and faults.
 
-#include <cmath>
 #include <string>
 
 #include <gmock/gmock.h>

@@ -5,7 +5,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "rocking/look/markup.hpp"
 #include "rocking/look/table.hpp"
 
 namespace rocking::look {

@@ -2,7 +2,6 @@
 
 #include "rocking/random/box_muller.hpp"
 
-#include <bit>
 #include <cmath>
 
 #include <boost/multiprecision/cpp_bin_float.hpp>

@@ -3,7 +3,6 @@
 #include "rocking/random/normal_kernels.hpp"
 
 #include <bit>
-#include <string>
 #include <vector>
 
 #include <gmock/gmock.h>

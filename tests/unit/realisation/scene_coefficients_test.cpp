@@ -3,11 +3,7 @@
 #include "rocking/realisation/scene_coefficients.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <numbers>
-#include <span>
-#include <vector>
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,6 @@
 #include <string>
 #include <tuple>
 #include <utility>
-#include <vector>
 
 #include <boost/math/constants/constants.hpp>
 #include <boost/math/distributions/lognormal.hpp>

@@ -1,7 +1,6 @@
 #include "rocking/section/classify.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <vector>
 

@@ -2,7 +2,6 @@
 
 #include "rocking/section/classify.hpp"
 
-#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>

@@ -1,6 +1,5 @@
 #include "rocking/section/line_bounds.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <numeric>

@@ -1,6 +1,5 @@
 // The lognormal law of overturning: compared with statsmodels, its coverage, and the cases without a law.
 
-#include <algorithm>
 #include <cmath>
 #include <fstream>
 

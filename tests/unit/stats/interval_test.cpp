@@ -1,7 +1,5 @@
 #include "rocking/stats/interval.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <vector>
 
 #include <boost/math/distributions/binomial.hpp>

@@ -1,7 +1,6 @@
 #include "rocking/stats/moments.hpp"
 
 #include <cmath>
-#include <random>
 #include <vector>
 
 #include <gtest/gtest.h>

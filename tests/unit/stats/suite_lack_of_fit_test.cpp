@@ -3,7 +3,6 @@
 #include "rocking/stats/lack_of_fit.hpp"
 
 #include <cmath>
-#include <vector>
 
 #include <gtest/gtest.h>
 

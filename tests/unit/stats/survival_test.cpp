@@ -2,7 +2,6 @@
 
 #include "rocking/stats/incidence.hpp"
 
-#include <cmath>
 #include <vector>
 
 #include <gtest/gtest.h>

@@ -1,7 +1,6 @@
 // The position in a text to which a JSON pointer refers, and how messages show the contents of a file.
 
 #include <string>
-#include <vector>
 
 #include <gmock/gmock.h>
 

@@ -1,8 +1,5 @@
 #include "rocking/studies/bifurcation/study.hpp"
 
-#include <algorithm>
-#include <utility>
-
 #include "rocking/studies/orbits/study.hpp"
 
 namespace rocking {

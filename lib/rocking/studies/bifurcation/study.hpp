@@ -1,7 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <span>
 
 #include "rocking/ensemble/run.hpp"
 #include "rocking/fields/document.hpp"

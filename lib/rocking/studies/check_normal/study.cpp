@@ -1,10 +1,8 @@
 #include "rocking/studies/check_normal/study.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
-#include <string_view>
 #include <utility>
 #include <vector>
 

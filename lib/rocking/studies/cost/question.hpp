@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 #include "rocking/api/run.hpp"
 #include "rocking/studies/cost/cost.hpp"
 

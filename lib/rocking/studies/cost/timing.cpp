@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <mutex>
-#include <utility>
 
 #include "rocking/base/many_parts.hpp"
 #include "rocking/ensemble/work_list.hpp"

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <iterator>
 #include <utility>
-#include <variant>
 
 #include "rocking/api/refuse.hpp"
 #include "rocking/base/error.hpp"

@@ -1,7 +1,5 @@
 #include "rocking/studies/fragility/figure.hpp"
 
-#include <utility>
-
 #include "rocking/figures/palette.hpp"
 #include "rocking/figures/sweep_view.hpp"
 #include "rocking/text/number_text.hpp"

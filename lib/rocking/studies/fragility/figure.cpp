@@ -3,7 +3,6 @@
 #include <set>
 #include <utility>
 
-#include "rocking/figures/palette.hpp"
 #include "rocking/figures/sweep_view.hpp"
 #include "rocking/studies/fragility/study.hpp"
 #include "rocking/text/number_text.hpp"

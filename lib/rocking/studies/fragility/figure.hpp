@@ -2,7 +2,6 @@
 
 #include "rocking/figures/figure.hpp"
 #include "rocking/studies/fragility/study.hpp"
-#include "rocking/studies/incremental/look.hpp"
 
 namespace rocking::analysis {
 

@@ -1,7 +1,6 @@
 #include "rocking/studies/fragility/sheet.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <utility>
 
 #include "rocking/api/question_check.hpp"
 #include "rocking/api/refuse.hpp"

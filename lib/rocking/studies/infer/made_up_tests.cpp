@@ -4,7 +4,6 @@
 
 #include "rocking/random/binomial.hpp"
 #include "rocking/random/draws.hpp"
-#include "rocking/random/uniform.hpp"
 
 namespace rocking::infer {
 namespace {

@@ -1,7 +1,6 @@
 #include "rocking/studies/infer/infer.hpp"
 
 #include "rocking/base/error.hpp"
-#include "rocking/base/number_text.hpp"
 #include "rocking/input/condition_family.hpp"
 
 namespace rocking {

@@ -1,7 +1,6 @@
 #include "rocking/studies/motion/study.hpp"
 
 #include <array>
-#include <utility>
 
 #include "rocking/figures/palette.hpp"
 #include "rocking/text/number_text.hpp"

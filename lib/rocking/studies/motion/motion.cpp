@@ -1,7 +1,6 @@
 #include "rocking/studies/motion/study.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>

@@ -1,7 +1,6 @@
 #include "rocking/studies/orbits/corrector.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "rocking/realisation/fixed_point.hpp"

@@ -1,7 +1,6 @@
 #include "rocking/studies/orbits/study.hpp"
 
 #include <algorithm>
-#include <utility>
 
 #include "rocking/api/question_check.hpp"
 #include "rocking/api/refuse.hpp"

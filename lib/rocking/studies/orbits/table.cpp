@@ -1,7 +1,6 @@
 #include "rocking/studies/orbits/study.hpp"
 
 #include <algorithm>
-#include <utility>
 
 #include "rocking/output/parameter_text.hpp"
 #include "rocking/text/json.hpp"

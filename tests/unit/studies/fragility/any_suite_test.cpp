@@ -1,7 +1,6 @@
 // Whatever a small suite shows, its fragility can be written, read again, and looked at: an end of an interval that does not
 // exist is `unbounded`, and no number is none.
 
-#include <algorithm>
 #include <cmath>
 
 #include <gmock/gmock.h>

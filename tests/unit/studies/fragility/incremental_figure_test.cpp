@@ -1,7 +1,5 @@
 // The figure of an incremental dynamic analysis: numbers of the file, and a flat line for what overturned.
 
-#include <algorithm>
-#include <string>
 #include <variant>
 #include <vector>
 

@@ -1,7 +1,6 @@
 // The annual rate of a suite in several ways, its bounds, what the levels leave open, and what each record contributes.
 
 #include <cmath>
-#include <functional>
 #include <numeric>
 
 #include <gmock/gmock.h>

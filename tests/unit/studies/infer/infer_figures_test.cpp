@@ -2,7 +2,6 @@
 
 #include "rocking/studies/infer/study.hpp"
 
-#include <algorithm>
 #include <string>
 #include <variant>
 #include <vector>

@@ -1,7 +1,6 @@
 // Periodic orbits in files: what contradicts itself is refused.
 
 #include <string>
-#include <vector>
 
 #include <gmock/gmock.h>
 

@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <numbers>
 #include <string>
-#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

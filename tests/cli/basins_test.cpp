@@ -71,9 +71,8 @@ TEST_F(Basins, OfTwoResponsesCoexistInThePublishedFractions) {
 }
 
 TEST_F(Basins, AreDrawnWithTheirSaddlesAndUnstableManifolds) {
-  if (python_with_module().empty() || shell("command -v gnuplot").exit_code != 0) {
-    GTEST_SKIP() << "skipped: needs the Python module and gnuplot (Debian: gnuplot-nox)";
-  }
+  if (python_with_module().empty()) GTEST_SKIP() << "skipped: needs the Python module";
+  if (shell("command -v gnuplot").exit_code != 0) GTEST_SKIP() << "skipped: needs gnuplot (Debian: gnuplot-nox)";
   const auto drawn =
       shell("exec " + python_with_module() + " -B '" ROCKING_SOURCE_DIR "/experiments/basins/draw.py' out 6 40");
   ASSERT_EQ(drawn.exit_code, 0) << drawn.errors;

@@ -48,7 +48,8 @@ void take_in(const Condition& condition, const Recorded& recorded, UsedMotion& u
   const auto uplift = least_uplift_scale(recorded.ground_motion->samples, block.tangents());
   const double largest_scale = reach_of(recorded.scale).largest;
   used.largest_scale = std::max(used.largest_scale, largest_scale);
-  used.may_move = used.may_move || !only_uplift_starts(condition.scene, block) || (uplift && largest_scale >= *uplift);
+  used.may_move = used.may_move || recorded.building || !only_uplift_starts(condition.scene, block) ||
+                  (uplift && largest_scale >= *uplift);
   if (uplift) used.uplift_scale = used.uplift_scale ? std::min(*used.uplift_scale, *uplift) : *uplift;
 }
 

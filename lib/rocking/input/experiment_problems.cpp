@@ -26,7 +26,7 @@ constexpr std::array gone_keys{
             "leave it out: every label (m,n) is tested, and the report states what backs it (backed_by)"},
     GoneKey{"/accuracy/repeat_every", "it is \"rerun_every\""}};
 
-/// Tells what replaces a key that is gone, and where a key stands that was written at another place.
+/// Tells what replaces a key that is gone, and where, or of which kind, one stands that was written at another place.
 void name_places(Problems& problems) {
   for (base::Problem& problem : problems) {
     if (problem.reason != "is not a key of this format") continue;
@@ -36,7 +36,8 @@ void name_places(Problems& problems) {
       continue;
     }
     const auto place = place_of_key(last_key(problem.place));
-    if (place) problem.remedy = "it stands under " + *place;
+    const bool is_here = place == problem.place.substr(0, problem.place.rfind('/'));
+    if (place) problem.remedy = is_here ? "it is of another kind or form" : "it stands under " + *place;
   }
 }
 

@@ -284,6 +284,9 @@ TEST(BadExperiment, WithAKeyThatStandsElsewhereSaysWhere) {
   const auto elsewhere = problems_of(with(least_experiment(), "/rerun_every", "10"));
   ASSERT_EQ(elsewhere.size(), 1U);
   EXPECT_EQ(elsewhere[0].remedy, "it stands under /accuracy");
+  const auto of_pulses = problems_of(with(least_experiment(), "/excitation/cycles", "2"));
+  ASSERT_EQ(of_pulses.size(), 1U);
+  EXPECT_EQ(of_pulses[0].remedy, "it is of another kind or form");
 }
 
 // The place that a remedy names can be swept: an experiment that follows it is valid.

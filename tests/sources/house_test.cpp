@@ -255,8 +255,8 @@ Weight weight_of(const std::set<std::string>& folders) {
 TEST(TheHouse, WeighsNoMoreThanBefore) {
   const Weight product = weight_of({"lib", "analysis", "experiments"});
   EXPECT_LE(product.files, 829U);
-  EXPECT_LE(product.lines, 94'922U);
-  EXPECT_LE(weight_of({"tests"}).lines, 61'291U);
+  EXPECT_LE(product.lines, 94'818U);
+  EXPECT_LE(weight_of({"tests"}).lines, 61'207U);
 }
 
 TEST(TheHouseRules, FindAnArrowThatGoesUpOrSideways) {

@@ -210,7 +210,8 @@ inline section::PendingClassification HorizonRun::classification_without_exponen
       {.periods = std::span(recorder_.periods()).last(static_cast<std::size_t>(sampled)),
        .random = is_random_along_the_way(condition_->scene),
        .resolution = resolution_of(condition_->tolerance),
-       .find_orbit = [this](const section::StrobePoint& near, int periods) { return find_orbit(near, periods); }});
+       .find_orbit = [this](const section::StrobePoint& near, int periods) { return find_orbit(near, periods); },
+       .unfinished = recorder_.unfinished()});
 }
 
 /// Takes the classification of the newest window.

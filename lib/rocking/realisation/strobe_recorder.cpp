@@ -1,5 +1,6 @@
 #include "rocking/realisation/strobe_recorder.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -32,6 +33,11 @@ void StrobeRecorder::strobe(const dynamics::State& state) {
   periods_.push_back(current_);
   current_ = {.point = {}, .impacts = 0, .moved = state.contact != ContactState::rest};
   side_ = state.side;
+}
+
+std::size_t StrobeRecorder::unfinished() const {
+  if (run_.size() < 2) return 0;
+  return periods_.size() - (std::max(run_.front(), forgotten_) - forgotten_);
 }
 
 void StrobeRecorder::forget() {

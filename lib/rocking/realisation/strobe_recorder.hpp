@@ -26,6 +26,8 @@ class StrobeRecorder final : public dynamics::Observer {
 
   /// The complete periods since the last forget().
   [[nodiscard]] const std::vector<section::Period>& periods() const { return periods_; }
+  /// So many of the last ones have impacts of a run that may turn out to be a chatter, which would count once.
+  [[nodiscard]] std::size_t unfinished() const;
   /// Drops the complete periods, so that memory stays bounded. A chatter that ends later does not change them.
   void forget();
   [[nodiscard]] const std::array<std::uint64_t, dynamics::event_kind_count>& events() const { return events_; }

@@ -149,7 +149,7 @@ std::optional<Classification> approached_over_any_period(const ClassifierInput& 
 }
 
 PendingClassification classify_noise_free(const ClassifierInput& input) {
-  const Recurrence recurrence = find_recurrence(input.periods, input.resolution, input.thresholds);
+  const Recurrence recurrence = find_recurrence(input.periods, input.resolution, input.thresholds, input.unfinished);
   if (recurrence.classification) return classified(*recurrence.classification);
   if (const auto found = first_approached(input, recurrence.candidates)) return classified(*found);
   if (!recurrence.candidates.empty()) {
@@ -212,7 +212,7 @@ double share_held(std::span<const Period> periods, int n, double reach) {
 /// What the points of several clouds say without noise: where none acts on the motion, as on a block that does not slide,
 /// slow spirals and doublings look like clouds of a multiple of the period.
 std::optional<Classification> of_noise_free_points(const ClassifierInput& input, const Finding& finding) {
-  Recurrence recurrence = find_recurrence(input.periods, input.resolution, input.thresholds);
+  Recurrence recurrence = find_recurrence(input.periods, input.resolution, input.thresholds, input.unfinished);
   const ResponseMode& mode = finding.classification.mode;
   if (mode.kind == ResponseKind::periodic &&
       !may_approach_orbit_of_divisor(input.periods, mode.periods, input.resolution, input.thresholds)) {

@@ -50,6 +50,7 @@ struct ClassifierInput {
   double resolution = 1e-7;         ///< accuracy of a strobe point, in units of Theta; > 0
   Thresholds thresholds = {};
   OrbitSource find_orbit = {};  ///< may be empty: then no label is given that needs an orbit
+  std::size_t unfinished = 0;   ///< so many of the last periods have impacts of a chatter that the end may cut
 };
 
 /// Classifies a realisation that did not overturn.

@@ -47,10 +47,14 @@ double distance_of_divisors(std::span<const Period> periods, int n) {
 /// A motion that tends to an orbit of a divisor of n by a factor r per period comes back after n periods, too, but misses by
 /// at least (1 - r^n)/2 of its distance after the divisor. Returns that are closer by `clear_divisors` exclude that down to
 /// 1 - r^n = 2e-5, which is nearer to a bifurcation than the resolution of any parameter.
-Classification coinciding(std::span<const Period> periods, int n, double margin) {
+Classification coinciding(std::span<const Period> periods, int n, double margin, std::size_t unfinished) {
   // Impacts of the first half may belong to the transient; only the last half, at least one cycle, is counted.
   const std::size_t half = std::max(periods.size() / 2, static_cast<std::size_t>(n));
-  const Rocks rocks = count_rocks(periods.last(half), n);
+  const std::size_t finished = half - std::min(unfinished, half);
+  Rocks rocks = count_rocks(periods.last(half), n);
+  if (rocks.regular_share < 1.0 && finished >= static_cast<std::size_t>(n)) {
+    rocks = count_rocks(periods.last(half).first(finished), n);
+  }
   if (rocks.regular_share < 1.0) return unresolved(Reason::impacts_irregular);
   return {periodic(rocks.rocks, n), Reason::points_coincide, false, std::clamp(margin, 1.0, largest_margin)};
 }
@@ -81,7 +85,8 @@ int median_impacts(std::vector<Cycle> cycles) {
 
 }  // namespace
 
-Recurrence find_recurrence(std::span<const Period> periods, double resolution, const Thresholds& thresholds) {
+Recurrence find_recurrence(std::span<const Period> periods, double resolution, const Thresholds& thresholds,
+                           std::size_t unfinished) {
   ROCKING_EXPECT(periods.size() >= 2 * static_cast<std::size_t>(longest_period));
   const double threshold = thresholds.coincidence * resolution;
   Recurrence found;
@@ -92,7 +97,7 @@ Recurrence find_recurrence(std::span<const Period> periods, double resolution, c
     const double margin =
         coincide ? std::min(threshold / returns.last_half, distance_of_divisors(periods, n) / needed) : 0.0;
     if (coincide && !(margin < 1.0)) {
-      found.classification = coinciding(periods, n, returns.last_half > 0.0 ? margin : largest_margin);
+      found.classification = coinciding(periods, n, returns.last_half > 0.0 ? margin : largest_margin, unfinished);
       return found;
     }
     const bool is_multiple = std::ranges::any_of(found.candidates, [n](int candidate) { return n % candidate == 0; });

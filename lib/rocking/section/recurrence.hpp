@@ -19,9 +19,10 @@ struct Recurrence {
   std::vector<int> candidates;
 };
 
-/// Compares points 1 ... 12 periods apart. Needs at least 24 periods.
+/// Compares points 1 ... 12 periods apart. Needs at least 24 periods. Where they repeat, and the impacts do not, those of
+/// the last `unfinished` periods are not counted: they may be of a chatter that the end cuts.
 [[nodiscard]] Recurrence find_recurrence(std::span<const Period> periods, double resolution,
-                                         const Thresholds& thresholds = {});
+                                         const Thresholds& thresholds = {}, std::size_t unfinished = 0);
 
 /// Whether points some number of periods up to 12 apart come closer from third to third, however slowly: by a twentieth.
 [[nodiscard]] bool come_closer(std::span<const StrobePoint> points);

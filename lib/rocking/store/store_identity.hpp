@@ -21,7 +21,8 @@ namespace rocking {
 /// 7: an impact at the strobe doubles no period, and slow orbits of 13 to 24 periods are not quasi-periodic.
 /// 8: an impact at a wall whose ratio of the rates is 0 leaves no rate.
 /// 9: a chatter that a strobe instant cuts is one impact of an orbit.
-inline constexpr std::uint64_t results_version = 9;
+/// 10: a chatter that the end of a window cuts does not keep a response that repeats from its label.
+inline constexpr std::uint64_t results_version = 10;
 
 /// What a store belongs to. Only realisations of the same experiment and results version may be combined.
 struct Identity {

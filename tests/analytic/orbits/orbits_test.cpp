@@ -149,6 +149,7 @@ TEST(Orbits, HaveAChatterOnceWhereverAStrobeInstantCutsIt) {
     condition.scene.restitution = RateRatio{0.61};
     condition.scene.excitation = Harmonic{.amplitude = 1.093, .frequency_ratio = 2.198, .phase = phase};
     const OrbitsOfCondition found = orbits_of(condition, 1);
+    EXPECT_EQ(found.mode, section::periodic(1, 1)) << phase;
     ASSERT_TRUE(found.run_on) << phase;
     EXPECT_EQ(found.orbits[*found.run_on].cycles, 1) << phase;
   }

@@ -40,6 +40,18 @@ TEST(FindRecurrence, FindsEveryPeriodUpToTwelve) {
   }
 }
 
+TEST(FindRecurrence, DoesNotCountAChatterThatTheEndCuts) {
+  std::vector<Period> periods = noise_free(3, 1, 120, 7);
+  periods.back().impacts += 40;
+  const auto mode = [&](std::size_t unfinished) {
+    return find_recurrence(periods, point_accuracy, {}, unfinished).classification.value().mode;
+  };
+  EXPECT_EQ(mode(0).kind, ResponseKind::unresolved);
+  EXPECT_EQ(mode(1), periodic(1, 3));
+  EXPECT_EQ(mode(57), periodic(1, 3));
+  EXPECT_EQ(mode(58).kind, ResponseKind::unresolved) << "no whole cycle is left";
+}
+
 TEST(FindRecurrence, SaysNothingOfAPeriodOfThirteen) {
   const Recurrence found = find_recurrence(noise_free(13, 5, 120, 7), point_accuracy);
   EXPECT_FALSE(found.classification);

@@ -4,7 +4,7 @@
 #include <map>
 #include <optional>
 
-#include "rocking/ensemble/settling.hpp"
+#include "rocking/ensemble/result.hpp"
 #include "rocking/scene/experiment.hpp"
 #include "rocking/stats/mean_share.hpp"
 #include "rocking/store/summary.hpp"

@@ -5,7 +5,6 @@
 #include "rocking/figures/figure.hpp"
 #include "rocking/output/provenance.hpp"
 #include "rocking/studies/cost/cost.hpp"
-#include "rocking/studies/cost/question.hpp"
 #include "rocking/study/study.hpp"
 
 namespace rocking {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "rocking/studies/orbits/branch.hpp"
 #include "rocking/studies/orbits/map_family.hpp"
+#include "rocking/studies/orbits/orbit.hpp"
 
 /// Orbits at a fold, a period doubling or a loss of symmetry.
 namespace rocking {

@@ -5,7 +5,6 @@
 
 #include "rocking/realisation/poincare_map.hpp"
 #include "rocking/scene/experiment.hpp"
-#include "rocking/studies/orbits/branch.hpp"
 #include "rocking/studies/orbits/orbit.hpp"
 
 /// Linear algebra of a curve of fixed points H(z, q) = z, with z of three coordinates and one parameter q.

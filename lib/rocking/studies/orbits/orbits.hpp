@@ -1,7 +1,6 @@
 #pragma once
 
 #include "rocking/ensemble/run.hpp"
-#include "rocking/studies/orbits/branch.hpp"
 #include "rocking/studies/orbits/map_family.hpp"
 #include "rocking/studies/orbits/orbit.hpp"
 #include "rocking/studies/orbits/question.hpp"

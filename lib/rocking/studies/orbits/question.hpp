@@ -6,7 +6,6 @@
 #include "rocking/dynamics/contact.hpp"
 #include "rocking/scene/experiment.hpp"
 #include "rocking/section/response_mode.hpp"
-#include "rocking/studies/orbits/branch.hpp"
 #include "rocking/studies/orbits/orbit.hpp"
 
 /// Periodic orbits of an experiment.

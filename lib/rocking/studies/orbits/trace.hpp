@@ -2,8 +2,8 @@
 
 #include <span>
 
-#include "rocking/studies/orbits/branch.hpp"
 #include "rocking/studies/orbits/corrector.hpp"
+#include "rocking/studies/orbits/orbit.hpp"
 
 /// Orbits that graze a guard.
 namespace rocking {

@@ -1,9 +1,9 @@
 # What `tests/all --release` adds. CONTRIBUTING.md says which change needs it.
 
 if(TARGET rocking_python)
-  add_test(NAME python/asking_more COMMAND ${CMAKE_COMMAND} -E env ROCKING_CALLS=10000
+  add_test(NAME python/asking_more COMMAND ${CMAKE_COMMAND} -E env ROCKING_CALLS=3000
     ${test_python} ${CMAKE_CURRENT_SOURCE_DIR}/python/test_asking.py)
-  set_tests_properties(python/asking_more PROPERTIES TIMEOUT 3600 LABELS python COST 1000)
+  set_tests_properties(python/asking_more PROPERTIES TIMEOUT 1800 LABELS python COST 400)
 endif()
 
 # Each creates its own hosts or cluster and needs the superuser; skipped with a message where that is impossible.
@@ -13,7 +13,7 @@ add_test(NAME Cluster.SlurmTasksKilledAndRequeuedGiveTheBytesOfOneProcess
   COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/cluster/slurm_array $<TARGET_FILE:rocking>)
 set_tests_properties(
   Cluster.RanksOnTwoHostsGiveTheBytesOfOneProcess Cluster.SlurmTasksKilledAndRequeuedGiveTheBytesOfOneProcess
-  PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 300 LABELS cluster PROCESSORS 2)
+  PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 600 LABELS cluster PROCESSORS 2)
 add_test(NAME Golden.HasTheSameBitsWithEveryCompilerAndProcessor COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/golden/everywhere)
 set_tests_properties(Golden.HasTheSameBitsWithEveryCompilerAndProcessor PROPERTIES
   SKIP_RETURN_CODE 77 TIMEOUT 1800 LABELS golden PROCESSORS 2 COST 250)

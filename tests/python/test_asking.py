@@ -1,6 +1,6 @@
 """Tests of the Python module: whatever a study is asked, it answers or raises InputError.
 
-Environment: ROCKING_CALLS, how often each study is asked (300; before a release 10000).
+Environment: ROCKING_CALLS, how often each study is asked (300; before a release 3000).
 """
 
 import inspect

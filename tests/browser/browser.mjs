@@ -32,6 +32,13 @@ export async function open(options = {}, from = address) {
   return { page, heard, close: () => context.close() };
 }
 
+/// Gives the page another size, and waits until it is laid out and drawn at that size.
+export async function resize(page, width, height) {
+  await page.setViewportSize({ width, height });
+  await page.waitForFunction((wanted) => innerWidth === wanted, width);
+  await page.evaluate(() => new Promise((drawn) => requestAnimationFrame(() => requestAnimationFrame(drawn))));
+}
+
 /// Share of the pixels of a picture that are neither white nor as pale as a grid, and the number of its colours. Of a chart,
 /// only the area within its axes.
 export async function ink(png, part) {

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 
-import { axe, desktop, open, within, assertDrawn, lightnessOf, column, axisLabels } from './browser.mjs';
+import { axe, desktop, open, resize, within, assertDrawn, lightnessOf, column, axisLabels } from './browser.mjs';
 
 describe('the page', () => {
   it('says nothing on the console, asks for nothing and runs no script of a title', async () => {
@@ -22,9 +22,10 @@ describe('the page', () => {
       document.body.append(script);
       new Image().src = 'https://example.invalid/pixel.png';
     });
-    await page.waitForTimeout(100);
     assert.equal(await page.evaluate(() => window.intruder), undefined);
-    assert.ok(heard.some((text) => text.includes('Content Security Policy')), heard.join('\n'));
+    const refused = () => heard.some((text) => text.includes('Content Security Policy'));
+    for (let tries = 0; tries < 100 && !refused(); ++tries) await page.waitForTimeout(100);
+    assert.ok(refused(), heard.join('\n'));
     await close();
   });
 
@@ -39,8 +40,7 @@ describe('the page', () => {
   it('draws every chart within its panel, also when the window changes', async () => {
     const { page, close } = await open();
     for (const width of [1280, 700, 1100]) {
-      await page.setViewportSize({ width, height: 900 });
-      await page.waitForTimeout(100);
+      await resize(page, width, 900);
       for (const panel of await page.locator('.panel').all()) {
         const [outer, inner] = [await panel.boundingBox(), await panel.locator('canvas').first().boundingBox()];
         const [above, foot] = [await panel.locator('.plot').boundingBox(), await panel.locator('.foot').boundingBox()];

@@ -48,16 +48,15 @@ void StudyFile::prepare() {
 }
 
 void StudyFile::keep(const std::function<std::string()>& text) {
-  using Clock = std::chrono::steady_clock;
   constexpr std::chrono::seconds between(10);
-  if (!keeps_ || Clock::now() < next_keep_) return;
+  if (!keeps_ || std::chrono::steady_clock::now() < next_keep_) return;
   try {
     write_atomically(path(), text());
     resumes_ = true;  // the file is now that of this call
   } catch (const std::system_error&) {
     // The disk may be full.
   }
-  next_keep_ = Clock::now() + between;
+  next_keep_ = std::chrono::steady_clock::now() + between;
 }
 
 void StudyFile::read_earlier(const std::function<void(const Json&)>& use) const {

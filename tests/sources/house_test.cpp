@@ -255,7 +255,7 @@ Weight weight_of(const std::set<std::string>& folders) {
 TEST(TheHouse, WeighsNoMoreThanBefore) {
   const Weight product = weight_of({"lib", "analysis", "experiments"});
   EXPECT_LE(product.files, 827U);
-  EXPECT_LE(product.lines, 94'790U);
+  EXPECT_LE(product.lines, 94'789U);
   EXPECT_LE(weight_of({"tests"}).lines, 61'207U);
 }
 

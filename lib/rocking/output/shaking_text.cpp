@@ -107,8 +107,8 @@ std::string common_shaking(const std::vector<std::string>& swept, Shakings shaki
   for (const std::string_view key : shown_forms(shakings)) {
     if (is_swept(swept, key) || differs(shakings, key)) continue;
     std::string& form = forms[is_amplitude(key) ? 0 : 1];
-    const int digits = form.empty() ? 6 : 3;
-    form += (form.empty() ? "" : " = ") + in_unit(key, significant(number_of(*shakings.front(), key), digits));
+    const int shown_digits = form.empty() ? 6 : 3;
+    form += (form.empty() ? "" : " = ") + in_unit(key, significant(number_of(*shakings.front(), key), shown_digits));
   }
   std::string text;
   for (const auto& [form, is_drawn] :

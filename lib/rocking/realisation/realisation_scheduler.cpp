@@ -111,8 +111,8 @@ class RealisationScheduler::Implementation {
   }
 
   [[nodiscard]] std::vector<Finished> work() {
-    constexpr int most_steps = 4096;
-    for (int i = 0; i < most_steps && is_under_way(); ++i) {
+    constexpr int steps_at_a_time = 4096;
+    for (int i = 0; i < steps_at_a_time && is_under_way(); ++i) {
       if (tangents_ && tangents_->largest_size() > scheduler_.largest_size()) {
         tangents_->step();
       } else {

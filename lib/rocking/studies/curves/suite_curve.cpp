@@ -230,10 +230,10 @@ std::vector<RankedMeasure> ranked_measures(const std::vector<Stripe>& stripes, c
   base::for_each_part(how, ranked.size(),
                       [&](std::size_t i) { measure(levels_of_records(stripes, event, ranked[i].measure), ranked[i]); });
   std::stable_sort(ranked.begin(), ranked.end(), [](const RankedMeasure& a, const RankedMeasure& b) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
+    constexpr double last = std::numeric_limits<double>::infinity();
     // Measures that are proportional to each other have equal laws up to rounding; they keep their order.
     const auto key = [](const RankedMeasure& found) {
-      return std::tuple(found.dispersion ? std::round(1e6 * *found.dispersion) : infinity,
+      return std::tuple(found.dispersion ? std::round(1e6 * *found.dispersion) : last,
                         std::round(1e3 * found.deviance.value_or(0.0)));
     };
     return key(a) < key(b);
